@@ -1,0 +1,111 @@
+// The typed mechanism: what a description says, in SI units, immutable once loaded, every part with its place.
+// Expressions are over the graph's symbols: coordinates by their names (a quaternion `base` has base.x base.y
+// base.z base.w), runtime parameters by their names, time as `t`. Other parameters are already folded in.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "support/error.hpp"
+#include "symbolic/expr.hpp"
+#include "symbolic/matrix.hpp"
+
+namespace alembert {
+
+struct Parameter {
+  std::string name;
+  double value = 0;      ///< default, if runtime
+  bool runtime = false;  ///< stays an argument of the generated functions
+  SourceLocation where;
+};
+
+enum class CoordinateType { real, quaternion };
+
+/// q of size `nq` from index `first_q`; speeds of size `nv` from `first_speed`. Real: 1 and 1. Quaternion (order x y z w, rotation of
+/// the child relative to its parent): 4 and 3, the speeds being the angular velocity in the child's axes.
+struct Coordinate {
+  std::string name;
+  CoordinateType type = CoordinateType::real;
+  int first_q = 0, first_speed = 0;
+  int nq() const { return type == CoordinateType::real ? 1 : 4; }
+  int nv() const { return type == CoordinateType::real ? 1 : 3; }
+  std::vector<double> initial;  ///< size nq
+  std::optional<std::pair<double, double>> limits;
+  std::vector<Expr> symbols;        ///< size nq: q
+  std::vector<Expr> speed_symbols;  ///< size nv: d(name), or d(name).x .y .z
+  std::vector<Expr> rate_symbols;   ///< size nv: dd(name), or dd(name).x .y .z
+  SourceLocation where;
+};
+
+struct Transform;
+
+/// Shift by `offset`, in the axes reached so far.
+struct Translation { Vec3 offset; };
+/// Rotation about coordinate axis 0, 1 or 2.
+struct AxisRotation { int axis; Expr angle; };
+/// Rotation about a constant unit vector.
+struct VectorRotation { Vec3 axis; Expr angle; };
+/// Rotation by a quaternion coordinate (index into Mechanism::coordinates).
+struct QuaternionRotation { int coordinate; };
+/// A rigid motion written out: rotation and translation.
+struct RigidMatrix { Mat3 rotation; Vec3 translation; };
+/// [b p n f]: tangent b, n normal (Frenet, or b x reference normalised), p = n x b; f the point (method.md section 5).
+struct CurveFrame { Vec3 point; Expr along; std::optional<Vec3> reference; };
+/// [p0 p1 n f] with n = f_u x f_v normalised, negated if `flip`, p0 = f_u normalised, p1 = n x p0.
+struct SurfaceFrame { Vec3 point; Expr u, v; bool flip = false; };
+/// S1 Rz(spin) S2^-1.
+struct Mate { SurfaceFrame first, second; Expr spin; };
+/// Inverse of a product of factors.
+struct Inverse { std::shared_ptr<const Transform> of; };
+
+struct Factor {
+  std::variant<Translation, AxisRotation, VectorRotation, QuaternionRotation, RigidMatrix, CurveFrame, SurfaceFrame, Mate, Inverse> value;
+  SourceLocation where;
+};
+
+/// Product of factors, left to right, from parent to child.
+struct Transform {
+  std::vector<Factor> factors;
+};
+
+/// Mass, centre of mass (body frame) and inertia about it (body axes): constants or functions of runtime parameters.
+struct MassProperties {
+  Expr mass;
+  Vec3 com;
+  Mat3 inertia;  ///< symmetric
+};
+
+struct Body {
+  std::string name;
+  int parent = -1;  ///< index of an earlier body, or -1 for the world: bodies are ordered parents first
+  Transform transform;
+  MassProperties mass_properties;
+  bool external_wrench = false;
+  SourceLocation where;
+};
+
+/// A named frame fixed to (or moving with) a body.
+struct Frame {
+  std::string name;
+  int body = -1;
+  Transform transform;
+  SourceLocation where;
+};
+
+struct Mechanism {
+  std::string name;
+  std::string description;
+  Vec3 gravity;
+  std::vector<Parameter> parameters;  ///< all, in file order
+  std::vector<Coordinate> coordinates;
+  std::vector<Body> bodies;
+  std::vector<Frame> frames;
+  Expr time;  ///< the symbol t
+  int nq = 0, nv = 0;
+  SourceLocation where;
+};
+
+}  // namespace alembert

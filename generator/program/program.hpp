@@ -1,0 +1,65 @@
+// Straight-line programs: what is counted, interpreted, verified and emitted. One flat array of operations; value i is
+// the result of instruction i, and operands are smaller indices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace alembert {
+
+enum class Operation : std::uint8_t {
+  constant,  ///< constants[a]
+  input,     ///< inputs[a]
+  add, sub, mul, div,
+  neg,
+  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, abs, sign, sinh, cosh, tanh, pow,
+};
+
+struct Instruction {
+  Operation op;
+  std::uint32_t a = 0, b = 0;
+};
+
+/// Where an input value comes from: element `index` of an argument array of the generated function.
+enum class ArgumentKind : std::uint8_t {
+  q,          ///< coordinates, size nq
+  qd,         ///< speeds, size nv
+  qdd,        ///< rates of the speeds, size nv
+  time,       ///< scalar t, index 0
+  parameter,  ///< runtime parameters, in file order
+  wrench,     ///< 6 per body with external_wrench: force x y z (world, at the centre of mass), torque x y z (world)
+  tau,        ///< generalized forces, size nv
+};
+struct InputSlot {
+  ArgumentKind kind;
+  std::uint32_t index;
+  std::string name;  ///< for comments in the output and for dumps
+};
+
+/// A result array of the generated function, row major; element k is value `values[k]`.
+struct OutputArray {
+  std::string name;  ///< tau, M, c, ...
+  std::uint32_t rows = 0, columns = 1;
+  std::vector<std::uint32_t> values;
+};
+
+struct Program {
+  std::string function;  ///< inverse_dynamics, mass_matrix, ...
+  std::string formulation;
+  std::vector<Instruction> code;
+  std::vector<double> constants;
+  std::vector<InputSlot> inputs;
+  std::vector<OutputArray> outputs;
+};
+
+/// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add; divisions and sin/cos/tan
+/// are listed apart (a constant offset inside a sin/cos argument belongs to that call and counts nowhere else: sin(q + c) is one trig);
+/// everything that is computed from constants alone is folded. `other`: sqrt, exp, pow, ...
+struct OperationCount {
+  std::size_t mul = 0, add = 0, div = 0, trig = 0, other = 0;
+  std::size_t arithmetic() const { return mul + add; }
+};
+
+}  // namespace alembert

@@ -1,0 +1,167 @@
+// Expressions: an arena of interned nodes. In: operators and function calls. Out: handles whose equality is
+// id equality, simplified on construction by rules that only look at the operands.
+//
+// A handle (Ref) is a node index and a sign bit, so x and -x are one node and negation costs nothing.
+// Children are created before parents: every pass is one loop over ids, without recursion.
+// Operand order is by content (structural key), never by id, address or order of evaluation, so that
+// the same input gives the same output whatever compiler built this program.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "symbolic/rational.hpp"
+
+namespace alembert {
+
+/// What a node computes. a and b are its operands.
+enum class Op : std::uint8_t {
+  rational,     ///< exact rational constant >= 0
+  pi_multiple,  ///< exact rational > 0 times pi
+  real,         ///< double constant > 0 (only where a rational overflows)
+  symbol,       ///< variable
+  add,          ///< a + b; a is unsigned, b may carry a sign
+  mul,          ///< a * b, both unsigned; a constant factor comes first
+  div,          ///< a / b, both unsigned
+  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, abs, sign, sinh, cosh, tanh,
+  pow,          ///< a^b where b is no integer (integers become products)
+};
+inline constexpr int kOpCount = static_cast<int>(Op::pow) + 1;
+
+/// Node index shifted left by one, plus 1 if negated.
+struct Ref {
+  std::uint32_t bits = 0;
+  constexpr Ref() = default;
+  constexpr Ref(std::uint32_t node, bool negative) : bits(node << 1 | (negative ? 1u : 0u)) {}
+  constexpr std::uint32_t node() const { return bits >> 1; }
+  constexpr bool negative() const { return (bits & 1u) != 0; }
+  constexpr Ref operator-() const { Ref r; r.bits = bits ^ 1u; return r; }
+  friend constexpr bool operator==(Ref, Ref) = default;
+};
+
+/// One node. Leaves keep an index into the graph's constant or symbol tables in a.bits.
+struct Node {
+  Op op;
+  bool constant;  ///< no symbol below
+  Ref a, b;       ///< unary operations leave b at zero
+  constexpr int arity() const;
+};
+
+constexpr int arity(Op op) {
+  switch (op) {
+    case Op::rational: case Op::pi_multiple: case Op::real: case Op::symbol: return 0;
+    case Op::add: case Op::mul: case Op::div: case Op::atan2: case Op::pow: return 2;
+    case Op::sqrt: case Op::sin: case Op::cos: case Op::tan: case Op::asin: case Op::acos: case Op::atan:
+    case Op::exp: case Op::log: case Op::abs: case Op::sign: case Op::sinh: case Op::cosh: case Op::tanh: return 1;
+  }
+  return 0;
+}
+constexpr int Node::arity() const { return alembert::arity(op); }
+
+/// A closed interval known to contain a value; used to prove signs. Defaults to the whole line.
+struct Interval {
+  double lower, upper;
+};
+
+class ExprGraph;
+
+/// A value in a graph. Cheap to copy; the graph must outlive it. Two Exprs of one graph are the same
+/// expression exactly if they compare equal. A default-constructed Expr belongs to no graph and may only be assigned to.
+class Expr {
+ public:
+  Expr() = default;
+  Expr(ExprGraph& graph, Ref ref) : graph_(&graph), ref_(ref) {}
+  ExprGraph& graph() const { return *graph_; }
+  Ref ref() const { return ref_; }
+  bool valid() const { return graph_ != nullptr; }
+  bool is_zero() const;
+  bool is_one() const;
+  bool is_constant() const;  ///< no symbol below
+  Expr operator-() const { return {*graph_, -ref_}; }
+  friend bool operator==(const Expr& x, const Expr& y) { return x.graph_ == y.graph_ && x.ref_ == y.ref_; }
+
+ private:
+  ExprGraph* graph_ = nullptr;
+  Ref ref_;
+};
+
+Expr operator+(Expr a, Expr b);
+Expr operator-(Expr a, Expr b);
+Expr operator*(Expr a, Expr b);
+Expr operator/(Expr a, Expr b);  ///< throws std::domain_error if b is the constant zero
+inline Expr& operator+=(Expr& a, Expr b) { return a = a + b; }
+inline Expr& operator-=(Expr& a, Expr b) { return a = a - b; }
+inline Expr& operator*=(Expr& a, Expr b) { return a = a * b; }
+
+Expr sqrt(Expr x);
+Expr sin(Expr x);
+Expr cos(Expr x);
+Expr tan(Expr x);
+Expr asin(Expr x);
+Expr acos(Expr x);
+Expr atan(Expr x);
+Expr atan2(Expr y, Expr x);
+Expr exp(Expr x);
+Expr log(Expr x);
+Expr abs(Expr x);
+Expr sign(Expr x);
+Expr sinh(Expr x);
+Expr cosh(Expr x);
+Expr tanh(Expr x);
+Expr pow(Expr x, Expr y);
+Expr pow(Expr x, int n);
+
+/// Owns nodes, constants and symbols. Not copyable; not thread safe.
+/// 0*x is 0 whatever x is: NaN and infinity are not values here.
+class ExprGraph {
+ public:
+  ExprGraph();
+  ExprGraph(const ExprGraph&) = delete;
+  ExprGraph& operator=(const ExprGraph&) = delete;
+
+  Expr integer(std::int64_t value);
+  Expr rational(Rational value);
+  Expr pi(Rational multiple = Rational(1));
+  Expr real(double value);  ///< exact rational if it is a short one; throws std::domain_error on NaN and infinity
+  Expr zero() { return integer(0); }
+  Expr one() { return integer(1); }
+
+  /// The symbol of that name (made on first use). Names are arbitrary text; equal names are equal symbols.
+  Expr symbol(std::string_view name);
+  /// Declares that a symbol stays inside an interval (a parameter's value, a coordinate's hard range); sign proofs use it.
+  void assume(Expr symbol, Interval interval);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
+  const Node& node(std::uint32_t id) const { return nodes_[id]; }
+  /// Content hash with the rank of the operation on top; orders operands, equal in every run and build.
+  std::uint64_t key(std::uint32_t id) const { return keys_[id]; }
+  Rational rational_value(std::uint32_t id) const;  ///< of a rational or pi_multiple node
+  double real_value(std::uint32_t id) const;        ///< of a real node
+  std::uint32_t symbol_count() const { return static_cast<std::uint32_t>(symbols_.size()); }
+  std::uint32_t symbol_index(std::uint32_t id) const { return nodes_[id].a.bits; }
+  const std::string& symbol_name(std::uint32_t index) const { return symbols_[index].name; }
+  Expr symbol_at(std::uint32_t index) { return {*this, Ref(symbols_[index].node, false)}; }
+  Interval bounds(Ref x) const;  ///< interval bound of a value, by interval arithmetic over its operands
+  std::size_t memory_bytes() const;
+
+  /// Applies an operation to operands, with simplification: the one door through which nodes are made.
+  Ref make(Op op, Ref a, Ref b = Ref());
+
+ private:
+  friend struct Builder;
+  struct Symbol { std::string name; std::uint32_t node; Interval interval; };
+  std::vector<Node> nodes_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> table_;
+  std::vector<Rational> rationals_;
+  std::vector<double> reals_;
+  std::vector<Symbol> symbols_;
+  std::unordered_map<std::string, std::uint32_t> symbol_ids_;
+};
+
+}  // namespace alembert
