@@ -1,0 +1,98 @@
+// Stage `count`: program in, operation counts out, by the convention in program.hpp.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "program/operation.hpp"
+#include "program/passes.hpp"
+
+namespace alembert {
+namespace {
+
+// Which instructions are computed from constants alone.
+std::vector<std::uint8_t> constants_alone(const Program& program) {
+  std::vector<std::uint8_t> alone(program.code.size(), 0);
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    alone[i] =
+        c.op == Operation::constant || (operands > 0 && alone[c.a] != 0 && (operands < 2 || alone[c.b] != 0));
+  }
+  return alone;
+}
+
+// Which values are used, and by nothing but sin, cos and tan.
+std::vector<std::uint8_t> angles_only(const Program& program) {
+  enum : std::uint8_t { trig = 1, elsewhere = 2 };
+  std::vector<std::uint8_t> used(program.code.size(), 0);
+  for (const Instruction& c : program.code) {
+    const int operands = operand_count(c.op);
+    if (operands > 0) used[c.a] |= is_trigonometric(c.op) ? trig : elsewhere;
+    if (operands > 1) used[c.b] |= elsewhere;
+  }
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t v : output.values) used[v] |= elsewhere;
+  for (std::uint8_t& u : used) u = u == trig;
+  return used;
+}
+
+}  // namespace
+
+OperationCount count(const Program& program) {
+  const std::vector<std::uint8_t> alone = constants_alone(program);
+  const std::vector<std::uint8_t> angle = angles_only(program);
+  // |value| of an operand that is a constant itself, otherwise 0, which no rule below asks for.
+  const auto magnitude = [&program](std::uint32_t v) {
+    const Instruction& c = program.code[v];
+    return c.op == Operation::constant ? std::abs(program.constants[c.a]) : 0.0;
+  };
+  OperationCount n;
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    if (alone[i] != 0) continue;
+    switch (c.op) {
+      case Operation::constant:
+      case Operation::input:
+      case Operation::neg:
+        break;
+      case Operation::add:
+      case Operation::sub:
+        if (angle[i] == 0 || (alone[c.a] == 0 && alone[c.b] == 0)) ++n.add;
+        break;
+      case Operation::mul: {
+        const double factor = std::max(magnitude(c.a), magnitude(c.b));
+        if (factor == 1) break;
+        ++(factor == 2 ? n.add : n.mul);
+        break;
+      }
+      case Operation::div:
+        ++n.div;
+        break;
+      case Operation::sin:
+      case Operation::cos:
+      case Operation::tan:
+        ++n.trig;
+        break;
+      case Operation::sqrt:
+      case Operation::asin:
+      case Operation::acos:
+      case Operation::atan:
+      case Operation::atan2:
+      case Operation::exp:
+      case Operation::log:
+      case Operation::abs:
+      case Operation::sign:
+      case Operation::sinh:
+      case Operation::cosh:
+      case Operation::tanh:
+      case Operation::pow:
+        ++n.other;
+        break;
+    }
+  }
+  return n;
+}
+
+}  // namespace alembert

@@ -1,0 +1,146 @@
+// Stage `dump`: program in, text out, one instruction a line, for people and for comparing two programs.
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+
+#include "program/operation.hpp"
+#include "program/passes.hpp"
+
+namespace alembert {
+namespace {
+
+const char* argument_name(ArgumentKind kind) {
+  switch (kind) {
+    case ArgumentKind::q:
+      return "q";
+    case ArgumentKind::qd:
+      return "qd";
+    case ArgumentKind::qdd:
+      return "qdd";
+    case ArgumentKind::time:
+      return "t";
+    case ArgumentKind::parameter:
+      return "parameter";
+    case ArgumentKind::wrench:
+      return "wrench";
+    case ArgumentKind::tau:
+      return "tau";
+  }
+  return "";
+}
+
+/// Infix symbol of + - * /, name of a function, empty for the rest.
+const char* operation_name(Operation op) {
+  switch (op) {
+    case Operation::constant:
+    case Operation::input:
+      return "";
+    case Operation::add:
+      return "+";
+    case Operation::sub:
+    case Operation::neg:
+      return "-";
+    case Operation::mul:
+      return "*";
+    case Operation::div:
+      return "/";
+    case Operation::sqrt:
+      return "sqrt";
+    case Operation::sin:
+      return "sin";
+    case Operation::cos:
+      return "cos";
+    case Operation::tan:
+      return "tan";
+    case Operation::asin:
+      return "asin";
+    case Operation::acos:
+      return "acos";
+    case Operation::atan:
+      return "atan";
+    case Operation::atan2:
+      return "atan2";
+    case Operation::exp:
+      return "exp";
+    case Operation::log:
+      return "log";
+    case Operation::abs:
+      return "abs";
+    case Operation::sign:
+      return "sign";
+    case Operation::sinh:
+      return "sinh";
+    case Operation::cosh:
+      return "cosh";
+    case Operation::tanh:
+      return "tanh";
+    case Operation::pow:
+      return "pow";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string dump(const Program& program) {
+  std::string text = "function " + program.function;
+  if (!program.formulation.empty()) text += " (" + program.formulation + ")";
+  text += "\n";
+  const auto out = std::back_inserter(text);
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const char* name = operation_name(c.op);
+    fmt::format_to(out, "t{} = ", i);
+    switch (c.op) {
+      case Operation::constant:
+        fmt::format_to(out, "{}", program.constants[c.a]);
+        break;
+      case Operation::input: {
+        const InputSlot& slot = program.inputs[c.a];
+        if (slot.kind == ArgumentKind::time)
+          fmt::format_to(out, "t");
+        else
+          fmt::format_to(out, "{}[{}]", argument_name(slot.kind), slot.index);
+        if (!slot.name.empty()) fmt::format_to(out, "  # {}", slot.name);
+        break;
+      }
+      case Operation::add:
+      case Operation::sub:
+      case Operation::mul:
+      case Operation::div:
+        fmt::format_to(out, "t{} {} t{}", c.a, name, c.b);
+        break;
+      case Operation::neg:
+        fmt::format_to(out, "-t{}", c.a);
+        break;
+      case Operation::atan2:
+      case Operation::pow:
+        fmt::format_to(out, "{}(t{}, t{})", name, c.a, c.b);
+        break;
+      case Operation::sqrt:
+      case Operation::sin:
+      case Operation::cos:
+      case Operation::tan:
+      case Operation::asin:
+      case Operation::acos:
+      case Operation::atan:
+      case Operation::exp:
+      case Operation::log:
+      case Operation::abs:
+      case Operation::sign:
+      case Operation::sinh:
+      case Operation::cosh:
+      case Operation::tanh:
+        fmt::format_to(out, "{}(t{})", name, c.a);
+        break;
+    }
+    text += "\n";
+  }
+  for (const OutputArray& output : program.outputs)
+    for (std::size_t k = 0; k < output.values.size(); ++k)
+      fmt::format_to(out, "{}[{}] = t{}\n", output.name, k, output.values[k]);
+  return text;
+}
+
+}  // namespace alembert

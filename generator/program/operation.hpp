@@ -1,0 +1,137 @@
+// What each operation of a program means: its number of operands, its parity and its value. In: an operation
+// and operands. Out: one correctly rounded step, the same that the emitted code takes.
+#pragma once
+
+#include <cmath>
+
+#include "program/program.hpp"
+
+namespace alembert {
+
+/// Number of operands that are values of other instructions (0 for constants and inputs).
+constexpr int operand_count(Operation op) {
+  switch (op) {
+    case Operation::constant:
+    case Operation::input:
+      return 0;
+    case Operation::add:
+    case Operation::sub:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::atan2:
+    case Operation::pow:
+      return 2;
+    case Operation::neg:
+    case Operation::sqrt:
+    case Operation::sin:
+    case Operation::cos:
+    case Operation::tan:
+    case Operation::asin:
+    case Operation::acos:
+    case Operation::atan:
+    case Operation::exp:
+    case Operation::log:
+    case Operation::abs:
+    case Operation::sign:
+    case Operation::sinh:
+    case Operation::cosh:
+    case Operation::tanh:
+      return 1;
+  }
+  return 0;
+}
+
+/// How f(-x) relates to f(x), for functions of one operand.
+enum class Parity { odd, even, none };
+
+constexpr Parity parity(Operation op) {
+  switch (op) {
+    case Operation::neg:
+    case Operation::sin:
+    case Operation::tan:
+    case Operation::asin:
+    case Operation::atan:
+    case Operation::sign:
+    case Operation::sinh:
+    case Operation::tanh:
+      return Parity::odd;
+    case Operation::cos:
+    case Operation::abs:
+    case Operation::cosh:
+      return Parity::even;
+    case Operation::constant:
+    case Operation::input:
+    case Operation::add:
+    case Operation::sub:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::sqrt:
+    case Operation::acos:
+    case Operation::atan2:
+    case Operation::exp:
+    case Operation::log:
+    case Operation::pow:
+      return Parity::none;
+  }
+  return Parity::none;
+}
+
+/// sin, cos and tan: the calls that the counting convention lists apart.
+constexpr bool is_trigonometric(Operation op) {
+  return op == Operation::sin || op == Operation::cos || op == Operation::tan;
+}
+
+/// Value of an operation on `a` (and `b`); constants and inputs have none here and give `a`.
+template <class Real>
+Real apply(Operation op, Real a, Real b) {
+  switch (op) {
+    case Operation::constant:
+    case Operation::input:
+      return a;
+    case Operation::add:
+      return a + b;
+    case Operation::sub:
+      return a - b;
+    case Operation::mul:
+      return a * b;
+    case Operation::div:
+      return a / b;
+    case Operation::neg:
+      return -a;
+    case Operation::sqrt:
+      return std::sqrt(a);
+    case Operation::sin:
+      return std::sin(a);
+    case Operation::cos:
+      return std::cos(a);
+    case Operation::tan:
+      return std::tan(a);
+    case Operation::asin:
+      return std::asin(a);
+    case Operation::acos:
+      return std::acos(a);
+    case Operation::atan:
+      return std::atan(a);
+    case Operation::atan2:
+      return std::atan2(a, b);
+    case Operation::exp:
+      return std::exp(a);
+    case Operation::log:
+      return std::log(a);
+    case Operation::abs:
+      return std::abs(a);
+    case Operation::sign:
+      return static_cast<Real>((a > 0) - (a < 0));
+    case Operation::sinh:
+      return std::sinh(a);
+    case Operation::cosh:
+      return std::cosh(a);
+    case Operation::tanh:
+      return std::tanh(a);
+    case Operation::pow:
+      return std::pow(a, b);
+  }
+  return a;
+}
+
+}  // namespace alembert

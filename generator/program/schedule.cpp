@@ -1,0 +1,94 @@
+// Stage `schedule`: program in, the same instructions in depth-first order out. Dead instructions go.
+//
+// Postorder from the outputs keeps the lives of values short, and beats breadth-first order by a fifth of the
+// run time. sin and cos of one value stand together, so that a compiler can make one call of the two.
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "program/operation.hpp"
+#include "program/passes.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// For each sin the cos of the same value and the other way round.
+std::vector<std::uint32_t> sine_partners(const Program& program) {
+  std::vector<std::uint32_t> sine(program.code.size(), kNone), cosine(sine), partner(sine);
+  for (std::uint32_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    if (c.op == Operation::sin && sine[c.a] == kNone) sine[c.a] = i;
+    if (c.op == Operation::cos && cosine[c.a] == kNone) cosine[c.a] = i;
+  }
+  for (std::uint32_t i = 0; i < program.code.size(); ++i)
+    if (sine[i] != kNone && cosine[i] != kNone) {
+      partner[sine[i]] = cosine[i];
+      partner[cosine[i]] = sine[i];
+    }
+  return partner;
+}
+
+std::vector<std::uint8_t> live(const Program& program) {
+  std::vector<std::uint8_t> needed(program.code.size(), 0);
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t v : output.values) needed[v] = 1;
+  for (std::size_t i = program.code.size(); i-- > 0;) {
+    if (needed[i] == 0) continue;
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    if (operands > 0) needed[c.a] = 1;
+    if (operands > 1) needed[c.b] = 1;
+  }
+  return needed;
+}
+
+}  // namespace
+
+Program schedule(Program program) {
+  const std::vector<std::uint32_t> partner = sine_partners(program);
+  const std::vector<std::uint8_t> needed = live(program);
+  std::vector<Instruction> code;
+  std::vector<double> constants;
+  std::vector<std::uint32_t> place(program.code.size(), kNone);
+  const auto emit = [&](std::uint32_t i) {
+    Instruction c = program.code[i];
+    const int operands = operand_count(c.op);
+    if (c.op == Operation::constant) {
+      constants.push_back(program.constants[c.a]);
+      c.a = static_cast<std::uint32_t>(constants.size() - 1);
+    }
+    if (operands > 0) c.a = place[c.a];
+    if (operands > 1) c.b = place[c.b];
+    place[i] = static_cast<std::uint32_t>(code.size());
+    code.push_back(c);
+  };
+  std::vector<std::pair<std::uint32_t, int>> stack;  // instruction and the operand to visit next
+  for (OutputArray& output : program.outputs)
+    for (std::uint32_t& value : output.values) {
+      if (place[value] == kNone) stack.push_back({value, 0});
+      while (!stack.empty()) {
+        auto& [i, next] = stack.back();
+        const Instruction& c = program.code[i];
+        if (place[i] == kNone && next < operand_count(c.op)) {
+          const std::uint32_t operand = next++ == 0 ? c.a : c.b;
+          if (place[operand] == kNone) stack.push_back({operand, 0});
+          continue;
+        }
+        const std::uint32_t done = i;
+        stack.pop_back();
+        if (place[done] != kNone) continue;
+        emit(done);
+        const std::uint32_t other = partner[done];
+        if (other != kNone && needed[other] != 0 && place[other] == kNone) emit(other);
+      }
+      value = place[value];
+    }
+  program.code = std::move(code);
+  program.constants = std::move(constants);
+  return program;
+}
+
+}  // namespace alembert
