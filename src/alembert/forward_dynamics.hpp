@@ -1,0 +1,119 @@
+// Forward dynamics: accelerations from forces. In: a mechanism's M and c, and generalized forces. Out: the
+// rates of the speeds, or a status that says why there are none; never a NaN passed off as a result. No heap,
+// no exceptions.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "alembert/mechanism.hpp"
+
+namespace alembert {
+
+/// What came of a call.
+enum class Status {
+  ok = 0,
+  not_finite = 1,  ///< an argument, M or c, or the result holds a NaN or an infinity
+  not_positive_definite =
+      2,  ///< M has a pivot that is not positive beyond rounding: the mechanism is singular here
+};
+
+/// The status in words, for messages.
+constexpr const char* to_string(Status status) noexcept {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::not_finite:
+      return "a value is not finite";
+    case Status::not_positive_definite:
+      return "the mass matrix is not positive definite";
+  }
+  return "unknown status";
+}
+
+namespace detail {
+
+template <class Derived>
+bool all_finite(const Eigen::MatrixBase<Derived>& x) {
+  using std::isfinite;
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+      if (!isfinite(x(i, j))) return false;
+  return true;
+}
+
+}  // namespace detail
+
+/// Factors a symmetric matrix in place, A = L D L^T.
+///
+/// \param A  n x n; only the lower triangle is read. On success it holds L below the diagonal (its diagonal
+/// is 1) and D
+///           on the diagonal.
+/// \return   not_finite or not_positive_definite if a pivot is not finite, or not above n * epsilon * A_ii:
+/// below that,
+///           cancellation has left no correct digit in it. A is spoilt then.
+///
+/// Loops of fixed length, written out here because Eigen's blocked factorisations take memory from the heap
+/// from 32 rows on. Golub and Van Loan, Matrix Computations, algorithm 4.1.2.
+template <class S, int N>
+[[nodiscard]] Status factor_ldlt(Eigen::Matrix<S, N, N>& A) {
+  using std::isfinite;
+  static_assert(N > 0, "the size must be fixed and positive");
+  const S rounding = S(N) * std::numeric_limits<S>::epsilon();
+  Eigen::Matrix<S, N, 1> scaled;  // L_jk D_k of the current row j
+  for (int j = 0; j < N; ++j) {
+    const S diagonal = A(j, j);
+    S pivot = diagonal;
+    for (int k = 0; k < j; ++k) {
+      scaled(k) = A(j, k) * A(k, k);
+      pivot -= A(j, k) * scaled(k);
+    }
+    if (!isfinite(pivot)) return Status::not_finite;
+    if (!(pivot > S(0)) || !(pivot > rounding * diagonal)) return Status::not_positive_definite;
+    A(j, j) = pivot;
+    for (int i = j + 1; i < N; ++i) {
+      S sum = A(i, j);
+      for (int k = 0; k < j; ++k) sum -= A(i, k) * scaled(k);
+      A(i, j) = sum / pivot;
+    }
+  }
+  return Status::ok;
+}
+
+/// Solves A x = b in place, with A as factor_ldlt leaves it.
+template <class S, int N>
+void solve_ldlt(const Eigen::Matrix<S, N, N>& A, Eigen::Matrix<S, N, 1>& x) {
+  for (int j = 0; j < N; ++j)
+    for (int i = j + 1; i < N; ++i) x(i) -= A(i, j) * x(j);
+  for (int i = 0; i < N; ++i) x(i) /= A(i, i);
+  for (int i = N - 1; i >= 0; --i)
+    for (int k = i + 1; k < N; ++k) x(i) -= A(k, i) * x(k);
+}
+
+/// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)).
+///
+/// \param q    coordinates, n_q x 1
+/// \param qd   speeds, n_v x 1
+/// \param tau  generalized forces, n_v x 1, one per speed: N m for an angle, N for a length
+/// \param in   time, runtime parameters, external wrenches
+/// \param qdd  result, n_v x 1; left as it was unless the status is ok
+/// \return     ok, or why there is no result. A sum that overflows counts as not_finite.
+template <class M>
+[[nodiscard]] Status forward_dynamics(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
+                                      const SpeedVector<M>& tau, const typename M::Inputs& in,
+                                      SpeedVector<M>& qdd) {
+  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  SpeedMatrix<M> mass;
+  SpeedVector<M> x;
+  M::mass_matrix_and_bias(q, qd, in, mass, x);
+  x = tau - x;
+  if (!detail::all_finite(mass) || !detail::all_finite(x)) return Status::not_finite;
+  const Status status = factor_ldlt(mass);
+  if (status != Status::ok) return status;
+  solve_ldlt(mass, x);
+  if (!detail::all_finite(x)) return Status::not_finite;
+  qdd = x;
+  return Status::ok;
+}
+
+}  // namespace alembert

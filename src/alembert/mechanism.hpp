@@ -1,0 +1,72 @@
+// What the runtime library asks of a mechanism. In: a stateless type, as the generator writes one. Out: a
+// trait (C++17) and a concept (C++20) that say whether the type will do, and short names for its vectors.
+//
+// A mechanism M with n_q coordinates q and n_v speeds u has
+//   M::Scalar, M::Inputs                     scalar type; time `t`, runtime parameters and external wrenches
+//   M::kNq, M::kNv                           sizes of q and u
+//   M::kQuaternionOffsets                    std::array<int, k>: where the unit quaternions (x y z w) start
+//   in q M::mass_matrix_and_bias(q, u, in, M, c)  M(q) and c(q, u) of  tau = M(q) du/dt + c(q, u)
+//   M::coordinate_rates(q, u)                dq/dt = N(q) u
+// and, optionally, M::energy(q, u, in): kinetic and potential energy.
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+#include <utility>
+
+namespace alembert {
+
+/// Coordinates of M: n_q x 1.
+template <class M>
+using CoordinateVector = Eigen::Matrix<typename M::Scalar, M::kNq, 1>;
+
+/// Speeds of M, their rates, or generalized forces: n_v x 1.
+template <class M>
+using SpeedVector = Eigen::Matrix<typename M::Scalar, M::kNv, 1>;
+
+/// Mass matrix of M: n_v x n_v.
+template <class M>
+using SpeedMatrix = Eigen::Matrix<typename M::Scalar, M::kNv, M::kNv>;
+
+namespace detail {
+
+template <class M, class = void>
+struct IsMechanism : std::false_type {};
+
+template <class M>
+struct IsMechanism<
+    M, std::void_t<typename M::Scalar, typename M::Inputs, decltype(std::declval<typename M::Inputs&>().t),
+                   decltype(M::kQuaternionOffsets.size()),
+                   decltype(M::mass_matrix_and_bias(
+                       std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+                       std::declval<const typename M::Inputs&>(), std::declval<SpeedMatrix<M>&>(),
+                       std::declval<SpeedVector<M>&>())),
+                   decltype(CoordinateVector<M>(M::coordinate_rates(
+                       std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>())))>>
+    : std::bool_constant<(M::kNv > 0 && M::kNq >= M::kNv)> {};
+
+template <class M, class = void>
+struct HasEnergy : std::false_type {};
+
+template <class M>
+struct HasEnergy<M, std::void_t<decltype(M::energy(
+                        std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+                        std::declval<const typename M::Inputs&>())[1])>> : std::true_type {};
+
+}  // namespace detail
+
+/// True if M has all that is listed at the top of this file.
+template <class M>
+inline constexpr bool is_mechanism_v = detail::IsMechanism<M>::value;
+
+/// True if M also has `energy`.
+template <class M>
+inline constexpr bool has_energy_v = is_mechanism_v<M>&& detail::HasEnergy<M>::value;
+
+#if defined(__cpp_concepts) && __cpp_concepts >= 201907L
+/// The same as is_mechanism_v, for constraining templates.
+template <class M>
+concept MechanismType = is_mechanism_v<M>;
+#endif
+
+}  // namespace alembert

@@ -1,0 +1,18 @@
+// Instantiates the runtime library as C++17 without exceptions and RTTI: it only has to compile.
+#include "alembert/energy.hpp"
+#include "alembert/forward_dynamics.hpp"
+#include "alembert/integrate.hpp"
+#include "runtime/models.hpp"
+
+static_assert(__cplusplus < 202002L, "this file is for C++17");
+using Model = models::SpinningBody<float>;
+
+alembert::Status step_in_cxx17(Eigen::Vector4f& q, Eigen::Vector3f& w, Model::Inputs& in) {
+  const auto force = [](float, const Eigen::Vector4f&, const Eigen::Vector3f&) {
+    return Eigen::Vector3f(Eigen::Vector3f::Zero());
+  };
+  if (const auto status = alembert::rk4_step<Model>(q, w, in, 0.1f, force); status != alembert::Status::ok)
+    return status;
+  return alembert::semi_implicit_euler_step<Model>(q, w, in, alembert::energy<Model>(q, w, in).total(),
+                                                   force);
+}

@@ -1,0 +1,257 @@
+// Runtime library on mechanisms written by hand: solutions known in closed form, failures reported, no heap.
+#define EIGEN_RUNTIME_NO_MALLOC
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "alembert/energy.hpp"
+#include "alembert/forward_dynamics.hpp"
+#include "alembert/integrate.hpp"
+#include "alembert/version.hpp"
+#include "runtime/allocation_counter.hpp"
+#include "runtime/models.hpp"
+
+namespace {
+
+using alembert::Status;
+using models::Dense;
+using models::Pendulum;
+using models::SpinningBody;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct NotAMechanism {
+  using Scalar = double;
+  static constexpr int kNq = 1, kNv = 1;
+};
+
+static_assert(alembert::is_mechanism_v<Pendulum<double>>);
+static_assert(alembert::is_mechanism_v<Pendulum<float>>);
+static_assert(alembert::is_mechanism_v<SpinningBody<>>);
+static_assert(!alembert::is_mechanism_v<NotAMechanism>);
+static_assert(!alembert::is_mechanism_v<int>);
+static_assert(alembert::has_energy_v<SpinningBody<>>);
+static_assert(!alembert::has_energy_v<Dense<3>>);
+static_assert(alembert::MechanismType<Pendulum<>> && !alembert::MechanismType<NotAMechanism>);
+
+template <class M>
+alembert::SpeedVector<M> no_force(typename M::Scalar, const alembert::CoordinateVector<M>&,
+                                  const alembert::SpeedVector<M>&) {
+  return alembert::SpeedVector<M>::Zero();
+}
+
+template <int N>
+void check_dense_solution() {
+  using M = Dense<N>;
+  typename M::Vector q, qd, tau, qdd, bias;
+  for (int i = 0; i < N; ++i) {
+    q(i) = 0;
+    qd(i) = std::sin(i);
+    tau(i) = std::cos(3 * i);
+  }
+  typename M::Inputs in{1.0};
+  ASSERT_EQ(alembert::forward_dynamics<M>(q, qd, tau, in, qdd), Status::ok);
+  Eigen::Matrix<double, N, N> mass;
+  M::mass_matrix_and_bias(q, qd, in, mass, bias);
+  EXPECT_LT((mass * qdd + bias - tau).cwiseAbs().maxCoeff(), 1e-13) << "n = " << N;
+}
+
+TEST(ForwardDynamics, SolvesTheEquationsOfMotion) {
+  check_dense_solution<1>();
+  check_dense_solution<2>();
+  check_dense_solution<6>();
+  check_dense_solution<40>();
+  check_dense_solution<100>();
+}
+
+TEST(ForwardDynamics, PendulumInFloat) {
+  using M = Pendulum<float>;
+  const M::Vector q(0.7f), qd(0.1f), tau(0.3f);
+  M::Vector qdd;
+  ASSERT_EQ(alembert::forward_dynamics<M>(q, qd, tau, {}, qdd), Status::ok);
+  EXPECT_NEAR(qdd(0), (0.3f - 2 * 9.81f * 0.5f * std::sin(0.7f)) / 0.5f, 1e-5f);
+}
+
+TEST(ForwardDynamics, SingularMassMatrixIsReported) {
+  using M = Dense<4>;
+  M::Vector q, qd, tau, qdd;
+  q.setZero();
+  qd.setZero();
+  tau.setOnes();
+  qdd.setConstant(7);
+  const M::Vector before = qdd;
+  EXPECT_EQ(alembert::forward_dynamics<M>(q, qd, tau, {-1.5}, qdd), Status::not_positive_definite);
+  EXPECT_EQ(qdd, before);
+}
+
+TEST(ForwardDynamics, SemidefiniteUpToRoundingIsReported) {
+  // Rank one: x x^T leaves pivots that are zero, or rounding errors of either sign.
+  Eigen::Vector3d x(0.1, 0.7, 1.3);
+  Eigen::Matrix3d A = x * x.transpose();
+  EXPECT_EQ(alembert::factor_ldlt(A), Status::not_positive_definite);
+  Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
+  EXPECT_EQ(alembert::factor_ldlt(zero), Status::not_positive_definite);
+}
+
+TEST(ForwardDynamics, WidelyScaledButRegularIsSolved) {
+  Eigen::Matrix3d A = Eigen::Vector3d(1e12, 1, 1e-12).asDiagonal();
+  ASSERT_EQ(alembert::factor_ldlt(A), Status::ok);
+  Eigen::Vector3d x(1e12, 1, 1e-12);
+  alembert::solve_ldlt(A, x);
+  EXPECT_EQ(x, Eigen::Vector3d::Ones());
+}
+
+TEST(ForwardDynamics, WhatIsNotFiniteIsReported) {
+  using M = Pendulum<>;
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    M::Vector qdd(7.0);
+    EXPECT_EQ(alembert::forward_dynamics<M>(M::Vector(bad), M::Vector(0.0), M::Vector(0.0), {}, qdd),
+              Status::not_finite);
+    EXPECT_EQ(alembert::forward_dynamics<M>(M::Vector(0.0), M::Vector(0.0), M::Vector(bad), {}, qdd),
+              Status::not_finite);
+    EXPECT_EQ(qdd(0), 7.0);
+  }
+  using D = Dense<2>;
+  D::Vector qdd(7.0, 7.0);
+  const D::Vector zero = D::Vector::Zero();
+  EXPECT_EQ(alembert::forward_dynamics<D>(zero, zero, zero, {kNan}, qdd), Status::not_finite);
+  // Finite arguments, but the result overflows.
+  EXPECT_EQ(alembert::forward_dynamics<D>(zero, zero, D::Vector(1.7e308, -1.7e308), {0.0}, qdd),
+            Status::not_finite);
+  EXPECT_EQ(qdd, D::Vector(7.0, 7.0));
+}
+
+/// Global error of a method on the spinning body at t = 1, with n steps, against one with many more.
+template <class Step>
+double spin_error(Step step, int n, const Eigen::Vector4d& exact_q, const Eigen::Vector3d& exact_w) {
+  using M = SpinningBody<>;
+  Eigen::Vector4d q(0, 0, 0, 1);
+  Eigen::Vector3d w(1, 0.5, -2);
+  M::Inputs in;
+  for (int i = 0; i < n; ++i) EXPECT_EQ(step(q, w, in, 1.0 / n), Status::ok);
+  EXPECT_NEAR(in.t, 1.0, 1e-12);
+  EXPECT_NEAR(q.norm(), 1.0, 1e-15);
+  return std::max((q - exact_q).norm(), (w - exact_w).norm());
+}
+
+TEST(Integrate, OrderOfConvergenceWithQuaternions) {
+  using M = SpinningBody<>;
+  const auto rk4 = [](Eigen::Vector4d& q, Eigen::Vector3d& w, M::Inputs& in, double h) {
+    return alembert::rk4_step<M>(q, w, in, h, no_force<M>);
+  };
+  const auto euler = [](Eigen::Vector4d& q, Eigen::Vector3d& w, M::Inputs& in, double h) {
+    return alembert::semi_implicit_euler_step<M>(q, w, in, h, no_force<M>);
+  };
+  Eigen::Vector4d q(0, 0, 0, 1);
+  Eigen::Vector3d w(1, 0.5, -2);
+  M::Inputs in;
+  for (int i = 0; i < 4000; ++i) ASSERT_EQ(rk4(q, w, in, 1.0 / 4000), Status::ok);
+  const double rk4_order = std::log2(spin_error(rk4, 20, q, w) / spin_error(rk4, 40, q, w));
+  EXPECT_NEAR(rk4_order, 4.0, 0.2);
+  const double euler_order = std::log2(spin_error(euler, 1000, q, w) / spin_error(euler, 2000, q, w));
+  EXPECT_NEAR(euler_order, 1.0, 0.1);
+}
+
+TEST(Integrate, FreeSpinKeepsEnergyAndMomentum) {
+  using M = SpinningBody<>;
+  Eigen::Vector4d q(0, 0, 0, 1);
+  Eigen::Vector3d w(0.01, 3, 0.02);  // about the middle axis: it tumbles
+  M::Inputs in;
+  const auto momentum = [](const Eigen::Vector4d& p, const Eigen::Vector3d& u) {
+    return Eigen::Vector3d(Eigen::Quaterniond(p) * M::inertia().cwiseProduct(u));
+  };
+  const double energy = alembert::energy<M>(q, w, in).total();
+  EXPECT_NEAR(energy, alembert::kinetic_energy<M>(q, w, in), 1e-15 * energy);
+  const Eigen::Vector3d before = momentum(q, w);
+  for (int i = 0; i < 20000; ++i) ASSERT_EQ(alembert::rk4_step<M>(q, w, in, 1e-3, no_force<M>), Status::ok);
+  EXPECT_NEAR(alembert::energy<M>(q, w, in).total(), energy, 1e-10 * energy);
+  EXPECT_LT((momentum(q, w) - before).norm(), 1e-9);
+}
+
+TEST(Integrate, PendulumEnergy) {
+  using M = Pendulum<>;
+  M::Vector q(2.0), qd(0.0);
+  M::Inputs in;
+  const double start = alembert::energy<M>(q, qd, in).total();
+  double worst = 0;
+  for (int i = 0; i < 10000; ++i) {
+    ASSERT_EQ(alembert::semi_implicit_euler_step<M>(q, qd, in, 1e-3, no_force<M>), Status::ok);
+    worst = std::max(worst, std::abs(alembert::energy<M>(q, qd, in).total() - start));
+  }
+  EXPECT_LT(worst, 0.05);  // bounded: it oscillates with h instead of growing
+  q(0) = 2.0;
+  qd(0) = 0.0;
+  for (int i = 0; i < 10000; ++i) ASSERT_EQ(alembert::rk4_step<M>(q, qd, in, 1e-3, no_force<M>), Status::ok);
+  EXPECT_NEAR(alembert::energy<M>(q, qd, in).total(), start, 1e-9);
+}
+
+TEST(Integrate, ForceSeesTimeOfTheStage) {
+  // m l^2 qdd = tau with gravity cancelled: qdd = t exactly integrates to t^3/6 under order 4.
+  using M = Pendulum<>;
+  M::Vector q(0.0), qd(0.0);
+  M::Inputs in;
+  const auto force = [](double t, const M::Vector& x, const M::Vector&) {
+    return M::Vector(M::m * M::l * M::l * t + M::m * M::g * M::l * std::sin(x(0)));
+  };
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(alembert::rk4_step<M>(q, qd, in, 0.1, force), Status::ok);
+  EXPECT_NEAR(q(0), 1.0 / 6, 1e-14);
+  EXPECT_NEAR(qd(0), 0.5, 1e-14);
+}
+
+TEST(Integrate, FailureLeavesTheStateAlone) {
+  using M = Pendulum<>;
+  const auto bad_later = [](double t, const M::Vector&, const M::Vector&) {
+    return M::Vector(t > 0 ? kNan : 0.0);
+  };
+  M::Vector q(0.3), qd(0.2);
+  M::Inputs in;
+  EXPECT_EQ(alembert::rk4_step<M>(q, qd, in, 0.1, bad_later), Status::not_finite);
+  EXPECT_EQ(q(0), 0.3);
+  EXPECT_EQ(qd(0), 0.2);
+  EXPECT_EQ(in.t, 0.0);
+  const auto bad = [](double, const M::Vector&, const M::Vector&) { return M::Vector(kInfinity); };
+  EXPECT_EQ(alembert::semi_implicit_euler_step<M>(q, qd, in, 0.1, bad), Status::not_finite);
+  EXPECT_EQ(q(0), 0.3);
+  using Q = SpinningBody<>;
+  Eigen::Vector4d zero = Eigen::Vector4d::Zero();
+  EXPECT_EQ(alembert::normalize_quaternions<Q>(zero), Status::not_finite);
+  EXPECT_EQ(zero.norm(), 0.0);
+}
+
+template <class M>
+std::size_t allocations_of_all_calls(alembert::CoordinateVector<M> q) {
+  alembert::SpeedVector<M> qd = alembert::SpeedVector<M>::Constant(0.1), qdd;
+  typename M::Inputs in{};
+  in.t = 1;
+  Eigen::internal::set_is_malloc_allowed(false);
+  const std::size_t before = allocation_count();
+  bool ok = alembert::forward_dynamics<M>(q, qd, qd, in, qdd) == Status::ok;
+  ok = ok && alembert::rk4_step<M>(q, qd, in, 1e-3, no_force<M>) == Status::ok;
+  ok = ok && alembert::semi_implicit_euler_step<M>(q, qd, in, 1e-3, no_force<M>) == Status::ok;
+  ok = ok && alembert::kinetic_energy<M>(q, qd, in) > 0;
+  const std::size_t after = allocation_count();
+  Eigen::internal::set_is_malloc_allowed(true);
+  EXPECT_TRUE(ok);
+  return after - before;
+}
+
+TEST(Runtime, NoHeapInAnyCall) {
+  // The counter works at all:
+  const std::size_t before = allocation_count();
+  delete new int(1);
+  ASSERT_GT(allocation_count(), before);
+  EXPECT_EQ(allocations_of_all_calls<Pendulum<>>(Eigen::Matrix<double, 1, 1>(0.5)), 0u);
+  EXPECT_EQ(allocations_of_all_calls<SpinningBody<>>(Eigen::Vector4d(0, 0, 0, 1)), 0u);
+  EXPECT_EQ(allocations_of_all_calls<Dense<60>>(Dense<60>::Vector::Zero()), 0u);
+  EXPECT_EQ(allocations_of_all_calls<Dense<110>>(Dense<110>::Vector::Zero()), 0u);
+}
+
+TEST(Runtime, StatusInWords) {
+  EXPECT_STREQ(alembert::to_string(Status::ok), "ok");
+  EXPECT_STREQ(alembert::to_string(Status::not_finite), "a value is not finite");
+  EXPECT_STREQ(alembert::to_string(Status::not_positive_definite),
+               "the mass matrix is not positive definite");
+}
+
+}  // namespace
