@@ -1,0 +1,32 @@
+// Forward mode. In: roots and variables. Out: the Jacobian, one column a sweep: the tangent of every node
+// with respect to one variable, children before parents.
+#include "differentiation/derivative_graph.hpp"
+#include "differentiation/jacobian.hpp"
+
+namespace alembert {
+
+Jacobian jacobian_forward(std::span<const Expr> roots, std::span<const Expr> variables) {
+  const DerivativeGraph graph = derivative_graph(roots, variables);
+  Jacobian result = zero_jacobian(roots, variables, DerivativeMethod::forward);
+  std::vector<Expr> tangent(graph.nodes.size());  // without a graph: zero
+  for (std::size_t j = 0; j < variables.size(); ++j) {
+    const std::uint32_t variable = graph.variables[j];
+    if (variable == DerivativeGraph::kNone) continue;
+    tangent.assign(graph.nodes.size(), Expr());
+    tangent[variable] = graph.graph->one();
+    for (const DerivativeEdge& edge : graph.edges) {
+      if (!tangent[edge.bottom].valid()) continue;
+      const Expr product = tangent[edge.bottom] * graph.expr(edge.value);
+      Expr& sum = tangent[edge.top];
+      sum = sum.valid() ? sum + product : product;
+    }
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      const std::uint32_t root = graph.roots[i];
+      if (root == DerivativeGraph::kNone || !tangent[root].valid()) continue;
+      result.entries[i * variables.size() + j] = graph.negative[i] ? -tangent[root] : tangent[root];
+    }
+  }
+  return result;
+}
+
+}  // namespace alembert
