@@ -1,0 +1,273 @@
+// YAML by yaml-cpp's events, so that depth and size are limited while reading, and keys can be compared.
+#include "mechanism/document.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace alembert {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Length of the well-formed UTF-8 sequence at `i` (no overlong forms, no surrogates), or 0.
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) -> unsigned {
+    return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0u;
+  };
+  const auto tail = [&](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80u) return 1;
+  if (lead >= 0xC2u && lead <= 0xDFu && tail(1)) return 2;
+  if (lead >= 0xE0u && lead <= 0xEFu && tail(1) && tail(2)) {
+    if ((lead == 0xE0u && byte(1) < 0xA0u) || (lead == 0xEDu && byte(1) > 0x9Fu)) return 0;
+    return 3;
+  }
+  if (lead >= 0xF0u && lead <= 0xF4u && tail(1) && tail(2) && tail(3)) {
+    if ((lead == 0xF0u && byte(1) < 0x90u) || (lead == 0xF4u && byte(1) > 0x8Fu)) return 0;
+    return 4;
+  }
+  return 0;
+}
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+}  // namespace
+
+/// Takes yaml-cpp's events and builds the tree.
+class TreeBuilder final : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(Document& document, int first_line_shift)
+      : document_(document), first_line_shift_(first_line_shift) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) throw InputError(place(mark), "a second YAML document; a file holds one mechanism");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    YamlNode& node = append(mark, YamlNode::Kind::null, anchor);
+    // The mark of an absent value is that of whatever follows it: its key says better what lacks a value.
+    if (!open_.empty() && open_.back()->kind == YamlNode::Kind::mapping) {
+      const YamlNode& parent = *open_.back();
+      if (parent.items.size() % 2 == 1) {
+        node.line = parent.items.back()->line;
+        node.column = parent.items.back()->column;
+      }
+    }
+    attach(node);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    if (anchor >= anchors_.size() || anchors_[anchor] == nullptr)
+      throw InputError(place(mark), "an alias without its anchor");
+    const YamlNode& node = *anchors_[anchor];
+    if (!node.finished) throw InputError(place(mark), "an alias inside the node that it names");
+    if (expects_key()) throw InputError(place(mark), "a key must be a name, not an alias");
+    attach(node);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    YamlNode& node = append(mark, YamlNode::Kind::scalar, anchor);
+    refuse_tag(mark, tag);
+    node.plain = tag == "?" || tag.empty();
+    node.text = value;
+    attach(node);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    begin(mark, tag, YamlNode::Kind::sequence, anchor);
+  }
+  void OnSequenceEnd() override { end(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    begin(mark, tag, YamlNode::Kind::mapping, anchor);
+    keys_.emplace_back();
+  }
+  void OnMapEnd() override {
+    keys_.pop_back();
+    end();
+  }
+
+  SourceLocation place(const YAML::Mark& mark) const {
+    if (mark.is_null()) return document_.start();
+    const int lines = static_cast<int>(document_.line_starts_.size());
+    const int shift = mark.line == 0 ? first_line_shift_ : 0;
+    return {document_.source_, std::clamp(mark.line + 1, 1, lines), std::max(mark.column + 1 + shift, 1)};
+  }
+  const YamlNode* root() const { return root_; }
+
+ private:
+  bool expects_key() const {
+    return !open_.empty() && open_.back()->kind == YamlNode::Kind::mapping &&
+           open_.back()->items.size() % 2 == 0;
+  }
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (!tag.empty() && tag != "?" && tag != "!")
+      throw InputError(place(mark),
+                       fmt::format("YAML tags such as '{}' have no meaning here", printable(tag)));
+  }
+  YamlNode& append(const YAML::Mark& mark, YamlNode::Kind kind, YAML::anchor_t anchor) {
+    const SourceLocation where = place(mark);
+    YamlNode& node = document_.nodes_.emplace_back();
+    node.kind = kind;
+    node.line = where.line;
+    node.column = where.column;
+    if (anchor != 0) {
+      if (anchor >= anchors_.size()) anchors_.resize(anchor + 1, nullptr);
+      anchors_[anchor] = &node;
+    }
+    return node;
+  }
+  void begin(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind, YAML::anchor_t anchor) {
+    refuse_tag(mark, tag);
+    if (expects_key()) throw InputError(place(mark), "a key must be a name, not a list or a mapping");
+    if (open_.size() >= static_cast<std::size_t>(Document::kMaximumDepth))
+      throw InputError(place(mark), fmt::format("nested more than {} levels deep", Document::kMaximumDepth));
+    YamlNode& node = append(mark, kind, anchor);
+    node.finished = false;
+    open_.push_back(&node);
+  }
+  void end() {
+    YamlNode& node = *open_.back();
+    open_.pop_back();
+    node.finished = true;
+    attach(node);
+  }
+  /// Hangs a finished node under the innermost open one.
+  void attach(const YamlNode& node) {
+    if (open_.empty()) {
+      root_ = &node;
+      return;
+    }
+    YamlNode& parent = *open_.back();
+    if (expects_key()) {
+      const SourceLocation where = document_.where(node);
+      if (node.kind != YamlNode::Kind::scalar) throw InputError(where, "a key must be a name");
+      if (!keys_.back().insert(node.text).second)
+        throw InputError(where, fmt::format("duplicate key '{}'", printable(node.text)));
+    }
+    parent.items.push_back(&node);
+    parent.expanded += node.expanded;
+    if (parent.expanded > Document::kMaximumNodes)
+      throw InputError(document_.where(parent),
+                       fmt::format("more than {} values, aliases counted as often as they are used",
+                                   Document::kMaximumNodes));
+  }
+
+  Document& document_;
+  int first_line_shift_;
+  int documents_ = 0;
+  const YamlNode* root_ = nullptr;
+  std::vector<YamlNode*> open_;
+  std::vector<std::set<std::string_view>> keys_;
+  std::vector<const YamlNode*> anchors_;
+};
+
+Document::Document(std::shared_ptr<const SourceText> source) : source_(std::move(source)) {
+  check_text();
+  const std::string& text = source_->text;
+  const bool marked = text.starts_with(kByteOrderMark);
+  std::istringstream stream(marked ? text.substr(kByteOrderMark.size()) : text);
+  TreeBuilder builder(*this, marked ? static_cast<int>(kByteOrderMark.size()) : 0);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::DeepRecursion& error) {
+    throw InputError(builder.place(error.mark),
+                     fmt::format("nested more than {} levels deep", kMaximumDepth));
+  } catch (const YAML::Exception& error) {
+    throw InputError(builder.place(error.mark), fmt::format("not valid YAML: {}", error.msg),
+                     "text that holds ': ', ' #', a leading '*', '&', '[' or '{' needs quotes");
+  }
+  root_ = builder.root();
+  if (root_ == nullptr || root_->kind == YamlNode::Kind::null)
+    throw InputError(start(),
+                     "is empty; expected a mechanism description, a mapping that begins with 'alembert: 1'");
+}
+
+/// Finds what is no text, and indents with tabs; fills the table of lines.
+void Document::check_text() {
+  const std::string_view text = source_->text;
+  line_starts_.push_back(0);
+  std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  bool indentation = true;
+  std::size_t tab = std::string_view::npos;
+  const auto fail = [&](std::size_t at, const std::string& message, const std::string& note = {}) {
+    return InputError(
+        {source_, static_cast<int>(line_starts_.size()), static_cast<int>(at - line_starts_.back()) + 1},
+        message, note);
+  };
+  while (i < text.size()) {
+    const char c = text[i];
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0)
+      throw fail(i, fmt::format("byte 0x{:02x} is not UTF-8 text", static_cast<unsigned char>(c)));
+    if (c == '\n') {
+      line_starts_.push_back(i + 1);
+      indentation = true;
+      tab = std::string_view::npos;
+    } else if (c == '\t') {
+      if (indentation && tab == std::string_view::npos) tab = i;
+    } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\r') || c == 0x7f) {
+      throw fail(i, fmt::format("control character 0x{:02x}; expected text", static_cast<unsigned char>(c)));
+    } else if (c != ' ' && c != '\r') {
+      if (indentation && tab != std::string_view::npos && c != '#')
+        throw fail(tab, "tab in the indentation", "YAML indents by spaces");
+      indentation = false;
+    }
+    i += length;
+  }
+}
+
+std::size_t Document::position(int line, int column) const {
+  const std::size_t start = line_starts_[static_cast<std::size_t>(line - 1)];
+  return std::min(start + static_cast<std::size_t>(column - 1), source_->text.size());
+}
+
+SourceLocation Document::where(const YamlNode& scalar, std::size_t offset) const {
+  const std::string& text = source_->text;
+  const std::string_view value = scalar.text;
+  std::size_t at = position(scalar.line, scalar.column);
+  if (at < text.size() && (text[at] == '"' || text[at] == '\'')) ++at;
+  if (at < text.size() && (text[at] == '|' || text[at] == '>') && !scalar.plain)
+    at = std::min(text.find('\n', at), text.size());
+  // Walk text and value together. Folding changes white space only, so the other characters pair off; where
+  // they do not (escapes), there is no exact place.
+  const auto skip = [](std::string_view s, std::size_t i) {
+    while (i < s.size() && is_space(s[i])) ++i;
+    return i;
+  };
+  std::size_t v = 0;
+  while (v < offset && v < value.size()) {
+    if (is_space(value[v]) && at < text.size() && value[v] == text[at]) {
+      ++v, ++at;
+    } else if (is_space(value[v]) || (at < text.size() && is_space(text[at]))) {
+      v = std::max(v, std::min(skip(value, v), offset));
+      at = skip(text, at);
+    } else if (at < text.size() && value[v] == text[at]) {
+      ++v, ++at;
+    } else {
+      return where(scalar);
+    }
+  }
+  if (v < value.size() && !is_space(value[v])) {
+    at = skip(text, at);
+    if (at >= text.size() || text[at] != value[v]) return where(scalar);
+  }
+  const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - line_starts_.begin();
+  return {source_, static_cast<int>(line),
+          static_cast<int>(at - line_starts_[static_cast<std::size_t>(line - 1)]) + 1};
+}
+
+}  // namespace alembert

@@ -1,0 +1,233 @@
+#include "mechanism/expression_grammar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tao/pegtl.hpp>
+#include <tao/pegtl/contrib/limit_depth.hpp>
+
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+namespace pegtl = tao::pegtl;
+
+/// What the actions fill.
+struct ParseState {
+  std::vector<PostfixToken> postfix;
+  struct OpenCall {
+    std::size_t begin, end;
+    int arguments;
+  };
+  std::vector<OpenCall> calls;
+};
+
+namespace grammar {
+// clang-format off
+struct blank : pegtl::star<pegtl::one<' ', '\t', '\n', '\r'>> {};
+template <char C> struct symbol : pegtl::seq<pegtl::one<C>, blank> {};
+
+struct digits : pegtl::plus<pegtl::digit> {};
+struct fraction : pegtl::seq<pegtl::one<'.'>, pegtl::star<pegtl::digit>> {};
+struct exponent : pegtl::seq<pegtl::one<'e', 'E'>, pegtl::opt<pegtl::one<'+', '-'>>, digits> {};
+struct numeral : pegtl::seq<pegtl::sor<pegtl::seq<digits, pegtl::opt<fraction>>, pegtl::seq<pegtl::one<'.'>, digits>>, pegtl::opt<exponent>> {};
+struct end_of_number : pegtl::not_at<pegtl::sor<pegtl::identifier_other, pegtl::one<'.'>>> {};
+struct number : pegtl::if_must<numeral, end_of_number> {};
+
+struct expression;
+struct operand;
+struct argument : pegtl::seq<expression> {};
+struct function_name : pegtl::identifier {};
+struct open_call : pegtl::seq<function_name, blank, pegtl::one<'('>> {};
+struct close_call : pegtl::one<')'> {};
+struct call : pegtl::if_must<open_call, blank, argument, pegtl::star<pegtl::if_must<symbol<','>, argument>>, close_call> {};
+struct name : pegtl::identifier {};
+struct close_group : pegtl::one<')'> {};
+struct group : pegtl::if_must<symbol<'('>, expression, close_group> {};
+struct primary : pegtl::seq<pegtl::sor<number, call, name, group>, blank> {};
+
+struct raise : pegtl::if_must<symbol<'^'>, operand> {};
+struct power : pegtl::seq<primary, pegtl::opt<raise>> {};
+struct negation : pegtl::if_must<symbol<'-'>, operand> {};
+struct identity : pegtl::if_must<symbol<'+'>, operand> {};
+struct operand : pegtl::sor<negation, identity, power> {};
+struct times : pegtl::if_must<symbol<'*'>, operand> {};
+struct over : pegtl::if_must<symbol<'/'>, operand> {};
+struct term : pegtl::seq<operand, pegtl::star<pegtl::sor<times, over>>> {};
+struct plus : pegtl::if_must<symbol<'+'>, term> {};
+struct minus : pegtl::if_must<symbol<'-'>, term> {};
+struct expression : pegtl::seq<term, pegtl::star<pegtl::sor<plus, minus>>> {};
+struct whole : pegtl::seq<blank, pegtl::must<expression>, pegtl::must<pegtl::eof>> {};
+// clang-format on
+}  // namespace grammar
+
+constexpr const char* kExpectedOperand = "a number, a name or '('";
+
+/// Messages by the rule that failed; `expected ...`, to which what was found is added.
+struct Expected {
+  template <typename Rule>
+  static constexpr const char* message = nullptr;
+};
+template <>
+constexpr const char* Expected::message<grammar::end_of_number> = "an operator after the number";
+template <>
+constexpr const char* Expected::message<grammar::argument> = kExpectedOperand;
+template <>
+constexpr const char* Expected::message<grammar::expression> = kExpectedOperand;
+template <>
+constexpr const char* Expected::message<grammar::operand> = kExpectedOperand;
+template <>
+constexpr const char* Expected::message<grammar::term> = kExpectedOperand;
+template <>
+constexpr const char* Expected::message<grammar::close_call> = "an operator, ',' or ')'";
+template <>
+constexpr const char* Expected::message<grammar::close_group> = "an operator or ')'";
+template <>
+constexpr const char* Expected::message<pegtl::eof> = "an operator or the end of the expression";
+
+/// Rules inside must<> throw with their message; all others fail as usual and let alternatives be tried.
+template <typename Rule>
+struct Control : pegtl::normal<Rule> {
+  template <typename Input, typename... States>
+  [[noreturn]] static void raise(const Input& in, States&&...) {
+    if constexpr (Expected::message<Rule> != nullptr)
+      throw pegtl::parse_error(Expected::message<Rule>, in);
+    else
+      throw pegtl::parse_error("an expression", in);
+  }
+};
+
+template <typename Rule>
+struct Action {};
+
+template <PostfixToken::Kind kKind>
+struct Push {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const std::size_t begin = in.iterator().byte;
+    state.postfix.push_back({kKind, begin, begin + in.size()});
+  }
+};
+/// A binary operator is pushed after its right operand was; its own place is its first character.
+template <PostfixToken::Kind kKind>
+struct PushOperator {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const std::size_t begin = in.iterator().byte;
+    state.postfix.push_back({kKind, begin, begin + 1});
+  }
+};
+using Nesting = pegtl::limit_depth<kMaximumExpressionDepth>;
+
+template <>
+struct Action<grammar::number> : Push<PostfixToken::Kind::number> {};
+template <>
+struct Action<grammar::name> : Push<PostfixToken::Kind::name> {};
+template <>
+struct Action<grammar::times> : PushOperator<PostfixToken::Kind::multiply> {};
+template <>
+struct Action<grammar::over> : PushOperator<PostfixToken::Kind::divide> {};
+template <>
+struct Action<grammar::plus> : PushOperator<PostfixToken::Kind::add> {};
+template <>
+struct Action<grammar::minus> : PushOperator<PostfixToken::Kind::subtract> {};
+template <>
+struct Action<grammar::identity> : Nesting {};
+template <>
+struct Action<grammar::negation> : Nesting, PushOperator<PostfixToken::Kind::negate> {};
+template <>
+struct Action<grammar::raise> : Nesting, PushOperator<PostfixToken::Kind::power> {};
+template <>
+struct Action<grammar::group> : Nesting, Push<PostfixToken::Kind::group> {};
+template <>
+struct Action<grammar::open_call> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const std::size_t begin = in.iterator().byte;
+    const std::string_view text = in.string_view();
+    const std::string_view called = text.substr(0, text.find_first_of(" \t\n\r("));
+    if (called == "spline") throw SyntaxError{begin, "spline is not supported by this version", {}};
+    state.calls.push_back({begin, begin + called.size(), 0});
+  }
+};
+template <>
+struct Action<grammar::argument> {
+  static void apply0(ParseState& state) { ++state.calls.back().arguments; }
+};
+template <>
+struct Action<grammar::call> : Nesting {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const ParseState::OpenCall call = state.calls.back();
+    state.calls.pop_back();
+    state.postfix.push_back(
+        {PostfixToken::Kind::call, call.begin, call.end, in.iterator().byte + in.size(), call.arguments});
+  }
+};
+
+std::string found_at(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return "the end of the expression";
+  // A whole UTF-8 character, or a whole word.
+  std::size_t end = offset + 1;
+  const auto word = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  if (word(text[offset]))
+    while (end < text.size() && word(text[end])) ++end;
+  else
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) ++end;
+  return fmt::format("'{}'", printable(text.substr(offset, end - offset)));
+}
+
+std::string note_for(std::string_view text, std::size_t offset) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const char c = offset < text.size() ? text[offset] : '\0';
+  if (c == ',' && offset > 0 && is_digit(text[offset - 1]) && offset + 1 < text.size() &&
+      is_digit(text[offset + 1]))
+    return "decimals are written with a point: 1.5";
+  if (c == '*' && offset > 0 && text[offset - 1] == '*') return "a power is written x^n";
+  if (c == '.' && text.substr(0, offset).find_first_not_of(" \t\n\r") == std::string_view::npos)
+    return "infinity and NaN are not values here";
+  return {};
+}
+
+}  // namespace
+
+std::vector<PostfixToken> parse_expression(std::string_view text) {
+  if (text.size() > kMaximumExpressionLength)
+    throw SyntaxError{
+        0,
+        fmt::format("expression of {} characters; the limit is {}", text.size(), kMaximumExpressionLength),
+        {}};
+  ParseState state;
+  pegtl::memory_input<> input(text.data(), text.data() + text.size(), "expression");
+  try {
+    pegtl::parse<grammar::whole, Action, Control>(input, state);
+  } catch (const pegtl::parse_error& error) {
+    const std::size_t offset = error.positions().front().byte;
+    if (input.private_depth > kMaximumExpressionDepth ||
+        error.message().find("depth") != std::string_view::npos)
+      throw SyntaxError{
+          offset, fmt::format("expression nested more than {} levels deep", kMaximumExpressionDepth), {}};
+    throw SyntaxError{offset, fmt::format("expected {}, found {}", error.message(), found_at(text, offset)),
+                      note_for(text, offset)};
+  }
+  return std::move(state.postfix);
+}
+
+int function_arity(std::string_view name) {
+  if (name == "atan2") return 2;
+  const std::vector<std::string>& names = reserved_names();
+  const bool reserved = std::find(names.begin(), names.end(), name) != names.end();
+  return reserved && name != "pi" && name != "t" && name != "spline" ? 1 : 0;
+}
+
+const std::vector<std::string>& reserved_names() {
+  static const std::vector<std::string> names = {"sin",   "cos",  "tan",    "asin", "acos", "atan",
+                                                 "atan2", "sqrt", "exp",    "log",  "abs",  "sinh",
+                                                 "cosh",  "tanh", "spline", "pi",   "t"};
+  return names;
+}
+
+}  // namespace alembert

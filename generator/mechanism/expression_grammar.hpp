@@ -1,0 +1,41 @@
+// Text of an expression in; its operations in postfix order out, each with the characters it came from.
+// Postfix order needs no tree and no recursion to evaluate.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alembert {
+
+/// One operation of an expression in postfix order.
+struct PostfixToken {
+  enum class Kind { number, name, call, add, subtract, multiply, divide, power, negate, group };
+  Kind kind;
+  std::size_t begin,
+      end;  ///< of the number, name, operator; of a call: its name; of a group: parentheses included
+  std::size_t close = 0;  ///< of a call: one past its closing parenthesis
+  int arguments = 0;      ///< of a call
+};
+
+/// A text is no expression. `offset` is where in it, `message` and `note` as InputError's.
+struct SyntaxError {
+  std::size_t offset;
+  std::string message, note;
+};
+
+/// Deepest nesting of parentheses, signs and exponents, together.
+inline constexpr std::size_t kMaximumExpressionDepth = 100;
+inline constexpr std::size_t kMaximumExpressionLength = std::size_t{1} << 20;
+
+/// Parses `text`. Precedence from low to high: + -, * /, sign, ^; ^ is right associative and -x^2 is -(x^2).
+/// Throws SyntaxError.
+std::vector<PostfixToken> parse_expression(std::string_view text);
+
+/// Functions an expression may call, and how many arguments they take (0: no such function).
+int function_arity(std::string_view name);
+/// Names that mean something in every description: functions, `pi` and `t`.
+const std::vector<std::string>& reserved_names();
+
+}  // namespace alembert

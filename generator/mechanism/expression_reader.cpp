@@ -1,0 +1,378 @@
+#include "mechanism/expression_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "mechanism/section.hpp"
+#include "symbolic/rational.hpp"
+
+namespace alembert {
+namespace {
+
+struct Function {
+  std::string_view name;
+  Expr (*build)(Expr);
+  double (*value)(double);
+};
+// Indirections, because overload sets have no address.
+constexpr Function kFunctions[] = {
+    {"sin", [](Expr x) { return sin(x); }, [](double x) { return std::sin(x); }},
+    {"cos", [](Expr x) { return cos(x); }, [](double x) { return std::cos(x); }},
+    {"tan", [](Expr x) { return tan(x); }, [](double x) { return std::tan(x); }},
+    {"asin", [](Expr x) { return asin(x); }, [](double x) { return std::asin(x); }},
+    {"acos", [](Expr x) { return acos(x); }, [](double x) { return std::acos(x); }},
+    {"atan", [](Expr x) { return atan(x); }, [](double x) { return std::atan(x); }},
+    {"sqrt", [](Expr x) { return sqrt(x); }, [](double x) { return std::sqrt(x); }},
+    {"exp", [](Expr x) { return exp(x); }, [](double x) { return std::exp(x); }},
+    {"log", [](Expr x) { return log(x); }, [](double x) { return std::log(x); }},
+    {"abs", [](Expr x) { return abs(x); }, [](double x) { return std::abs(x); }},
+    {"sinh", [](Expr x) { return sinh(x); }, [](double x) { return std::sinh(x); }},
+    {"cosh", [](Expr x) { return cosh(x); }, [](double x) { return std::cosh(x); }},
+    {"tanh", [](Expr x) { return tanh(x); }, [](double x) { return std::tanh(x); }},
+};
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names = {"atan2"};
+  for (const Function& function : kFunctions) names.emplace_back(function.name);
+  return names;
+}
+
+/// The rational that an expression is, if it is one.
+std::optional<Rational> as_rational(const Expr& x) {
+  const Node& node = x.graph().node(x.ref().node());
+  if (node.op != Op::rational) return std::nullopt;
+  Rational value = x.graph().rational_value(x.ref().node());
+  if (x.ref().negative()) value.numerator = -value.numerator;
+  return value;
+}
+
+bool small(std::int64_t n) {
+  return n >= -1000000 && n <= 1000000;
+}
+
+/// x^y with integer and half-integer exponents as products and square roots, which differentiate to less.
+Expr build_power(const Expr& x, const Expr& y) {
+  if (const std::optional<Rational> n = as_rational(y); n && small(n->numerator)) {
+    if (n->denominator == 1) return pow(x, static_cast<int>(n->numerator));
+    if (n->denominator == 2) return pow(sqrt(x), static_cast<int>(n->numerator));
+  }
+  return pow(x, y);
+}
+
+}  // namespace
+
+Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_view what) {
+  const Reading reading{node, allowed, what};
+  if (node.kind != YamlNode::Kind::scalar)
+    fail_expected(document_, node, fmt::format("an expression as {}", what));
+  std::vector<PostfixToken> postfix;
+  try {
+    postfix = parse_expression(node.text);
+  } catch (const SyntaxError& syntax) {
+    throw error(reading, syntax.offset, syntax.message, syntax.note);
+  }
+  std::vector<Operand> stack;
+  for (const PostfixToken& token : postfix) {
+    switch (token.kind) {
+      case PostfixToken::Kind::number:
+        stack.push_back({number(reading, token), token.begin, token.end});
+        break;
+      case PostfixToken::Kind::name:
+        stack.push_back({name(reading, token), token.begin, token.end});
+        break;
+      case PostfixToken::Kind::group:
+        stack.back().begin = token.begin;
+        stack.back().end = token.end;
+        break;
+      case PostfixToken::Kind::negate:
+        stack.back().value.expr = -stack.back().value.expr;
+        stack.back().value.initial = -stack.back().value.initial;
+        stack.back().begin = token.begin;
+        break;
+      case PostfixToken::Kind::call: {
+        const std::size_t first = stack.size() - static_cast<std::size_t>(token.arguments);
+        const std::vector<Operand> arguments(stack.begin() + static_cast<std::ptrdiff_t>(first), stack.end());
+        stack.resize(first);
+        stack.push_back(call(reading, token, arguments));
+        break;
+      }
+      case PostfixToken::Kind::add:
+      case PostfixToken::Kind::subtract:
+      case PostfixToken::Kind::multiply:
+      case PostfixToken::Kind::divide:
+      case PostfixToken::Kind::power: {
+        const Operand b = std::move(stack.back());
+        stack.pop_back();
+        const Operand a = std::move(stack.back());
+        stack.back() = binary(reading, token, a, b);
+        break;
+      }
+    }
+  }
+  Value value = std::move(stack.back().value);
+  if (allowed == Allowed::transform && value.roughness != nullptr)
+    throw InputError(value.roughness->where,
+                     fmt::format("{} is not twice differentiable: {}", what, value.roughness->reason));
+  return value;
+}
+
+Vec3 ExpressionReader::read_vector(const YamlNode& node, Allowed allowed, std::string_view what) {
+  const std::vector<const YamlNode*>& items = expect_list(document_, node, what, 3);
+  Vec3 out;
+  for (std::size_t i = 0; i < 3; ++i) out[i] = read(*items[i], allowed, what).expr;
+  return out;
+}
+
+Value ExpressionReader::number(const Reading& reading, const PostfixToken& token) const {
+  const char* begin = reading.node.text.data() + token.begin;
+  const char* end = reading.node.text.data() + token.end;
+  Value out;
+  const std::from_chars_result result = std::from_chars(begin, end, out.initial);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(out.initial))
+    throw error(reading, token.begin,
+                fmt::format("number '{}' is out of range", printable({begin, token.end - token.begin})),
+                "magnitudes from 2.3e-308 to 1.7e308 are numbers here");
+  const std::optional<Rational> exact = rational_from_decimal(begin, end);
+  out.expr = exact ? graph_.rational(*exact) : graph_.real(out.initial);
+  return out;
+}
+
+Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) const {
+  const std::string_view text =
+      std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
+  Value out;
+  std::string_view kind = "the time";
+  if (text == "pi") {
+    out.expr = graph_.pi();
+    out.initial = 3.14159265358979323846;
+    return out;
+  }
+  if (text == "t") {
+    out.expr = graph_.symbol("t");
+    out.dependence = Dependence::time;
+  } else {
+    if (text == "spline") throw error(reading, token.begin, "spline is not supported by this version");
+    if (function_arity(text) > 0)
+      throw error(reading, token.begin, fmt::format("function '{}' needs its argument in parentheses", text));
+    NameEntry* entry = scope_.find(text);
+    if (entry == nullptr) {
+      std::vector<std::string> candidates = scope_.names();
+      candidates.insert(candidates.end(), {"pi", "t"});
+      std::string note;
+      if (text == "nan" || text == "inf" || text == "infinity" || text == "NaN")
+        note = "infinity and NaN are not values here";
+      throw error(reading, token.begin,
+                  fmt::format("unknown name '{}'{}", printable(text), did_you_mean(text, candidates)), note);
+    }
+    entry->used = true;
+    if (entry->kind == NameKind::quaternion)
+      throw error(
+          reading, token.begin,
+          fmt::format("'{}' is a quaternion coordinate; it cannot stand in an expression", text),
+          fmt::format("use it as a factor 'rotate: {{quaternion: {}}}' or in a spherical or free joint",
+                      text));
+    // A coordinate that may not stand here is a better explanation than one that is read later.
+    const bool coordinate_here = entry->kind == NameKind::coordinate;
+    if (!entry->ready && !(coordinate_here &&
+                           (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters)))
+      throw error(reading, token.begin,
+                  fmt::format("{} '{}' (line {}) is used before it is defined", noun(entry->kind), text,
+                              entry->where.line));
+    out = entry->value;
+    if (coordinate_here) out.dependence = Dependence::coordinate;
+    kind = noun(entry->kind);
+    if (out.roughness != nullptr)
+      out.roughness = std::make_shared<const Roughness>(
+          Roughness{document_.where(reading.node, token.begin),
+                    fmt::format("'{}' (line {}) has {}", text, entry->where.line, out.roughness->reason)});
+  }
+  const auto refuse = [&](std::string_view why) {
+    return error(reading, token.begin,
+                 fmt::format("{} may not depend on {}: '{}' is {}{}", reading.what, why, text,
+                             text == "t" ? "" : "a ", kind));
+  };
+  if (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters) {
+    if (includes(out.dependence, Dependence::coordinate)) throw refuse("coordinates");
+    if (includes(out.dependence, Dependence::time)) throw refuse("time");
+  }
+  if (reading.allowed == Allowed::constants && includes(out.dependence, Dependence::runtime_parameter))
+    throw refuse("runtime parameters");
+  return out;
+}
+
+ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const PostfixToken& token,
+                                                   const Operand& a, const Operand& b) const {
+  Operand out{{}, a.begin, b.end};
+  out.value.dependence = a.value.dependence | b.value.dependence;
+  out.value.roughness = a.value.roughness != nullptr ? a.value.roughness : b.value.roughness;
+  const Expr x = a.value.expr, y = b.value.expr;
+  const double u = a.value.initial, v = b.value.initial;
+  double& value = out.value.initial;
+  if (token.kind == PostfixToken::Kind::divide && (v == 0 || y.is_zero()))
+    throw error(reading, b.begin,
+                fmt::format("division by zero: '{}' is 0{}", text_of(reading, b),
+                            b.value.dependence == Dependence::none ? "" : " at the initial state"));
+  try {
+    switch (token.kind) {
+      case PostfixToken::Kind::add:
+        out.value.expr = x + y;
+        value = u + v;
+        break;
+      case PostfixToken::Kind::subtract:
+        out.value.expr = x - y;
+        value = u - v;
+        break;
+      case PostfixToken::Kind::multiply:
+        out.value.expr = x * y;
+        value = u * v;
+        break;
+      case PostfixToken::Kind::divide:
+        out.value.expr = x / y;
+        value = u / v;
+        break;
+      case PostfixToken::Kind::power:
+        value = std::pow(u, v);
+        check_power(reading, a, b, out);
+        out.value.expr = build_power(x, y);
+        break;
+      case PostfixToken::Kind::number:
+      case PostfixToken::Kind::name:
+      case PostfixToken::Kind::call:
+      case PostfixToken::Kind::negate:
+      case PostfixToken::Kind::group:
+        throw InternalError("not a binary operator");
+    }
+  } catch (const std::domain_error&) {
+    throw error(reading, a.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
+  }
+  if (!std::isfinite(value))
+    throw error(reading, a.begin,
+                fmt::format("'{}' has no finite value{}", text_of(reading, out),
+                            out.value.dependence == Dependence::none ? "" : " at the initial state"));
+  return out;
+}
+
+void ExpressionReader::check_power(const Reading& reading, const Operand& base, const Operand& exponent,
+                                   Operand& result) const {
+  const double u = base.value.initial, v = exponent.value.initial;
+  const bool integer = v == std::floor(v) && exponent.value.dependence == Dependence::none;
+  const char* when = result.value.dependence == Dependence::none ? "" : " at the initial state";
+  if (u == 0 && v < 0)
+    throw error(reading, base.begin,
+                fmt::format("division by zero: '{}' is 0{}, raised to the power {}", text_of(reading, base),
+                            when, v));
+  if (u < 0 && !integer)
+    throw error(reading, base.begin,
+                fmt::format("'{}' is {:.6g}{}; only integers can be exponents of a negative number",
+                            text_of(reading, base), u, when));
+  if (u == 0 && moves(exponent.value.dependence))
+    throw error(
+        reading, base.begin,
+        fmt::format("'{}' is 0{}; a base of 0 needs a constant exponent", text_of(reading, base), when));
+  if (u == 0 && !integer && v < 2 && moves(base.value.dependence))
+    make_rough(reading, result,
+               fmt::format("'{}', whose base is 0 at the initial state", text_of(reading, result)));
+}
+
+ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const PostfixToken& token,
+                                                 const std::vector<Operand>& arguments) const {
+  const std::string_view function =
+      std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
+  const int arity = function_arity(function);
+  if (arity == 0) {
+    std::string message;
+    if (const NameEntry* entry = scope_.find(function); entry != nullptr)
+      message = fmt::format("'{}' is a {}, not a function", function, noun(entry->kind));
+    else if (function == "pi" || function == "t")
+      message = fmt::format("'{}' is not a function", function);
+    else
+      message = fmt::format("unknown function '{}'{}", printable(function),
+                            did_you_mean(function, function_names()));
+    throw error(reading, token.begin, message);
+  }
+  if (arity != token.arguments)
+    throw error(reading, token.begin,
+                fmt::format("function '{}' takes {} argument{}, found {}", function, arity,
+                            arity == 1 ? "" : "s", token.arguments));
+  Operand out{{}, token.begin, token.close};
+  for (const Operand& argument : arguments) {
+    out.value.dependence = out.value.dependence | argument.value.dependence;
+    if (out.value.roughness == nullptr) out.value.roughness = argument.value.roughness;
+  }
+  const Operand& x = arguments[0];
+  try {
+    if (function == "atan2") {
+      if (x.value.initial == 0 && arguments[1].value.initial == 0)
+        throw error(reading, token.begin,
+                    fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
+                                out.value.dependence == Dependence::none ? "" : " at the initial state"));
+      out.value.initial = std::atan2(x.value.initial, arguments[1].value.initial);
+      out.value.expr = atan2(x.value.expr, arguments[1].value.expr);
+    } else {
+      check_call(reading, function, x, out);
+      for (const Function& f : kFunctions)
+        if (f.name == function) {
+          out.value.initial = f.value(x.value.initial);
+          out.value.expr = f.build(x.value.expr);
+        }
+    }
+  } catch (const std::domain_error&) {
+    throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
+  }
+  if (!std::isfinite(out.value.initial))
+    throw error(reading, token.begin,
+                fmt::format("'{}' has no finite value{}", text_of(reading, out),
+                            out.value.dependence == Dependence::none ? "" : " at the initial state"));
+  return out;
+}
+
+void ExpressionReader::check_call(const Reading& reading, std::string_view function, const Operand& x,
+                                  Operand& result) const {
+  const double u = x.value.initial;
+  const char* when = x.value.dependence == Dependence::none ? "" : " at the initial state";
+  const auto refuse = [&](std::string_view of) {
+    return error(reading, x.begin, fmt::format("{}: '{}' is {:.6g}{}", of, text_of(reading, x), u, when));
+  };
+  const bool moving = moves(x.value.dependence);
+  if (function == "sqrt") {
+    if (u < 0) throw refuse("sqrt of a negative number");
+    if (u == 0 && moving)
+      make_rough(reading, result,
+                 fmt::format("'{}', whose argument is 0 at the initial state", text_of(reading, result)));
+  } else if (function == "log") {
+    if (u == 0) throw refuse("log of zero");
+    if (u < 0) throw refuse("log of a negative number");
+  } else if (function == "asin" || function == "acos") {
+    if (std::abs(u) > 1) throw refuse(fmt::format("{} of a number outside [-1, 1]", function));
+    if (std::abs(u) == 1 && moving)
+      make_rough(
+          reading, result,
+          fmt::format("'{}', whose argument is {:.6g} at the initial state", text_of(reading, result), u));
+  } else if (function == "abs" && moving) {
+    const Interval bounds = graph_.bounds(x.value.expr.ref());
+    if (bounds.lower < 0 && bounds.upper > 0)
+      make_rough(reading, result,
+                 fmt::format("'{}', whose argument may change its sign", text_of(reading, result)));
+  }
+}
+
+InputError ExpressionReader::error(const Reading& reading, std::size_t offset, const std::string& message,
+                                   const std::string& note) const {
+  return {document_.where(reading.node, offset), message, note};
+}
+
+void ExpressionReader::make_rough(const Reading& reading, Operand& result, const std::string& reason) const {
+  if (result.value.roughness == nullptr)
+    result.value.roughness =
+        std::make_shared<const Roughness>(Roughness{document_.where(reading.node, result.begin), reason});
+}
+
+std::string ExpressionReader::text_of(const Reading& reading, const Operand& operand) const {
+  return printable(std::string_view(reading.node.text).substr(operand.begin, operand.end - operand.begin));
+}
+
+}  // namespace alembert

@@ -1,0 +1,68 @@
+// A scalar node in; an expression of the graph out, with its value at the initial state. Everything that can
+// be wrong with an expression is found here, at the place of the subexpression that is wrong.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "mechanism/document.hpp"
+#include "mechanism/expression_grammar.hpp"
+#include "mechanism/scope.hpp"
+#include "symbolic/expr.hpp"
+#include "symbolic/matrix.hpp"
+
+namespace alembert {
+
+/// What an expression at some place may depend on.
+enum class Allowed {
+  constants,   ///< numbers and parameters that are folded in
+  parameters,  ///< and runtime parameters
+  motion,      ///< and coordinates and time
+  transform,   ///< as motion, and must be twice differentiable
+};
+
+class ExpressionReader {
+ public:
+  ExpressionReader(const Document& document, ExprGraph& graph, Scope& scope)
+      : document_(document), graph_(graph), scope_(scope) {}
+
+  /// Reads one expression; `what` says for what (`the mass`).
+  Value read(const YamlNode& node, Allowed allowed, std::string_view what);
+  /// A list of three expressions.
+  Vec3 read_vector(const YamlNode& node, Allowed allowed, std::string_view what);
+
+  const Document& document() const { return document_; }
+  ExprGraph& graph() const { return graph_; }
+  Scope& scope() const { return scope_; }
+
+ private:
+  struct Operand {
+    Value value;
+    std::size_t begin, end;  ///< of its text
+  };
+  /// What is being read, for messages.
+  struct Reading {
+    const YamlNode& node;
+    Allowed allowed;
+    std::string_view what;
+  };
+
+  Value number(const Reading& reading, const PostfixToken& token) const;
+  Value name(const Reading& reading, const PostfixToken& token) const;
+  Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
+  Operand call(const Reading& reading, const PostfixToken& token,
+               const std::vector<Operand>& arguments) const;
+  void check_power(const Reading& reading, const Operand& base, const Operand& exponent,
+                   Operand& result) const;
+  void check_call(const Reading& reading, std::string_view function, const Operand& x, Operand& result) const;
+  InputError error(const Reading& reading, std::size_t offset, const std::string& message,
+                   const std::string& note = {}) const;
+  void make_rough(const Reading& reading, Operand& result, const std::string& reason) const;
+  std::string text_of(const Reading& reading, const Operand& operand) const;
+
+  const Document& document_;
+  ExprGraph& graph_;
+  Scope& scope_;
+};
+
+}  // namespace alembert

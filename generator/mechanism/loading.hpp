@@ -1,0 +1,41 @@
+// What the readers of the sections share while one description is being loaded.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanism/expression_reader.hpp"
+#include "mechanism/model.hpp"
+#include "mechanism/scope.hpp"
+
+namespace alembert {
+
+struct Loading {
+  Loading(const Document& d, ExprGraph& g) : document(d), graph(g), reader(d, g, scope) {}
+
+  const Document& document;
+  ExprGraph& graph;
+  Scope scope;
+  ExpressionReader reader;
+  Mechanism mechanism;
+  /// Values at the initial state, by symbol.
+  std::vector<std::pair<Expr, double>> initial_state;
+  /// By coordinate: where a quaternion was used, if it was.
+  std::vector<std::optional<SourceLocation>> quaternion_use;
+};
+
+/// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
+void declare_coordinates(Loading& loading, const YamlNode& list);
+/// Reads their initial values and limits, once parameters have values.
+void read_coordinate_values(Loading& loading, const YamlNode& list);
+/// Index of the coordinate that a scalar names; `type` is the type it must have.
+int expect_coordinate(Loading& loading, const YamlNode& node, CoordinateType type, std::string_view what);
+
+/// Reads a list of factors (transforms.cpp). `what` names it: `the transform of body 'arm'`.
+Transform read_transform(Loading& loading, const YamlNode& list, const std::string& what);
+
+/// Reads bodies and frames into the mechanism, parents first (bodies.cpp).
+void read_bodies(Loading& loading, const YamlNode& list);
+void read_frames(Loading& loading, const YamlNode& list);
+
+}  // namespace alembert

@@ -1,0 +1,23 @@
+// A name as written in; a name that is fit for C++ and for files out.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mechanism/document.hpp"
+
+namespace alembert {
+
+inline constexpr std::size_t kMaximumName = 64;
+
+/// What forbids `name` as an identifier of generated C++ (keyword, reserved form, macro, characters, length),
+/// as the rest of a sentence (`is a C++ keyword`), or nothing if it is fit.
+std::string objection_to_name(std::string_view name);
+
+/// The text of a scalar that is to be a name. `what` says of what (`a body`). Throws InputError.
+const std::string& expect_name(const Document& document, const YamlNode& node, std::string_view what);
+
+/// expect_name for the mechanism itself, which becomes a namespace and file names.
+const std::string& expect_mechanism_name(const Document& document, const YamlNode& node);
+
+}  // namespace alembert

@@ -1,0 +1,176 @@
+// Checks of transforms that need values or dependences: that a matrix is a rotation, that no transform has
+// more than six speeds, and that every coordinate moves something.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "mechanism/section.hpp"
+#include "mechanism/transforms.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr double kRotationTolerance = 1e-9;
+constexpr int kRandomStates = 6;
+constexpr int kMaximumSpeeds = 6;
+
+/// What is wrong with a numerical rotation, or nothing.
+std::string objection_to_rotation(const std::vector<double>& r) {
+  const auto at = [&](int i, int k) { return r[static_cast<std::size_t>(3 * i + k)]; };
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k <= i; ++k) {
+      double product = 0;
+      for (int j = 0; j < 3; ++j) product += at(j, i) * at(j, k);
+      if (std::abs(product - (i == k ? 1.0 : 0.0)) <= kRotationTolerance) continue;
+      if (i == k) return fmt::format("column {} has length {:.9g}", i + 1, std::sqrt(product));
+      return fmt::format("columns {} and {} are not orthogonal (their product is {:.3g})", k + 1, i + 1,
+                         product);
+    }
+  const double determinant = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+                             at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+                             at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+  return determinant > 0 ? "" : "it is a reflection (its determinant is -1)";
+}
+
+std::vector<double> symbol_values(const Loading& loading) {
+  std::vector<double> values(loading.graph.symbol_count(), 0.0);
+  for (const auto& [symbol, value] : loading.initial_state)
+    values[loading.graph.symbol_index(symbol.ref().node())] = value;
+  return values;
+}
+
+void collect(const Transform& transform, const Mechanism& mechanism, std::vector<Expr>& out);
+
+/// Appends the expressions of one factor; frames move with their `along` coordinates by way of their points.
+struct Collector {
+  const Mechanism& mechanism;
+  std::vector<Expr>& out;
+  void vector(const Vec3& v) const { out.insert(out.end(), v.entries.begin(), v.entries.end()); }
+  void operator()(const Translation& f) const { vector(f.offset); }
+  void operator()(const AxisRotation& f) const { out.push_back(f.angle); }
+  void operator()(const VectorRotation& f) const { out.push_back(f.angle); }
+  void operator()(const QuaternionRotation& f) const {
+    out.push_back(mechanism.coordinates[static_cast<std::size_t>(f.coordinate)].symbols[0]);
+  }
+  void operator()(const RigidMatrix& f) const {
+    out.insert(out.end(), f.rotation.entries.begin(), f.rotation.entries.end());
+    vector(f.translation);
+  }
+  void operator()(const CurveFrame& f) const { vector(f.point); }
+  void operator()(const SurfaceFrame& f) const { vector(f.point); }
+  void operator()(const Mate& f) const {
+    vector(f.first.point);
+    vector(f.second.point);
+    out.push_back(f.spin);
+  }
+  void operator()(const Inverse& f) const { collect(*f.of, mechanism, out); }
+};
+
+void collect(const Transform& transform, const Mechanism& mechanism, std::vector<Expr>& out) {
+  for (const Factor& factor : transform.factors) std::visit(Collector{mechanism, out}, factor.value);
+}
+
+/// Coordinates below each node, as sorted sets that stop growing at seven members: seven coordinates have
+/// more speeds than a transform may have, whichever they are.
+class CoordinateSets {
+ public:
+  CoordinateSets(const ExprGraph& graph, const Mechanism& mechanism) : sets_(graph.size()) {
+    std::vector<int> of_symbol(graph.symbol_count(), -1);
+    for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
+      for (const Expr& symbol : mechanism.coordinates[i].symbols)
+        of_symbol[graph.symbol_index(symbol.ref().node())] = static_cast<int>(i);
+    for (std::uint32_t id = 0; id < graph.size(); ++id) {
+      const Node& node = graph.node(id);
+      if (node.op == Op::symbol) {
+        if (const int c = of_symbol[graph.symbol_index(id)]; c >= 0) sets_[id].push_back(c);
+        continue;
+      }
+      if (node.arity() >= 1) merge(sets_[id], sets_[node.a.node()]);
+      if (node.arity() >= 2) merge(sets_[id], sets_[node.b.node()]);
+    }
+  }
+  const std::vector<int>& operator[](std::uint32_t id) const { return sets_[id]; }
+
+  static void merge(std::vector<int>& into, const std::vector<int>& from) {
+    if (from.empty()) return;
+    std::vector<int> both;
+    std::set_union(into.begin(), into.end(), from.begin(), from.end(), std::back_inserter(both));
+    if (both.size() > kMaximumSpeeds + 1) both.resize(kMaximumSpeeds + 1);
+    into = std::move(both);
+  }
+
+ private:
+  std::vector<std::vector<int>> sets_;
+};
+
+}  // namespace
+
+void check_rotation(const Loading& loading, const RigidMatrix& matrix, const YamlNode& node) {
+  const std::vector<double> initial = symbol_values(loading);
+  std::mt19937_64 random(1);
+  const auto uniform = [&] { return 2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0; };
+  double reach = 0.5;
+  for (int state = 0, attempts = 0; state <= kRandomStates && attempts < 10 * kRandomStates; ++attempts) {
+    std::vector<double> values = initial;
+    if (state > 0) {
+      // Coordinates and time move; runtime parameters stay, since a matrix may need them to fit together.
+      for (const Coordinate& coordinate : loading.mechanism.coordinates)
+        for (const Expr& symbol : coordinate.symbols)
+          values[loading.graph.symbol_index(symbol.ref().node())] += reach * uniform();
+      values[loading.graph.symbol_index(loading.mechanism.time.ref().node())] += reach * uniform();
+    }
+    const std::vector<double> r = evaluate(matrix.rotation.entries, values);
+    if (!std::all_of(r.begin(), r.end(), [](double x) { return std::isfinite(x); })) {
+      reach *= 0.7;  // outside the domain of some function
+      continue;
+    }
+    if (const std::string objection = objection_to_rotation(r); !objection.empty())
+      throw InputError(
+          loading.document.where(node),
+          fmt::format("the left 3x3 part of the matrix is not a rotation {}: {}",
+                      state == 0 ? "at the initial state" : "at a state near the initial one", objection));
+    ++state;
+  }
+}
+
+bool depends_on(const Vec3& point, const Expr& symbol) {
+  const std::vector<std::uint32_t> nodes = postorder(point.entries);
+  return std::find(nodes.begin(), nodes.end(), symbol.ref().node()) != nodes.end();
+}
+
+void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order) {
+  const Mechanism& mechanism = loading.mechanism;
+  const CoordinateSets sets(loading.graph, mechanism);
+  std::vector<bool> moves_a_body(mechanism.coordinates.size(), false);
+  std::vector<Expr> expressions;
+  for (const Body* body : bodies_in_file_order) {
+    expressions.clear();
+    collect(body->transform, mechanism, expressions);
+    std::vector<int> used;
+    for (const Expr& x : expressions) CoordinateSets::merge(used, sets[x.ref().node()]);
+    int speeds = 0;
+    std::vector<std::string> names;
+    for (const int c : used) {
+      moves_a_body[static_cast<std::size_t>(c)] = true;
+      speeds += mechanism.coordinates[static_cast<std::size_t>(c)].nv();
+      names.push_back(mechanism.coordinates[static_cast<std::size_t>(c)].name);
+    }
+    if (speeds > kMaximumSpeeds)
+      throw InputError(body->where,
+                       fmt::format("the transform of body '{}' depends on more than {} speeds", body->name,
+                                   kMaximumSpeeds),
+                       fmt::format("coordinates {}; a rigid body in its parent has no more than {} freedoms",
+                                   fmt::join(names, ", "), kMaximumSpeeds));
+  }
+  for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
+    if (!moves_a_body[i])
+      throw InputError(
+          mechanism.coordinates[i].where,
+          fmt::format("coordinate '{}' is not used: it moves no body", mechanism.coordinates[i].name));
+}
+
+}  // namespace alembert
