@@ -1,48 +1,76 @@
-// Stages `kinematics` and `equations`: typed mechanism in, equations of motion out.
+// Stages `kinematics` and `equations`: typed mechanism in, equations of motion and what else can be asked for
+// out.
 //
 // Letters: q coordinates, u speeds (qd), ud their rates (qdd), qdot = N(q) u; M(q) ud + c(q, u, t) = Q.
-// A_i transform of body i in its parent, E_i its rotation, t_i its translation; W_i = W_p(i) A_i in the world.
+// A_i transform of body i in its parent, W_i = W_p(i) A_i in the world.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "dynamics/motion_tree.hpp"
+#include "dynamics/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "program/passes.hpp"
-#include "program/program.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
 
+/// factored: eq. (13) of the paper, literally. reduced: the same equations by twists and wrenches (method.md
+/// section 3).
 enum class Formulation { factored, reduced };
+std::string_view to_string(Formulation formulation);
 
-/// The functions that can be asked for.
-enum class FunctionKind { inverse_dynamics, mass_matrix, bias, mass_matrix_and_bias, forward_dynamics, coordinate_rates, energy, body_poses, frame_poses };
-
-/// One function to be generated: its results as expressions over the bound symbols.
-struct FunctionExpressions {
-  FunctionKind kind;
-  std::string name;
-  Formulation formulation = Formulation::reduced;
-  std::vector<OutputExpressions> outputs;
+/// Stage `kinematics`: the tree of elementary motions of a mechanism, with twists and their rates. Holds
+/// references: mechanism and graph must outlive it.
+struct Kinematics {
+  const Mechanism& mechanism;
+  ExprGraph& graph;
+  SpeedDerivatives derivatives;
+  MotionTree tree;
 };
-
-/// Symbols of a mechanism and the argument slots they stand for: q, qd, qdd, t, runtime parameters, wrenches, tau.
-std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph);
+/// Throws InputError where a transform has no frame, or none at the initial state.
+Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph);
 
 /// Equations of motion by one formulation.
 struct EquationsOfMotion {
   Formulation formulation;
   std::vector<Expr> Q;  ///< nv: generalized forces for given q, u, ud
-  std::vector<Expr> M;  ///< nv*nv, symmetric
+  std::vector<Expr> M;  ///< nv x nv, row major, symmetric
   std::vector<Expr> c;  ///< nv
 };
+/// Stage `equations`. Q by the formulation; M by `coefficient`, or by composite bodies where that is shorter;
+/// c by `substitute`.
+EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation);
 
-/// Throws InputError where the mechanism has no equations: a transform that is not twice differentiable, no rigid motion, a singular M.
-EquationsOfMotion equations_of_motion(const Mechanism& mechanism, ExprGraph& graph, Formulation formulation);
+/// Throws InputError if M is singular at the initial state and at random states, naming the coordinate
+/// without inertia.
+void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations);
 
-/// The expressions of one function (mass_matrix_and_bias shares what M and c share; forward_dynamics is M, c and the L^T D L solve).
-FunctionExpressions function_expressions(const Mechanism& mechanism, ExprGraph& graph, const EquationsOfMotion& equations, FunctionKind kind);
+/// The functions that can be asked for.
+enum class FunctionKind {
+  inverse_dynamics,
+  mass_matrix,
+  bias,
+  mass_matrix_and_bias,
+  forward_dynamics,
+  coordinate_rates,
+  energy,
+  body_poses,
+  frame_poses,
+  frame_jacobians,
+};
+std::string_view to_string(FunctionKind kind);
+std::span<const FunctionKind> all_function_kinds();
+
+/// The results of one function as expressions over the bound symbols: tau; M; c; M and c; qdd; qdot; energy
+/// (kinetic, potential); poses (rows [R | p] of each body); frames (likewise); J (6 x nv of each frame).
+std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
+                                                const EquationsOfMotion& equations, FunctionKind kind);
+
+/// What the symbols stand for: q, qd, qdd, t, runtime parameters, wrenches, tau.
+std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph);
 
 }  // namespace alembert

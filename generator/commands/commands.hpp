@@ -1,0 +1,47 @@
+// The sub-commands: each takes its options and returns the process's exit code. They throw InputError and
+// InternalError, which main turns into diagnostics. Data goes to standard output, talk to standard error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/equations.hpp"
+#include "pipeline.hpp"
+
+namespace alembert {
+
+/// Options that every command has.
+struct CommonOptions {
+  std::string file;                        ///< description; `-` is standard input
+  std::optional<Formulation> formulation;  ///< none: auto
+  bool verbose = false;
+  std::string dump_stage;
+};
+
+CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions);
+
+struct GenerateOptions {
+  std::string out_dir;
+  std::string depfile, stamp;
+  std::string name_space;
+  std::vector<std::string> functions;
+  std::vector<std::string> scalars;
+  bool print_outputs = false, dry_run = false, check = false;
+};
+int run_generate(const CommonOptions& common, const GenerateOptions& options);
+
+int run_report(const CommonOptions& common, bool json);
+int run_evaluate(const CommonOptions& common, bool json);
+int run_check(const CommonOptions& common);
+
+struct SimulateOptions {
+  double duration = 10, step = 1e-3;
+  int every = 10;  ///< one row of output each so many steps
+  std::string integrator = "rk4";
+  std::string csv = "-";
+  std::vector<double> q, qd;  ///< initial state instead of the description's
+};
+int run_simulate(const CommonOptions& common, const SimulateOptions& options);
+
+}  // namespace alembert

@@ -1,0 +1,54 @@
+// `report`: operations of each function, by the counting convention of program/program.hpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands/commands.hpp"
+
+namespace alembert {
+
+namespace {
+
+constexpr const char* kConvention =
+    "x and + (subtractions are adds); negation and multiplication by +-1 free, 2x is one add; divisions and "
+    "trigonometry apart;\n"
+    "a constant offset in a trigonometric argument belongs to that call; constants folded; gravity "
+    "included\n";
+
+}  // namespace
+
+int run_report(const CommonOptions& common, bool json) {
+  const CompiledMechanism compiled =
+      compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix, FunctionKind::bias,
+                       FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics,
+                       FunctionKind::coordinate_rates, FunctionKind::energy});
+  const Mechanism& mechanism = *compiled.mechanism;
+  if (json) {
+    nlohmann::ordered_json out;
+    out["mechanism"] = mechanism.name;
+    out["coordinates"] = mechanism.nq;
+    out["speeds"] = mechanism.nv;
+    for (const CompiledFunction& f : compiled.functions) {
+      out["functions"][std::string(to_string(f.kind))] = {
+          {"mul", f.count.mul},   {"add", f.count.add},     {"div", f.count.div},
+          {"trig", f.count.trig}, {"other", f.count.other}, {"formulation", to_string(f.formulation)}};
+    }
+    fmt::print("{}\n", out.dump(2));
+    return 0;
+  }
+  fmt::print("{}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq, mechanism.nv,
+             mechanism.bodies.size());
+  fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", "function", "x", "+", "x and +", "div",
+             "trig", "other", "formulation");
+  for (const CompiledFunction& f : compiled.functions) {
+    fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", to_string(f.kind), f.count.mul,
+               f.count.add, f.count.arithmetic(), f.count.div, f.count.trig, f.count.other,
+               to_string(f.formulation));
+  }
+  fmt::print("\n{}", kConvention);
+  return 0;
+}
+
+}  // namespace alembert

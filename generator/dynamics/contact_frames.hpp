@@ -1,0 +1,18 @@
+// Frames on curves and surfaces (method.md section 5): rotation matrices whose columns follow a curve's
+// tangent or a surface's normal.
+#pragma once
+
+#include "mechanism/model.hpp"
+#include "symbolic/matrix.hpp"
+
+namespace alembert {
+
+/// Columns b = f_s/|f_s|, p = n x b, n = b x f_ss normalised (or b x reference normalised). Throws InputError
+/// at `where` if the columns are undefined for all values of the coordinate, naming the cure.
+Mat3 curve_rotation(const CurveFrame& curve, const SourceLocation& where, ExprGraph& graph);
+
+/// Columns p0 = f_u/|f_u|, p1 = n x p0, n = f_u x f_v normalised (negated by `flip`). Throws InputError at
+/// `where` if f_u x f_v is zero.
+Mat3 surface_rotation(const SurfaceFrame& surface, const SourceLocation& where, ExprGraph& graph);
+
+}  // namespace alembert

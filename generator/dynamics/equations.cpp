@@ -1,0 +1,219 @@
+// Equations of motion and the functions made of them (see the header).
+#include "dynamics/equations.hpp"
+
+#include <array>
+
+#include "dynamics/formulations.hpp"
+#include "dynamics/state_checks.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// Of two lists of equal values, the one with fewer operations; the first where they are equal.
+std::vector<Expr> cheaper(std::vector<Expr> x, std::vector<Expr> y) {
+  return count_operations(y).total() < count_operations(x).total() ? y : x;
+}
+
+Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    const int k = speed - coordinate.first_speed;
+    if (k < 0 || k >= coordinate.nv()) continue;
+    std::string name = "tau(" + coordinate.name + ")";
+    if (coordinate.type == CoordinateType::quaternion)
+      name += std::array{".x", ".y", ".z"}[static_cast<std::size_t>(k)];
+    return graph.symbol(name);
+  }
+  throw InternalError("there is no speed of that index");
+}
+
+}  // namespace
+
+std::string_view to_string(Formulation formulation) {
+  switch (formulation) {
+    case Formulation::factored:
+      return "factored";
+    case Formulation::reduced:
+      return "reduced";
+  }
+  return "";
+}
+
+std::string_view to_string(FunctionKind kind) {
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+      return "inverse_dynamics";
+    case FunctionKind::mass_matrix:
+      return "mass_matrix";
+    case FunctionKind::bias:
+      return "bias";
+    case FunctionKind::mass_matrix_and_bias:
+      return "mass_matrix_and_bias";
+    case FunctionKind::forward_dynamics:
+      return "forward_dynamics";
+    case FunctionKind::coordinate_rates:
+      return "coordinate_rates";
+    case FunctionKind::energy:
+      return "energy";
+    case FunctionKind::body_poses:
+      return "body_poses";
+    case FunctionKind::frame_poses:
+      return "frame_poses";
+    case FunctionKind::frame_jacobians:
+      return "frame_jacobians";
+  }
+  return "";
+}
+
+std::span<const FunctionKind> all_function_kinds() {
+  static constexpr std::array kKinds{FunctionKind::inverse_dynamics,
+                                     FunctionKind::mass_matrix,
+                                     FunctionKind::bias,
+                                     FunctionKind::mass_matrix_and_bias,
+                                     FunctionKind::forward_dynamics,
+                                     FunctionKind::coordinate_rates,
+                                     FunctionKind::energy,
+                                     FunctionKind::body_poses,
+                                     FunctionKind::frame_poses,
+                                     FunctionKind::frame_jacobians};
+  return kKinds;
+}
+
+Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
+  check_transforms(mechanism, graph);
+  SpeedDerivatives derivatives(mechanism, graph);
+  MotionTree tree = motion_tree(mechanism, derivatives, graph);
+  return {mechanism, graph, std::move(derivatives), std::move(tree)};
+}
+
+EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  EquationsOfMotion equations;
+  equations.formulation = formulation;
+  switch (formulation) {
+    case Formulation::factored:
+      equations.Q = value_number(factored_inverse_dynamics(mechanism, kinematics.derivatives, graph));
+      equations.M = coefficient_mass_matrix(mechanism, equations.Q);
+      break;
+    case Formulation::reduced: {
+      const auto by = [&](MomentForm form) {
+        return value_number(
+            reduced_inverse_dynamics(mechanism, kinematics.tree, kinematics.derivatives, form, graph));
+      };
+      std::vector<Expr> pseudo = by(MomentForm::pseudo_inertia);
+      std::vector<Expr> inertia = by(MomentForm::inertia);
+      equations.Q = cheaper(std::move(pseudo), std::move(inertia));
+      // A column of M by `coefficient` is as long as the chain, so the whole is only tried where there are
+      // few speeds for the bodies.
+      equations.M = value_number(composite_mass_matrix(mechanism, kinematics.tree, graph));
+      if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
+        equations.M =
+            cheaper(std::move(equations.M), value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+      }
+      break;
+    }
+  }
+  equations.c = value_number(bias_by_substitution(mechanism, equations.Q, graph));
+  return equations;
+}
+
+std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
+                                                const EquationsOfMotion& equations, FunctionKind kind) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  const std::uint32_t nv = static_cast<std::uint32_t>(mechanism.nv);
+  const std::uint32_t bodies = static_cast<std::uint32_t>(mechanism.bodies.size());
+  const std::uint32_t frames = static_cast<std::uint32_t>(mechanism.frames.size());
+  const OutputExpressions mass{"M", nv, nv, equations.M};
+  const OutputExpressions bias{"c", nv, 1, equations.c};
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+      return {{"tau", nv, 1, equations.Q}};
+    case FunctionKind::mass_matrix:
+      return {mass};
+    case FunctionKind::bias:
+      return {bias};
+    case FunctionKind::mass_matrix_and_bias:
+      return {mass, bias};
+    case FunctionKind::forward_dynamics: {
+      std::vector<Expr> right_side;
+      for (int k = 0; k < mechanism.nv; ++k) {
+        right_side.push_back(tau_symbol(mechanism, k, graph) - equations.c[static_cast<std::size_t>(k)]);
+      }
+      return {{"qdd", nv, 1, straight_line_solve(equations.M, std::move(right_side))}};
+    }
+    case FunctionKind::coordinate_rates: {
+      const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
+      std::vector<Expr> rates;
+      for (int i = 0; i < mechanism.nq; ++i) {
+        Expr sum = graph.zero();
+        for (int k = 0; k < mechanism.nv; ++k)
+          sum += N[static_cast<std::size_t>(i * mechanism.nv + k)] * kinematics.derivatives.speed(k);
+        rates.push_back(sum);
+      }
+      return {{"qdot", static_cast<std::uint32_t>(mechanism.nq), 1, std::move(rates)}};
+    }
+    case FunctionKind::energy:
+      return {{"energy", 2, 1, value_number(energies(mechanism, kinematics.tree, graph))}};
+    case FunctionKind::body_poses:
+      return {{"poses", bodies, 12, value_number(body_poses(mechanism, kinematics.tree, graph))}};
+    case FunctionKind::frame_poses:
+      return {{"frames", frames, 12, value_number(frame_poses(mechanism, kinematics.tree, graph))}};
+    case FunctionKind::frame_jacobians: {
+      const std::vector<Expr> poses = frame_poses(mechanism, kinematics.tree, graph);
+      return {{"J", 6 * frames, nv,
+               value_number(frame_jacobians(mechanism, kinematics.derivatives, poses, graph))}};
+    }
+  }
+  return {};
+}
+
+std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph) {
+  std::vector<WrenchSymbols> result;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    if (!mechanism.bodies[b].external_wrench) continue;
+    const std::string prefix = "wrench(" + mechanism.bodies[b].name + ").";
+    WrenchSymbols symbols{static_cast<int>(b), {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const char axis = "xyz"[i];
+      symbols.force[i] = graph.symbol(prefix + "f" + axis);
+      symbols.torque[i] = graph.symbol(prefix + "t" + axis);
+    }
+    result.push_back(symbols);
+  }
+  return result;
+}
+
+std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph) {
+  std::vector<SymbolBinding> bindings;
+  const auto bind = [&](Expr symbol, ArgumentKind kind, std::size_t index) {
+    bindings.push_back({symbol,
+                        {kind, static_cast<std::uint32_t>(index),
+                         graph.symbol_name(graph.symbol_index(symbol.ref().node()))}});
+  };
+  std::size_t q = 0, speed = 0;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    for (const Expr symbol : coordinate.symbols) bind(symbol, ArgumentKind::q, q++);
+    for (std::size_t k = 0; k < coordinate.speed_symbols.size(); ++k, ++speed) {
+      bind(coordinate.speed_symbols[k], ArgumentKind::qd, speed);
+      bind(coordinate.rate_symbols[k], ArgumentKind::qdd, speed);
+      bind(tau_symbol(mechanism, static_cast<int>(speed), graph), ArgumentKind::tau, speed);
+    }
+  }
+  bind(mechanism.time, ArgumentKind::time, 0);
+  std::size_t parameter = 0;
+  for (const Parameter& p : mechanism.parameters) {
+    if (p.runtime) bind(graph.symbol(p.name), ArgumentKind::parameter, parameter++);
+  }
+  std::size_t wrench = 0;
+  for (const WrenchSymbols& symbols : wrench_symbols(mechanism, graph)) {
+    for (std::size_t i = 0; i < 3; ++i) bind(symbols.force[i], ArgumentKind::wrench, wrench + i);
+    for (std::size_t i = 0; i < 3; ++i) bind(symbols.torque[i], ArgumentKind::wrench, wrench + 3 + i);
+    wrench += 6;
+  }
+  return bindings;
+}
+
+}  // namespace alembert

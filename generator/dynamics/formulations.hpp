@@ -1,0 +1,65 @@
+// The formulations of the equations of motion, each from the tree of motions (or the bodies' transforms) to
+// expressions.
+//
+// Letters: om, al angular velocity and its rate, acc acceleration of a frame's origin, f, n force and moment,
+// all in the axes of the frame they belong to; U = skew(al) + skew(om)^2; h = m c first moment; J inertia
+// about the frame's origin.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/motion_tree.hpp"
+#include "dynamics/speed_derivatives.hpp"
+#include "mechanism/model.hpp"
+
+namespace alembert {
+
+/// How the moment of a body's inertia is written: both are equal, which is shorter depends on the mechanism.
+enum class MomentForm {
+  pseudo_inertia,  ///< antisymmetric part of U K with K = tr(J)/2 - J: shares U with everything else
+  inertia,         ///< diagonal part as J_xx al_x + (J_zz - J_yy) om_y om_z
+};
+
+/// World force at the centre of mass and world torque of a body with external_wrench; symbols
+/// `wrench(body).fx` ... `.tz`.
+struct WrenchSymbols {
+  int body;
+  Vec3 force, torque;
+};
+std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph);
+
+/// Q by the reduced form: outward twists and accelerations, inward forces (method.md section 3).
+std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
+                                           const SpeedDerivatives& derivatives, MomentForm form,
+                                           ExprGraph& graph);
+
+/// Q by eq. (13), literally: 4x4 transforms, their first and second derivatives, phi recursion.
+std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
+                                            ExprGraph& graph);
+
+/// M (nv x nv, row major, symmetric) by composite bodies over the tree, contracted where speeds are shared.
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+
+/// M by `coefficient` (lower triangle of Q, mirrored).
+std::vector<Expr> coefficient_mass_matrix(const Mechanism& mechanism, std::span<const Expr> Q);
+
+/// c by `substitute`: Q with the rates of the speeds zero.
+std::vector<Expr> bias_by_substitution(const Mechanism& mechanism, std::span<const Expr> Q, ExprGraph& graph);
+
+/// ud = M^-1 (tau - c) by L^T D L from the last speed to the first, which keeps the zeros of a tree; straight
+/// line.
+std::vector<Expr> straight_line_solve(std::vector<Expr> M, std::vector<Expr> right_side);
+
+/// Kinetic and potential energy, in this order.
+std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+
+/// World poses of the bodies' own frames, 12 expressions each: rows of [R | p].
+std::vector<Expr> body_poses(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+/// World poses of the named frames, likewise.
+std::vector<Expr> frame_poses(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+/// Jacobians of the named frames, 6 x nv each, row major: angular velocity, then velocity of the origin,
+/// world axes.
+std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
+                                  std::span<const Expr> poses, ExprGraph& graph);
+
+}  // namespace alembert

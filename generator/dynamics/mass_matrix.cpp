@@ -1,0 +1,240 @@
+// M and c: by composite bodies over the tree of motions, and by the paper's route, `coefficient` and
+// `substitute`.
+#include <algorithm>
+
+#include "dynamics/formulations.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// Mass, first moment and inertia of everything that moves with a frame, about its origin.
+struct Composite {
+  Expr mass;
+  Vec3 h;
+  Mat3 J;  ///< symmetric; all nine entries are kept equal in pairs
+};
+
+Composite plus(Composite x, const Composite& y) {
+  x.mass += y.mass;
+  x.h = x.h + y.h;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      x.J(i, j) += y.J(i, j);
+      x.J(j, i) = x.J(i, j);
+    }
+  }
+  return x;
+}
+
+/// E J E^T for a plane rotation: with z = s (J_ii - J_jj) + 2 c J_ij, J'_ii = J_ii - s z, J'_jj = J_jj + s z,
+/// J'_ij = c z - J_ij.
+Mat3 turned(const Mat3& J, const Motion& motion) {
+  if (motion.kind == MotionKind::rotation) {
+    const Mat3 half = motion.matrix * J;
+    Mat3 out;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = r; c < 3; ++c) {
+        Expr sum = half(r, 0) * motion.matrix(c, 0);
+        sum += half(r, 1) * motion.matrix(c, 1);
+        sum += half(r, 2) * motion.matrix(c, 2);
+        out(r, c) = sum;
+        out(c, r) = sum;
+      }
+    }
+    return out;
+  }
+  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  const Expr c = motion.cosine, s = motion.sine;
+  const Expr two_c = c + c;
+  Expr z = s * (J(i, i) - J(j, j));
+  z += two_c * J(i, j);
+  const Expr sz = s * z;
+  Mat3 out = J;
+  out(i, i) = J(i, i) - sz;
+  out(j, j) = J(j, j) + sz;
+  const Expr cz = c * z;
+  out(i, j) = out(j, i) = cz - J(i, j);
+  const Expr c_i = c * J(i, a), s_j = s * J(j, a), s_i = s * J(i, a), c_j = c * J(j, a);
+  out(i, a) = out(a, i) = c_i - s_j;
+  out(j, a) = out(a, j) = s_i + c_j;
+  return out;
+}
+
+/// Moves the point of reference: h' = h + m t; with k = h + m t/2, J' = J + 2 (k.t) 1 - k t^T - t k^T.
+Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
+  Composite out = x;
+  const Expr half = g.rational(Rational(1, 2));
+  Vec3 k;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Expr mt = x.mass * t[i];
+    out.h[i] = x.h[i] + mt;
+    k[i] = x.h[i] + half * mt;
+  }
+  Vec3 products;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Expr kt = k[i] * t[i];
+    products[i] = kt + kt;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+    out.J(i, i) = x.J(i, i) + (products[j] + products[l]);
+    const Expr kt = k[i] * t[j], tk = t[i] * k[j];
+    out.J(i, j) = out.J(j, i) = x.J(i, j) - (kt + tk);
+  }
+  return out;
+}
+
+/// A unit motion of one frame: its twist, and the speeds that make it with their weights.
+struct UnitMotion {
+  Vec3 direction;
+  std::vector<std::pair<int, Expr>> weights;
+};
+
+std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& g) {
+  std::vector<UnitMotion> result;
+  const bool about_axis = node.motion.kind == MotionKind::axis_rotation;
+  for (const TwistPartial& partial : node.partials) {
+    if (partial.speed == nv) continue;
+    if (about_axis) {
+      const std::size_t axis = static_cast<std::size_t>(node.motion.axis);
+      if (result.empty()) {
+        UnitMotion unit{zeros<3, 1>(g), {}};
+        unit.direction[axis] = g.one();
+        result.push_back(std::move(unit));
+      }
+      result[0].weights.emplace_back(partial.speed, partial.direction[axis]);
+    } else {
+      result.push_back({partial.direction, {{partial.speed, g.one()}}});
+    }
+  }
+  return result;
+}
+
+/// Momentum (force-like f and moment n about the frame's origin).
+struct Wrench {
+  Vec3 f, n;
+};
+
+}  // namespace
+
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree,
+                                        ExprGraph& graph) {
+  const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
+  const std::size_t count = tree.nodes.size();
+  std::vector<Composite> composites(count, {graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)});
+  std::vector<std::vector<UnitMotion>> units;
+  for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const int b : tree.nodes[i].bodies) {
+      const std::size_t body = static_cast<std::size_t>(b);
+      const NodeMass mass = mass_at_node(mechanism.bodies[body], tree.places[body], graph);
+      composites[i] = plus(composites[i], {mass.mass, mass.moment, mass.inertia});
+    }
+  }
+
+  std::vector<Expr> M(nv * nv, graph.zero());
+  const auto add = [&](const UnitMotion& x, const UnitMotion& y, bool same, Expr value) {
+    for (const auto& [k, wk] : x.weights) {
+      for (const auto& [l, wl] : y.weights) {
+        if (same && l > k) continue;  // one half of a symmetric pair
+        const std::size_t row = static_cast<std::size_t>(std::max(k, l)),
+                          column = static_cast<std::size_t>(std::min(k, l));
+        const Expr weight = wk * wl;
+        const Expr part = weight * value;
+        M[row * nv + column] += !same && k == l ? part + part : part;
+      }
+    }
+  };
+
+  for (std::size_t i = count; i-- > 0;) {
+    const MotionNode& node = tree.nodes[i];
+    const bool linear = node.motion.kind == MotionKind::translation;
+    const Composite& body = composites[i];
+    for (std::size_t a = 0; a < units[i].size(); ++a) {
+      const Vec3& d = units[i][a].direction;
+      Wrench momentum =
+          linear ? Wrench{body.mass * d, cross(body.h, d)} : Wrench{cross(d, body.h), body.J * d};
+      for (std::size_t b = 0; b <= a; ++b) {
+        add(units[i][a], units[i][b], a == b, dot(units[i][b].direction, linear ? momentum.f : momentum.n));
+      }
+      for (std::size_t j = i; tree.nodes[j].parent >= 0;) {
+        const Motion& motion = tree.nodes[j].motion;
+        if (motion.kind == MotionKind::translation) {
+          momentum.n = momentum.n + cross(motion.offset, momentum.f);
+        } else {
+          momentum = {motion.to_parent(momentum.f), motion.to_parent(momentum.n)};
+        }
+        j = static_cast<std::size_t>(tree.nodes[j].parent);
+        const bool parent_linear = tree.nodes[j].motion.kind == MotionKind::translation;
+        for (const UnitMotion& unit : units[j]) {
+          add(units[i][a], unit, false, dot(unit.direction, parent_linear ? momentum.f : momentum.n));
+        }
+      }
+    }
+    if (node.parent < 0) continue;
+    Composite moved = body;
+    if (linear) {
+      moved = shifted(body, node.motion.offset, graph);
+    } else {
+      moved.h = node.motion.to_parent(body.h);
+      moved.J = turned(body.J, node.motion);
+    }
+    Composite& up = composites[static_cast<std::size_t>(node.parent)];
+    up = plus(up, moved);
+  }
+  for (std::size_t i = 0; i < nv; ++i) {
+    for (std::size_t j = 0; j < i; ++j) M[j * nv + i] = M[i * nv + j];
+  }
+  return M;
+}
+
+std::vector<Expr> coefficient_mass_matrix(const Mechanism& mechanism, std::span<const Expr> Q) {
+  const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
+  std::vector<Expr> M(nv * nv);
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    for (std::size_t a = 0; a < coordinate.rate_symbols.size(); ++a) {
+      const std::size_t j = static_cast<std::size_t>(coordinate.first_speed) + a;
+      const std::vector<Expr> column = coefficient(Q.subspan(j), coordinate.rate_symbols[a]);
+      for (std::size_t i = j; i < nv; ++i) M[i * nv + j] = M[j * nv + i] = column[i - j];
+    }
+  }
+  return M;
+}
+
+std::vector<Expr> bias_by_substitution(const Mechanism& mechanism, std::span<const Expr> Q,
+                                       ExprGraph& graph) {
+  std::vector<std::pair<Expr, Expr>> replacements;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    for (const Expr rate : coordinate.rate_symbols) replacements.emplace_back(rate, graph.zero());
+  }
+  return substitute(Q, replacements);
+}
+
+std::vector<Expr> straight_line_solve(std::vector<Expr> M, std::vector<Expr> x) {
+  const std::size_t n = x.size();
+  if (n == 0) return x;
+  const Expr one = x[0].graph().one();
+  std::vector<Expr> inverse_pivot(n);
+  // M = L^T D L from the last row up; row k of L overwrites row k of M below the diagonal.
+  for (std::size_t k = n; k-- > 0;) {
+    inverse_pivot[k] = one / M[k * n + k];
+    std::vector<Expr> row(k);
+    for (std::size_t i = 0; i < k; ++i) row[i] = M[k * n + i] * inverse_pivot[k];
+    for (std::size_t i = 0; i < k; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) M[i * n + j] -= M[k * n + i] * row[j];
+    }
+    for (std::size_t i = 0; i < k; ++i) M[k * n + i] = row[i];
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t i = 0; i < k; ++i) x[i] -= M[k * n + i] * x[k];
+  }
+  for (std::size_t k = 0; k < n; ++k) x[k] = x[k] * inverse_pivot[k];
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < k; ++i) x[k] -= M[k * n + i] * x[i];
+  }
+  return x;
+}
+
+}  // namespace alembert

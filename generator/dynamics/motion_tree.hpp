@@ -1,0 +1,98 @@
+// Stage `kinematics`: typed mechanism in, tree of elementary motions out.
+//
+// Every transform is a product of elementary motions: a translation, a plane rotation about a coordinate
+// axis, or a rotation by a full matrix, each any function of the coordinates and time. A node of the tree is
+// the frame reached after one such motion; bodies hang on nodes. A node's twist and its rate come from
+// derivatives along the speeds, so the recursions of method.md section 3 need no joint types, and frames
+// without mass cost nothing but their motion.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dynamics/speed_derivatives.hpp"
+#include "mechanism/model.hpp"
+#include "symbolic/matrix.hpp"
+
+namespace alembert {
+
+enum class MotionKind { translation, axis_rotation, rotation };
+
+/// One elementary motion, from a frame to the next.
+struct Motion {
+  MotionKind kind = MotionKind::translation;
+  Vec3 offset;                     ///< translation: t, in the axes of both frames
+  int axis = 0;                    ///< axis_rotation: 0, 1, 2
+  Expr angle, cosine, sine;        ///< axis_rotation
+  Mat3 matrix;                     ///< rotation: E, child to parent
+  int quaternion = -1;             ///< rotation: index of the quaternion coordinate it is made of, or -1
+  std::optional<Vec3> fixed_axis;  ///< rotation: the constant axis it turns about by `angle`, if there is one
+
+  Vec3 to_parent(const Vec3& v) const;  ///< E v: axes of the next frame to axes of the previous one
+  Vec3 to_child(const Vec3& v) const;   ///< E^T v
+  Motion inverse() const;
+};
+
+/// Derivative of a motion along one speed: direction of the twist (angular for rotations, in the next frame's
+/// axes; linear for translations).
+struct TwistPartial {
+  int speed;  ///< Mechanism::nv for time
+  Vec3 direction;
+};
+
+/// A frame of the tree.
+struct MotionNode {
+  int parent = -1;  ///< -1: world
+  Motion motion;
+  std::vector<TwistPartial> partials;
+  Vec3 velocity;      ///< angular velocity (rotations) or dt/dt (translations) relative to the parent frame
+  Vec3 acceleration;  ///< its componentwise rate
+  std::vector<int> bodies;
+};
+
+/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J.
+struct NodeMass {
+  Expr mass;
+  Vec3 moment;
+  Mat3 inertia;
+};
+
+/// Where a body is: the node its mass is fixed to and the constant motions from that node to the body's own
+/// frame.
+struct BodyPlace {
+  int node = -1;  ///< -1: fixed to the world
+  std::vector<Motion> tail;
+};
+
+struct MotionTree {
+  std::vector<MotionNode> nodes;  ///< parents first
+  std::vector<BodyPlace> places;  ///< one for each body
+};
+
+/// Appends a motion, merging it with the last one where both are translations or rotations about one axis;
+/// drops identities.
+void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& graph);
+
+/// The elementary motions of a transform, left to right, merged where neighbours are of one kind, identities
+/// dropped. Throws InputError at the factor where a frame is undefined (a Frenet frame of a straight line, a
+/// surface without normal).
+std::vector<Motion> elementary_motions(const Transform& transform, const Mechanism& mechanism,
+                                       ExprGraph& graph);
+
+/// Throws as elementary_motions does.
+MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+/// Mass of a body about the origin of its node.
+NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph);
+/// Centre of mass of a body in the axes of its node.
+Vec3 center_at_node(const Body& body, const BodyPlace& place);
+
+/// Rotation (columns are child axes) and origin of a product of motions.
+struct Pose {
+  Mat3 rotation;
+  Vec3 origin;
+};
+Pose identity_pose(ExprGraph& graph);
+Pose moved(Pose pose, const Motion& motion);
+
+}  // namespace alembert

@@ -1,0 +1,117 @@
+// What else can be asked for: energies, poses of bodies and frames, Jacobians of frames.
+#include "dynamics/formulations.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+std::vector<Pose> node_poses(const MotionTree& tree, ExprGraph& graph) {
+  std::vector<Pose> poses;
+  for (const MotionNode& node : tree.nodes) {
+    const Pose from = node.parent < 0 ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
+    poses.push_back(moved(from, node.motion));
+  }
+  return poses;
+}
+
+Pose body_pose(std::span<const Pose> nodes, const BodyPlace& place, ExprGraph& graph) {
+  Pose pose = place.node < 0 ? identity_pose(graph) : nodes[static_cast<std::size_t>(place.node)];
+  for (const Motion& motion : place.tail) pose = moved(std::move(pose), motion);
+  return pose;
+}
+
+void append_rows(std::vector<Expr>& out, const Pose& pose) {
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) out.push_back(pose.rotation(r, c));
+    out.push_back(pose.origin[r]);
+  }
+}
+
+}  // namespace
+
+std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const Expr half = graph.rational(Rational(1, 2));
+  const std::vector<Pose> poses = node_poses(tree, graph);
+  std::vector<Vec3> angular, linear;
+  Expr kinetic = graph.zero(), potential = graph.zero();
+  for (const MotionNode& node : tree.nodes) {
+    const bool root = node.parent < 0;
+    Vec3 om = root ? zeros<3, 1>(graph) : angular[static_cast<std::size_t>(node.parent)];
+    Vec3 v = root ? zeros<3, 1>(graph) : linear[static_cast<std::size_t>(node.parent)];
+    if (node.motion.kind == MotionKind::translation) {
+      v = v + cross(om, node.motion.offset);
+      v = v + node.velocity;
+    } else {
+      om = node.motion.to_child(om) + node.velocity;
+      v = node.motion.to_child(v);
+    }
+    angular.push_back(om);
+    linear.push_back(v);
+  }
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    const BodyPlace& place = tree.places[b];
+    Vec3 center = center_at_node(body, place);
+    if (place.node >= 0) {
+      const std::size_t i = static_cast<std::size_t>(place.node);
+      const NodeMass mass = mass_at_node(body, place, graph);
+      // T = 1/2 m v.v + v.(om x h) + 1/2 om.J om
+      const Expr translation = half * (mass.mass * dot(linear[i], linear[i]));
+      const Expr coupling = dot(linear[i], cross(angular[i], mass.moment));
+      const Expr rotation = half * dot(angular[i], mass.inertia * angular[i]);
+      kinetic += translation + coupling;
+      kinetic += rotation;
+      center = poses[i].origin + poses[i].rotation * center;
+    }
+    potential -= body.mass_properties.mass * dot(mechanism.gravity, center);
+  }
+  return {kinetic, potential};
+}
+
+std::vector<Expr> body_poses(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const std::vector<Pose> nodes = node_poses(tree, graph);
+  std::vector<Expr> out;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+    append_rows(out, body_pose(nodes, tree.places[b], graph));
+  return out;
+}
+
+std::vector<Expr> frame_poses(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const std::vector<Pose> nodes = node_poses(tree, graph);
+  std::vector<Expr> out;
+  for (const Frame& frame : mechanism.frames) {
+    Pose pose = frame.body < 0 ? identity_pose(graph)
+                               : body_pose(nodes, tree.places[static_cast<std::size_t>(frame.body)], graph);
+    for (const Motion& motion : elementary_motions(frame.transform, mechanism, graph))
+      pose = moved(std::move(pose), motion);
+    append_rows(out, pose);
+  }
+  return out;
+}
+
+std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
+                                  std::span<const Expr> poses, ExprGraph& graph) {
+  const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
+  std::vector<Expr> out(mechanism.frames.size() * 6 * nv, graph.zero());
+  for (std::size_t f = 0; f < mechanism.frames.size(); ++f) {
+    const std::span<const Expr> pose = poses.subspan(12 * f, 12);
+    for (const SpeedPartial& partial : derivatives.partials(pose)) {
+      if (partial.speed == derivatives.time_index()) continue;
+      const std::size_t k = static_cast<std::size_t>(partial.speed);
+      // skew(om) = (D_k R) R^T, so om_x is row 2 of D_k R with row 1 of R, and so on.
+      const auto row_dot = [&](std::size_t changed, std::size_t kept) {
+        Expr sum = partial.values[4 * changed] * pose[4 * kept];
+        sum += partial.values[4 * changed + 1] * pose[4 * kept + 1];
+        sum += partial.values[4 * changed + 2] * pose[4 * kept + 2];
+        return sum;
+      };
+      const std::array<Expr, 6> column{row_dot(2, 1),     row_dot(0, 2),     row_dot(1, 0),
+                                       partial.values[3], partial.values[7], partial.values[11]};
+      for (std::size_t r = 0; r < 6; ++r) out[(6 * f + r) * nv + k] = column[r];
+    }
+  }
+  return out;
+}
+
+}  // namespace alembert

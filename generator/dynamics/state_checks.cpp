@@ -1,0 +1,118 @@
+// Checks that need numbers (see the header).
+#include "dynamics/state_checks.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "dynamics/equations.hpp"
+#include "dynamics/motion_tree.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Uniform in [-1, 1), the same on every platform (std::uniform_real_distribution is not).
+double uniform(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+}
+
+}  // namespace
+
+std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const double spread = seed == 0 ? 0.0 : 1.0;
+  std::vector<double> values(graph.symbol_count(), 0.0);
+  for (double& value : values) value = spread * uniform(random);
+  const auto set = [&](Expr symbol, double value) {
+    values[graph.symbol_index(symbol.ref().node())] = value;
+  };
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    double norm = 0;
+    std::vector<double> q = coordinate.initial;
+    for (double& x : q) {
+      x += spread * uniform(random);
+      if (coordinate.limits) x = std::clamp(x, coordinate.limits->first, coordinate.limits->second);
+      norm += x * x;
+    }
+    for (std::size_t a = 0; a < q.size(); ++a) {
+      set(coordinate.symbols[a],
+          coordinate.type == CoordinateType::quaternion && norm > 0 ? q[a] / std::sqrt(norm) : q[a]);
+    }
+  }
+  set(mechanism.time, 0.0);
+  for (const Parameter& parameter : mechanism.parameters) {
+    if (parameter.runtime) set(graph.symbol(parameter.name), parameter.value);
+  }
+  return values;
+}
+
+void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
+  const auto check = [&](const Transform& transform) {
+    for (const Factor& factor : transform.factors) {
+      Pose pose = identity_pose(graph);
+      for (const Motion& motion : elementary_motions(Transform{{factor}}, mechanism, graph))
+        pose = moved(std::move(pose), motion);
+      std::vector<Expr> entries(pose.rotation.entries.begin(), pose.rotation.entries.end());
+      entries.insert(entries.end(), pose.origin.entries.begin(), pose.origin.entries.end());
+      const std::vector<double> values = evaluate(entries, state_values(mechanism, graph, 0));
+      if (all_finite(values)) continue;
+      const bool frenet =
+          std::holds_alternative<CurveFrame>(factor.value) && !std::get<CurveFrame>(factor.value).reference;
+      throw InputError(factor.where,
+                       frenet ? "the Frenet frame of this curve is undefined at the initial state (an "
+                                "inflection or a straight "
+                                "part); use `frame: {reference: [x, y, z]}`, or another initial value"
+                              : "this transform has no value at the initial state (a frame that is singular "
+                                "there, or a division "
+                                "by zero); choose another initial value");
+    }
+  };
+  for (const Body& body : mechanism.bodies) check(body.transform);
+  for (const Frame& frame : mechanism.frames) check(frame.transform);
+}
+
+void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  const Eigen::Index n = mechanism.nv;
+  const auto coordinate_of = [&](Eigen::Index speed) -> const Coordinate& {
+    const auto after = std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
+                                    [&](const Coordinate& c) { return speed < c.first_speed + c.nv(); });
+    return *after;
+  };
+  constexpr double kSingular = 1e-13;  // smallest eigenvalue of M scaled to a unit diagonal
+  Eigen::Index culprit = 0;
+  bool evaluated = false;
+  for (const unsigned seed : {0u, 1u, 2u, 3u, 4u}) {
+    const std::vector<double> values = evaluate(equations.M, state_values(mechanism, kinematics.graph, seed));
+    if (!all_finite(values)) continue;
+    evaluated = true;
+    Eigen::MatrixXd M = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
+    const double largest = M.diagonal().cwiseAbs().maxCoeff();
+    const Eigen::VectorXd diagonal = M.diagonal();
+    Eigen::Index smallest = 0;
+    if (diagonal.minCoeff(&smallest) <= 1e-15 * largest) {
+      culprit = smallest;
+      continue;
+    }
+    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal());
+    if (solver.eigenvalues()(0) > kSingular) return;
+    solver.eigenvectors().col(0).cwiseAbs().maxCoeff(&culprit);
+  }
+  if (!evaluated) {
+    throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
+  }
+  const Coordinate& coordinate = coordinate_of(culprit);
+  throw InputError(coordinate.where,
+                   "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
+                       coordinate.name + "' alone; give a mass or an inertia to what it moves");
+}
+
+}  // namespace alembert

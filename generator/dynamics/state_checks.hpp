@@ -1,0 +1,17 @@
+// Checks that need numbers: frames that exist at the initial state, a mass matrix that is positive definite.
+#pragma once
+
+#include "mechanism/model.hpp"
+
+namespace alembert {
+
+/// Throws InputError at the first transform factor that has no value at the initial state (a curve or surface
+/// frame that is singular there).
+void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
+
+/// Values of all symbols of the graph at a state: the initial one for `seed` 0, else a reproducible random
+/// one around it. Speeds, rates and wrenches are zero at the initial state and random elsewhere; runtime
+/// parameters have their defaults.
+std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
+
+}  // namespace alembert

@@ -1,0 +1,134 @@
+// The command line. The one place that catches: InputError exits 1, anything else that is thrown is a defect
+// and exits 2.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <new>
+
+#include "commands/commands.hpp"
+#include "mechanism/load.hpp"
+
+namespace alembert {
+
+CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions) {
+  CompileOptions options;
+  options.formulation = common.formulation;
+  options.functions = std::move(functions);
+  if (common.verbose) options.talk = &std::cerr;
+  if (!common.dump_stage.empty()) {
+    options.dump = &std::cout;
+    options.dump_stage = common.dump_stage;
+  }
+  return compile_mechanism(read_source(common.file), options);
+}
+
+namespace {
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      CommonOptions& common) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->add_option("file", common.file, "mechanism description (YAML); - is standard input")->required();
+  command
+      ->add_option_function<std::string>(
+          "--formulation",
+          [&common](const std::string& value) {
+            if (value == "factored") common.formulation = Formulation::factored;
+            if (value == "reduced") common.formulation = Formulation::reduced;
+          },
+          "factored (eq. 13), reduced, or auto: fewest operations")
+      ->check(CLI::IsMember({"factored", "reduced", "auto"}))
+      ->default_str("auto");
+  command->add_flag("--verbose", common.verbose, "time, nodes and operations of each stage");
+  command->add_option("--dump", common.dump_stage, "print what a stage makes")
+      ->check(CLI::IsMember(dump_stages()));
+  return command;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"alembert: straight-line C++ for the equations of motion of a mechanism", "alembert"};
+  app.set_version_flag("--version", "alembert " ALEMBERT_VERSION);
+  app.require_subcommand(1);
+  CommonOptions common;
+  int result = 0;
+
+  GenerateOptions generate;
+  CLI::App* command = add_command(app, "generate", "write C++ for a mechanism", common);
+  command->add_option("--out-dir", generate.out_dir, "folder of the files to be written")->required();
+  command
+      ->add_option("--functions", generate.functions,
+                   "functions to write (default: all but forward_dynamics)")
+      ->delimiter(',');
+  command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
+      ->delimiter(',');
+  command->add_option("--namespace", generate.name_space, "outer namespace (default alembert::mechanisms)");
+  command->add_option("--depfile", generate.depfile, "write a make dependency file for the stamp");
+  command->add_option("--stamp", generate.stamp, "touch this file when done");
+  command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them");
+  command->add_flag("--dry-run", generate.dry_run, "do everything but write");
+  command->add_flag("--check", generate.check,
+                    "write nothing; exit 1 if a file differs from what would be written");
+  command->callback([&] { result = run_generate(common, generate); });
+
+  bool report_json = false;
+  command = add_command(app, "report", "operations of each function", common);
+  command->add_flag("--json", report_json, "as JSON");
+  command->callback([&] { result = run_report(common, report_json); });
+
+  bool evaluate_json = false;
+  command = add_command(app, "evaluate",
+                        "states in (JSON, one a line, standard input), tau, M, c and qdd out", common);
+  command->add_flag("--json", evaluate_json, "as JSON, one object a line");
+  command->callback([&] { result = run_evaluate(common, evaluate_json); });
+
+  SimulateOptions simulate;
+  command = add_command(app, "simulate", "integrate the free motion; CSV of t, q, qd, energy", common);
+  command->add_option("--duration", simulate.duration, "seconds")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--step", simulate.step, "seconds")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--every", simulate.every, "a row each so many steps")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--integrator", simulate.integrator, "rk4 or euler (semi-implicit)")
+      ->check(CLI::IsMember({"rk4", "euler"}))
+      ->capture_default_str();
+  command->add_option("--csv", simulate.csv, "file to write; - is standard output")->capture_default_str();
+  command->add_option("--q", simulate.q, "initial coordinates")->delimiter(',');
+  command->add_option("--qd", simulate.qd, "initial speeds")->delimiter(',');
+  command->callback([&] { result = run_simulate(common, simulate); });
+
+  command =
+      add_command(app, "check", "load, derive both formulations and test the laws they must obey", common);
+  command->callback([&] { result = run_check(common); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace alembert
+
+int main(int argc, char** argv) {
+  try {
+    return alembert::run(argc, argv);
+  } catch (const alembert::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "alembert: error: out of memory\n");
+    return 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr,
+               "alembert: internal error: {}\nPlease report this with the description that led to it.\n",
+               error.what());
+    return 2;
+  }
+}

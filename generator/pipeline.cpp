@@ -1,0 +1,216 @@
+// The stages in order (see the header).
+#include "pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <ostream>
+
+#include "mechanism/load.hpp"
+#include "program/passes.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// Reports time, nodes and operations of stages as they end.
+class StageLog {
+ public:
+  StageLog(std::ostream* talk, const ExprGraph& graph) : talk_(talk), graph_(graph) {}
+  void done(std::string_view stage, std::string_view what = {}) {
+    const auto now = std::chrono::steady_clock::now();
+    if (talk_ != nullptr) {
+      *talk_ << fmt::format("{:<12} {:>9.3f} ms {:>9} nodes  {}\n", stage,
+                            std::chrono::duration<double, std::milli>(now - last_).count(), graph_.size(),
+                            what);
+    }
+    last_ = now;
+  }
+  bool on() const { return talk_ != nullptr; }
+
+ private:
+  std::ostream* talk_;
+  const ExprGraph& graph_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::string describe(const OperationCount& n) {
+  return fmt::format("{} mul {} add {} div {} trig {} other", n.mul, n.add, n.div, n.trig, n.other);
+}
+
+std::size_t weight(const OperationCount& n) {
+  return n.mul + n.add + n.div + n.other + n.trig;
+}
+
+/// Equations by whichever formulations are to be compared.
+std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
+                                                   const CompileOptions& options, StageLog& log) {
+  std::vector<EquationsOfMotion> candidates;
+  const auto add = [&](Formulation formulation) {
+    candidates.push_back(equations_of_motion(kinematics, formulation));
+    const EquationsOfMotion& equations = candidates.back();
+    log.done("equations",
+             fmt::format("{}: Q {} operations, M {}, c {}", to_string(formulation),
+                         count_operations(equations.Q).total(), count_operations(equations.M).total(),
+                         count_operations(equations.c).total()));
+  };
+  if (options.formulation) {
+    add(*options.formulation);
+    return candidates;
+  }
+  add(Formulation::reduced);
+  // The literal form repeats every product of 4x4 matrices. It can only win where there is next to nothing to
+  // multiply, so it is tried only there.
+  constexpr std::size_t kSmall = 3;
+  if (kinematics.mechanism.bodies.size() <= kSmall) add(Formulation::factored);
+  return candidates;
+}
+
+bool depends_on_formulation(FunctionKind kind) {
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+    case FunctionKind::mass_matrix:
+    case FunctionKind::bias:
+    case FunctionKind::mass_matrix_and_bias:
+    case FunctionKind::forward_dynamics:
+      return true;
+    case FunctionKind::coordinate_rates:
+    case FunctionKind::energy:
+    case FunctionKind::body_poses:
+    case FunctionKind::frame_poses:
+    case FunctionKind::frame_jacobians:
+      return false;
+  }
+  return false;
+}
+
+void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out << fmt::format("{}[{}] = {}\n", title, i, to_string(values[i], 4000));
+}
+
+void dump_mechanism(std::ostream& out, const Mechanism& mechanism) {
+  out << fmt::format("mechanism {}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq,
+                     mechanism.nv, mechanism.bodies.size());
+  for (const Body& body : mechanism.bodies) {
+    out << fmt::format(
+        "body {} parent {} factors {} mass {}\n", body.name,
+        body.parent < 0 ? "world" : mechanism.bodies[static_cast<std::size_t>(body.parent)].name,
+        body.transform.factors.size(), to_string(body.mass_properties.mass));
+  }
+}
+
+void dump_kinematics(std::ostream& out, const Kinematics& kinematics) {
+  for (std::size_t i = 0; i < kinematics.tree.nodes.size(); ++i) {
+    const MotionNode& node = kinematics.tree.nodes[i];
+    out << fmt::format("node {} parent {}", i, node.parent);
+    switch (node.motion.kind) {
+      case MotionKind::translation:
+        out << " translation";
+        for (const Expr& e : node.motion.offset.entries) out << ' ' << to_string(e);
+        break;
+      case MotionKind::axis_rotation:
+        out << " rotation "
+            << "xyz"[node.motion.axis] << ' ' << to_string(node.motion.angle);
+        break;
+      case MotionKind::rotation:
+        out << " rotation";
+        for (const Expr& e : node.motion.matrix.entries) out << ' ' << to_string(e);
+        break;
+    }
+    out << '\n';
+    for (const TwistPartial& partial : node.partials) {
+      out << "  speed " << partial.speed << ':';
+      for (const Expr& e : partial.direction.entries) out << ' ' << to_string(e);
+      out << '\n';
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> dump_stages() {
+  return {"load", "kinematics", "equations", "lower", "optimise", "schedule"};
+}
+
+const CompiledFunction& CompiledMechanism::function(FunctionKind kind) const {
+  const auto found = std::find_if(functions.begin(), functions.end(),
+                                  [&](const CompiledFunction& f) { return f.kind == kind; });
+  if (found == functions.end())
+    throw InternalError(fmt::format("function {} was not compiled", to_string(kind)));
+  return *found;
+}
+
+std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
+  std::vector<FunctionKind> kinds;
+  for (const FunctionKind kind : all_function_kinds()) {
+    const bool of_frames = kind == FunctionKind::frame_poses || kind == FunctionKind::frame_jacobians;
+    if (kind == FunctionKind::forward_dynamics || (of_frames && mechanism.frames.empty())) continue;
+    kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
+  CompiledMechanism compiled;
+  compiled.graph = std::make_unique<ExprGraph>();
+  ExprGraph& graph = *compiled.graph;
+  StageLog log(options.talk, graph);
+  const auto dumping = [&](std::string_view stage) {
+    return options.dump != nullptr && options.dump_stage == stage;
+  };
+
+  compiled.mechanism = std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph));
+  const Mechanism& mechanism = *compiled.mechanism;
+  log.done("load", fmt::format("{} bodies, {} coordinates", mechanism.bodies.size(), mechanism.nq));
+  if (dumping("load")) dump_mechanism(*options.dump, mechanism);
+
+  const Kinematics kinematics = symbolic_kinematics(mechanism, graph);
+  log.done("kinematics", fmt::format("{} elementary motions", kinematics.tree.nodes.size()));
+  if (const std::size_t times = kinematics.derivatives.d_star_gave_up(); log.on() && times > 0) {
+    *options.talk << fmt::format(
+        "note: D* reached its step cap {} times; forward or reverse mode was kept there\n", times);
+  }
+  if (dumping("kinematics")) dump_kinematics(*options.dump, kinematics);
+
+  const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);
+  check_mass_matrix(kinematics, candidates.front());
+  if (dumping("equations")) {
+    dump_expressions(*options.dump, "Q", candidates.front().Q);
+    dump_expressions(*options.dump, "M", candidates.front().M);
+    dump_expressions(*options.dump, "c", candidates.front().c);
+  }
+
+  const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
+  const std::vector<FunctionKind> kinds =
+      options.functions.empty() ? default_functions(mechanism) : options.functions;
+  for (const FunctionKind kind : kinds) {
+    std::optional<CompiledFunction> best;
+    std::vector<OutputExpressions> best_outputs;
+    for (const EquationsOfMotion& equations : candidates) {
+      if (best && !depends_on_formulation(kind)) break;
+      std::vector<OutputExpressions> outputs = function_outputs(kinematics, equations, kind);
+      Program program = lower(std::string(to_string(kind)), outputs, bindings);
+      program.formulation = to_string(equations.formulation);
+      if (dumping("lower")) *options.dump << dump(program);
+      program = optimize(std::move(program));
+      if (dumping("optimise")) *options.dump << dump(program);
+      const OperationCount operations = count(program);
+      if (!best || weight(operations) < weight(best->count)) {
+        best = CompiledFunction{kind, equations.formulation, std::move(program), operations};
+        best_outputs = std::move(outputs);
+      }
+    }
+    best->program = schedule(std::move(best->program));
+    if (dumping("schedule")) *options.dump << dump(best->program);
+    verify(best->program, best_outputs, bindings);
+    log.done("program", fmt::format("{}: {}", to_string(kind), describe(best->count)));
+    compiled.functions.push_back(std::move(*best));
+  }
+  return compiled;
+}
+
+}  // namespace alembert

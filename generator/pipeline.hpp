@@ -1,0 +1,52 @@
+// The stages, in order: load, kinematics, equations, lower, optimise, schedule, verify. In: the text of a
+// description. Out: the checked mechanism and one straight-line program for each function asked for.
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/equations.hpp"
+#include "mechanism/model.hpp"
+#include "program/program.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+
+struct CompileOptions {
+  std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
+  std::vector<FunctionKind> functions;     ///< in the order wanted
+  std::ostream* talk = nullptr;            ///< time, nodes and operations of each stage (--verbose)
+  std::ostream* dump = nullptr;            ///< what a stage made (--dump)
+  std::string dump_stage;                  ///< load, kinematics, equations, lower, optimise or schedule
+};
+
+struct CompiledFunction {
+  FunctionKind kind;
+  Formulation formulation;
+  Program program;
+  OperationCount count;
+};
+
+struct CompiledMechanism {
+  std::unique_ptr<ExprGraph> graph;
+  std::unique_ptr<const Mechanism> mechanism;
+  std::vector<CompiledFunction> functions;
+
+  const CompiledFunction& function(
+      FunctionKind kind) const;  ///< throws InternalError if it was not asked for
+};
+
+/// Throws InputError where the description is at fault, InternalError where verification fails.
+CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options);
+
+/// Names of the stages that can be dumped.
+std::vector<std::string> dump_stages();
+
+/// Functions that `generate` writes unless told otherwise: all but forward_dynamics (the runtime library
+/// solves), frames only if there are any.
+std::vector<FunctionKind> default_functions(const Mechanism& mechanism);
+
+}  // namespace alembert
