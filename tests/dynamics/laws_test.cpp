@@ -1,0 +1,180 @@
+// Laws that every mechanism of the catalogue obeys (the fifth net of tests): on expressions, at random
+// states.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "differentiation/jacobian.hpp"
+#include "dynamics/formulations.hpp"
+#include "dynamics/mechanism_file.hpp"
+
+namespace alembert::test {
+namespace {
+
+constexpr unsigned kStates = 8;
+
+class Laws : public testing::TestWithParam<std::string> {
+ protected:
+  Laws()
+      : loaded(LoadedMechanism::file(GetParam())),
+        kinematics(loaded.kinematics()),
+        equations(equations_of_motion(kinematics, Formulation::reduced)),
+        nv(static_cast<std::size_t>(loaded.mechanism->nv)) {}
+
+  /// Equal at random states, relative to the larger of 1 and the values. States where a value is not finite
+  /// are skipped, but not all.
+  void expect_equal(std::span<const Expr> x, std::span<const Expr> y, double tolerance = 1e-10) {
+    ASSERT_EQ(x.size(), y.size());
+    unsigned finite = 0;
+    for (unsigned seed = 0; seed < kStates; ++seed) {
+      const std::vector<double> a = loaded.values(x, seed), b = loaded.values(y, seed);
+      double scale = 1;
+      for (const double v : b) scale = std::max(scale, std::abs(v));
+      if (!std::isfinite(scale)) continue;
+      ++finite;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i], b[i], tolerance * scale) << "entry " << i << " at state " << seed << "\n  "
+                                                   << to_string(x[i]) << "\n  " << to_string(y[i]);
+      }
+    }
+    EXPECT_GE(finite, kStates / 2);
+  }
+
+  LoadedMechanism loaded;
+  Kinematics kinematics;
+  EquationsOfMotion equations;
+  std::size_t nv;
+};
+
+TEST_P(Laws, ForceIsMassTimesAccelerationPlusBias) {
+  std::vector<Expr> composed = equations.c;
+  for (std::size_t i = 0; i < nv; ++i) {
+    for (std::size_t j = 0; j < nv; ++j)
+      composed[i] += equations.M[i * nv + j] * kinematics.derivatives.rate(static_cast<int>(j));
+  }
+  expect_equal(equations.Q, composed);
+}
+
+TEST_P(Laws, MassMatrixIsTheCoefficientOfTheAccelerations) {
+  expect_equal(equations.M, coefficient_mass_matrix(*loaded.mechanism, equations.Q));
+}
+
+TEST_P(Laws, CompositeBodiesGiveTheSameMassMatrix) {
+  expect_equal(composite_mass_matrix(*loaded.mechanism, kinematics.tree, *loaded.graph), equations.M);
+}
+
+TEST_P(Laws, MassMatrixIsSymmetricAndPositiveDefinite) {
+  const Eigen::Index n = loaded.mechanism->nv;
+  unsigned positive = 0;
+  for (unsigned seed = 1; seed <= kStates; ++seed) {
+    const std::vector<double> values = loaded.values(equations.M, seed);
+    const Eigen::Map<const Eigen::MatrixXd> M(values.data(), n, n);
+    if (!M.allFinite()) continue;
+    EXPECT_EQ(M, M.transpose());
+    const Eigen::VectorXd scale = M.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal());
+    EXPECT_GT(solver.eigenvalues()(0), -1e-12) << "at state " << seed;
+    if (solver.eigenvalues()(0) > 1e-10) ++positive;
+  }
+  EXPECT_GE(positive, kStates - 2);
+}
+
+TEST_P(Laws, ReducedFormIsTheFactoredForm) {
+  const EquationsOfMotion factored = equations_of_motion(kinematics, Formulation::factored);
+  expect_equal(equations.Q, factored.Q);
+  expect_equal(equations.M, factored.M);
+  expect_equal(equations.c, factored.c);
+}
+
+TEST_P(Laws, BothMomentFormsAgree) {
+  const auto by = [&](MomentForm form) {
+    return reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, kinematics.derivatives, form,
+                                    *loaded.graph);
+  };
+  expect_equal(by(MomentForm::pseudo_inertia), by(MomentForm::inertia));
+}
+
+/// d(T + V)/dt = u . Q where nothing else does work: no prescribed motion. The left side is the chain rule
+/// over q and u, qdot = N u.
+TEST_P(Laws, EnergyChangesByThePowerOfTheForces) {
+  const Mechanism& mechanism = *loaded.mechanism;
+  const std::vector<Expr> energy = energies(mechanism, kinematics.tree, *loaded.graph);
+  const std::vector<Expr> total{energy[0] + energy[1]};
+  for (const std::uint32_t id : postorder(total)) {
+    if (Expr(*loaded.graph, Ref(id, false)) == mechanism.time)
+      GTEST_SKIP() << "its motion is prescribed in part";
+  }
+  std::vector<Expr> variables, rates;
+  const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
+  std::size_t row = 0;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    for (const Expr symbol : coordinate.symbols) {
+      variables.push_back(symbol);
+      Expr sum = loaded.graph->zero();
+      for (std::size_t k = 0; k < nv; ++k)
+        sum += N[row * nv + k] * kinematics.derivatives.speed(static_cast<int>(k));
+      rates.push_back(sum);
+      ++row;
+    }
+  }
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    variables.insert(variables.end(), coordinate.speed_symbols.begin(), coordinate.speed_symbols.end());
+    rates.insert(rates.end(), coordinate.rate_symbols.begin(), coordinate.rate_symbols.end());
+  }
+  const Jacobian gradient = jacobian_reverse(total, variables);
+  Expr change = loaded.graph->zero();
+  for (std::size_t i = 0; i < variables.size(); ++i) change += gradient(0, i) * rates[i];
+
+  std::vector<std::pair<Expr, Expr>> no_wrench;
+  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, *loaded.graph)) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      no_wrench.emplace_back(wrench.force[i], loaded.graph->zero());
+      no_wrench.emplace_back(wrench.torque[i], loaded.graph->zero());
+    }
+  }
+  const std::vector<Expr> free_force = substitute(equations.Q, no_wrench);
+  Expr power = loaded.graph->zero();
+  for (std::size_t k = 0; k < nv; ++k)
+    power += kinematics.derivatives.speed(static_cast<int>(k)) * free_force[k];
+  expect_equal(std::vector<Expr>{change}, std::vector<Expr>{power}, 1e-9);
+}
+
+/// Solving for the accelerations by the straight-line factorisation gives back the forces.
+TEST_P(Laws, ForwardDynamicsInvertsInverseDynamics) {
+  const std::vector<OutputExpressions> outputs =
+      function_outputs(kinematics, equations, FunctionKind::forward_dynamics);
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  unsigned finite = 0;
+  for (unsigned seed = 1; seed <= kStates; ++seed) {
+    std::vector<double> state = state_values(*loaded.mechanism, *loaded.graph, seed);
+    const auto value = [&](ArgumentKind kind, std::size_t index) -> double& {
+      for (const SymbolBinding& binding : bindings) {
+        if (binding.slot.kind == kind && binding.slot.index == index)
+          return state[loaded.graph->symbol_index(binding.symbol.ref().node())];
+      }
+      throw std::logic_error("no such slot");
+    };
+    const std::vector<double> tau = evaluate(equations.Q, state);
+    for (std::size_t k = 0; k < nv; ++k) value(ArgumentKind::tau, k) = tau[k];
+    const std::vector<double> qdd = evaluate(outputs[0].values, state);
+    const std::vector<double> M = evaluate(equations.M, state);
+    if (!std::all_of(qdd.begin(), qdd.end(), [](double v) { return std::isfinite(v); })) continue;
+    const Eigen::Map<const Eigen::MatrixXd> matrix(M.data(), static_cast<Eigen::Index>(nv),
+                                                   static_cast<Eigen::Index>(nv));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+    const double condition = solver.eigenvalues().tail(1)(0) / solver.eigenvalues()(0);
+    if (!(condition > 0 && condition < 1e8)) continue;
+    ++finite;
+    for (std::size_t k = 0; k < nv; ++k)
+      EXPECT_NEAR(qdd[k], value(ArgumentKind::qdd, k), 1e-13 * condition * 100) << "at state " << seed;
+  }
+  EXPECT_GE(finite, 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Laws, testing::ValuesIn(catalogue()),
+                         [](const auto& test) { return test_name(test.param); });
+
+}  // namespace
+}  // namespace alembert::test
