@@ -1,1 +1,340 @@
+// Storage of expressions: interning, constants, symbols, and the operators on handles. In: operations from
+// user code. Out: calls of the construction rules (builder.hpp), nodes in the arena.
 #include "symbolic/expr.hpp"
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "symbolic/builder.hpp"
+
+namespace alembert {
+namespace {
+
+// Ranks order operands: constants come first, so that c*x has c in front, then symbols.
+enum class Rank : std::uint64_t { number, constant, symbol, other };
+constexpr int kRankShift = 62;
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;
+
+constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+  hash = (hash ^ value) * kGolden;
+  return hash ^ (hash >> 29);
+}
+
+constexpr std::uint64_t ranked(Rank rank, std::uint64_t hash) {
+  return static_cast<std::uint64_t>(rank) << kRankShift | hash >> 2;
+}
+
+constexpr std::uint64_t seed(Op op) {
+  return (static_cast<std::uint64_t>(op) + 1) * 0xd1b54a32d192ed03u;
+}
+
+// Vectors grow by a quarter: little slack, and copying stays a constant number of times the size.
+template <class T>
+void push(std::vector<T>& to, T value) {
+  if (to.size() == to.capacity()) to.reserve(to.size() + to.size() / 4 + 64);
+  to.push_back(value);
+}
+
+constexpr std::size_t kFirstSlots = 1024;
+constexpr std::uint32_t kMostNodes = 0x7fffffffu;
+
+ExprGraph& common_graph(const Expr& a, const Expr& b) {
+  if (!a.valid() || !b.valid()) throw std::logic_error("an expression that belongs to no graph was used");
+  if (&a.graph() != &b.graph()) throw std::logic_error("expressions of different graphs cannot be combined");
+  return a.graph();
+}
+
+Expr apply(Op op, const Expr& a, const Expr& b) {
+  ExprGraph& graph = common_graph(a, b);
+  return {graph, graph.make(op, a.ref(), b.ref())};
+}
+
+Expr apply(Op op, const Expr& x) {
+  ExprGraph& graph = common_graph(x, x);
+  return {graph, graph.make(op, x.ref())};
+}
+
+}  // namespace
+
+bool Expr::is_zero() const {
+  return ref_ == kZero;
+}
+bool Expr::is_one() const {
+  return ref_ == kOne;
+}
+bool Expr::is_constant() const {
+  return graph_->node(ref_.node()).constant;
+}
+
+Expr operator+(Expr a, Expr b) {
+  return apply(Op::add, a, b);
+}
+Expr operator-(Expr a, Expr b) {
+  return apply(Op::add, a, -b);
+}
+Expr operator*(Expr a, Expr b) {
+  return apply(Op::mul, a, b);
+}
+Expr operator/(Expr a, Expr b) {
+  return apply(Op::div, a, b);
+}
+Expr sqrt(Expr x) {
+  return apply(Op::sqrt, x);
+}
+Expr sin(Expr x) {
+  return apply(Op::sin, x);
+}
+Expr cos(Expr x) {
+  return apply(Op::cos, x);
+}
+Expr tan(Expr x) {
+  return apply(Op::tan, x);
+}
+Expr asin(Expr x) {
+  return apply(Op::asin, x);
+}
+Expr acos(Expr x) {
+  return apply(Op::acos, x);
+}
+Expr atan(Expr x) {
+  return apply(Op::atan, x);
+}
+Expr atan2(Expr y, Expr x) {
+  return apply(Op::atan2, y, x);
+}
+Expr exp(Expr x) {
+  return apply(Op::exp, x);
+}
+Expr log(Expr x) {
+  return apply(Op::log, x);
+}
+Expr abs(Expr x) {
+  return apply(Op::abs, x);
+}
+Expr sign(Expr x) {
+  return apply(Op::sign, x);
+}
+Expr sinh(Expr x) {
+  return apply(Op::sinh, x);
+}
+Expr cosh(Expr x) {
+  return apply(Op::cosh, x);
+}
+Expr tanh(Expr x) {
+  return apply(Op::tanh, x);
+}
+Expr pow(Expr x, Expr y) {
+  return apply(Op::pow, x, y);
+}
+Expr pow(Expr x, int n) {
+  ExprGraph& graph = common_graph(x, x);
+  return {graph, Builder(graph).integer_power(x.ref(), n)};
+}
+
+ExprGraph::ExprGraph() : table_(kFirstSlots, 0) {
+  // Nodes 0 and 1 are the numbers 0 and 1: every rule knows them by their handle.
+  rationals_.push_back(Rational(0));
+  nodes_.push_back({Op::rational, true, Ref(), Ref()});
+  keys_.push_back(ranked(Rank::number, 0));
+  intern_number(Op::rational, Rational(1));
+}
+
+Expr ExprGraph::integer(std::int64_t value) {
+  return {*this, Builder(*this).number(Rational(value))};
+}
+Expr ExprGraph::rational(Rational value) {
+  return {*this, Builder(*this).number(value)};
+}
+Expr ExprGraph::pi(Rational multiple) {
+  return {*this, Builder(*this).pi(multiple)};
+}
+Expr ExprGraph::real(double value) {
+  return {*this, Builder(*this).real(value)};
+}
+
+Expr ExprGraph::symbol(std::string_view name) {
+  const auto [found, added] = symbol_ids_.try_emplace(std::string(name), symbol_count());
+  if (added) {
+    std::uint64_t hash = seed(Op::symbol);
+    for (const char c : name) hash = mix(hash, static_cast<unsigned char>(c) + 1u);
+    Node node{Op::symbol, false, Ref(), Ref()};
+    node.a.bits = symbol_count();
+    const std::uint32_t id = append(node, ranked(Rank::symbol, mix(hash, name.size())));
+    symbols_.push_back({std::string(name), id, {-HUGE_VAL, HUGE_VAL}});
+  }
+  return symbol_at(found->second);
+}
+
+void ExprGraph::assume(Expr symbol, Interval interval) {
+  if (symbol.ref().negative() || node(symbol.ref().node()).op != Op::symbol) {
+    throw std::logic_error("bounds can only be assumed of symbols");
+  }
+  symbols_[symbol_index(symbol.ref().node())].interval = interval;
+  bounds_.clear();
+}
+
+Rational ExprGraph::rational_value(std::uint32_t id) const {
+  return rationals_[nodes_[id].a.bits];
+}
+double ExprGraph::real_value(std::uint32_t id) const {
+  return reals_[nodes_[id].a.bits];
+}
+
+std::size_t ExprGraph::memory_bytes() const {
+  std::size_t names = 0;
+  for (const Symbol& symbol : symbols_) names += 2 * symbol.name.capacity();
+  constexpr std::size_t kMapEntry = 2 * sizeof(void*);  // what a node of a hash map costs beside its value
+  return sizeof *this + nodes_.capacity() * sizeof(Node) + keys_.capacity() * sizeof(std::uint64_t) +
+         table_.capacity() * sizeof(std::uint32_t) + rationals_.capacity() * sizeof(Rational) +
+         reals_.capacity() * sizeof(double) + symbols_.capacity() * sizeof(Symbol) + names +
+         symbol_ids_.size() * (sizeof(std::pair<std::string, std::uint32_t>) + kMapEntry) +
+         bounds_.size() * (sizeof(std::pair<std::uint32_t, Interval>) + kMapEntry);
+}
+
+std::uint32_t ExprGraph::append(Node node, std::uint64_t key) {
+  if (size() >= kMostNodes) throw std::length_error("expression graph is full");
+  if ((nodes_.size() + 1) * 4 > table_.size() * 3) rehash(table_.size() * 2);
+  const std::uint32_t id = size();
+  push(nodes_, node);
+  push(keys_, key);
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = key & mask;
+  while (table_[slot] != 0) slot = (slot + 1) & mask;
+  table_[slot] = id;
+  return id;
+}
+
+void ExprGraph::rehash(std::size_t slots) {
+  table_.assign(slots, 0);
+  const std::size_t mask = slots - 1;
+  for (std::uint32_t id = 1; id < size(); ++id) {
+    std::size_t slot = keys_[id] & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = id;
+  }
+}
+
+Ref ExprGraph::intern_number(Op op, Rational value) {
+  const bool negative = value.negative();
+  if (negative) value.numerator = -value.numerator;
+  const std::uint64_t hash = mix(mix(seed(op), static_cast<std::uint64_t>(value.numerator)),
+                                 static_cast<std::uint64_t>(value.denominator));
+  const std::uint64_t key = ranked(Rank::number, hash);
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t slot = key & mask; table_[slot] != 0; slot = (slot + 1) & mask) {
+    const std::uint32_t id = table_[slot];
+    if (nodes_[id].op == op && rational_value(id) == value) return {id, negative};
+  }
+  Node node{op, true, Ref(), Ref()};
+  node.a.bits = static_cast<std::uint32_t>(rationals_.size());
+  push(rationals_, value);
+  return {append(node, key), negative};
+}
+
+Ref ExprGraph::intern_real(double value) {
+  const bool negative = value < 0;
+  if (negative) value = -value;
+  const std::uint64_t key = ranked(Rank::number, mix(seed(Op::real), std::bit_cast<std::uint64_t>(value)));
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t slot = key & mask; table_[slot] != 0; slot = (slot + 1) & mask) {
+    const std::uint32_t id = table_[slot];
+    if (nodes_[id].op == Op::real && real_value(id) == value) return {id, negative};
+  }
+  Node node{Op::real, true, Ref(), Ref()};
+  node.a.bits = static_cast<std::uint32_t>(reals_.size());
+  push(reals_, value);
+  return {append(node, key), negative};
+}
+
+Ref Builder::intern(Op op, Ref a, Ref b) {
+  ExprGraph& g = graph;
+  const bool binary = arity(op) == 2;
+  std::uint64_t hash = mix(seed(op), g.keys_[a.node()] + (a.negative() ? kGolden : 0));
+  bool is_constant = g.nodes_[a.node()].constant;
+  if (binary) {
+    hash = mix(hash, g.keys_[b.node()] + (b.negative() ? kGolden : 0));
+    is_constant = is_constant && g.nodes_[b.node()].constant;
+  }
+  const std::uint64_t key = ranked(is_constant ? Rank::constant : Rank::other, hash);
+  const std::size_t mask = g.table_.size() - 1;
+  for (std::size_t slot = key & mask; g.table_[slot] != 0; slot = (slot + 1) & mask) {
+    const std::uint32_t id = g.table_[slot];
+    const Node& found = g.nodes_[id];
+    if (found.op == op && found.a == a && found.b == b) return {id, false};
+  }
+  return {g.append({op, is_constant, a, b}, key), false};
+}
+
+bool Builder::before(Ref a, Ref b) const {
+  const std::uint64_t ka = graph.keys_[a.node()], kb = graph.keys_[b.node()];
+  return ka != kb ? ka < kb : a.node() < b.node();
+}
+
+Ref Builder::number(Rational value) {
+  return value.numerator == 0 ? kZero : graph.intern_number(Op::rational, value);
+}
+
+Ref Builder::pi(Rational multiple) {
+  return multiple.numerator == 0 ? kZero : graph.intern_number(Op::pi_multiple, multiple);
+}
+
+Ref Builder::real(double value) {
+  if (!std::isfinite(value)) throw std::domain_error("a constant is infinite or not a number");
+  const std::optional<Rational> exact = rational_from_double(value);
+  return exact ? number(*exact) : graph.intern_real(value);
+}
+
+Rational Builder::rational_of(Ref x) const {
+  Rational value = graph.rational_value(x.node());
+  if (x.negative()) value.numerator = -value.numerator;
+  return value;
+}
+
+double Builder::numeric_value(Ref x) const {
+  constexpr double kPi = 3.14159265358979323846;
+  const Op o = op(x);
+  const double value = o == Op::real          ? graph.real_value(x.node())
+                       : o == Op::pi_multiple ? graph.rational_value(x.node()).to_double() * kPi
+                                              : graph.rational_value(x.node()).to_double();
+  return x.negative() ? -value : value;
+}
+
+Ref ExprGraph::make(Op op, Ref a, Ref b) {
+  Builder builder(*this);
+  switch (op) {
+    case Op::add:
+      return builder.sum(a, b);
+    case Op::mul:
+      return builder.product(a, b);
+    case Op::div:
+      return builder.quotient(a, b);
+    case Op::atan2:
+      return builder.arctangent2(a, b);
+    case Op::pow:
+      return builder.power(a, b);
+    case Op::sqrt:
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+    case Op::exp:
+    case Op::log:
+    case Op::abs:
+    case Op::sign:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+      return builder.function(op, a);
+    case Op::rational:
+    case Op::pi_multiple:
+    case Op::real:
+    case Op::symbol:
+      break;
+  }
+  throw std::logic_error("constants and symbols are not made from operands");
+}
+
+}  // namespace alembert

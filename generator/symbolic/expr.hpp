@@ -33,14 +33,14 @@ enum class Op : std::uint8_t {
 };
 inline constexpr int kOpCount = static_cast<int>(Op::pow) + 1;
 
-/// Node index shifted left by one, plus 1 if negated.
+/// Node index shifted left by one, plus 1 if negated. Node 0 is the constant zero, which has no sign: there is no -0.
 struct Ref {
   std::uint32_t bits = 0;
   constexpr Ref() = default;
-  constexpr Ref(std::uint32_t node, bool negative) : bits(node << 1 | (negative ? 1u : 0u)) {}
+  constexpr Ref(std::uint32_t node, bool negative) : bits(node << 1 | (negative && node != 0 ? 1u : 0u)) {}
   constexpr std::uint32_t node() const { return bits >> 1; }
   constexpr bool negative() const { return (bits & 1u) != 0; }
-  constexpr Ref operator-() const { Ref r; r.bits = bits ^ 1u; return r; }
+  constexpr Ref operator-() const { return {node(), !negative()}; }
   friend constexpr bool operator==(Ref, Ref) = default;
 };
 
@@ -155,13 +155,19 @@ class ExprGraph {
  private:
   friend struct Builder;
   struct Symbol { std::string name; std::uint32_t node; Interval interval; };
+  std::uint32_t append(Node node, std::uint64_t key);
+  void rehash(std::size_t slots);
+  Ref intern_number(Op op, Rational value);
+  Ref intern_real(double value);
+
   std::vector<Node> nodes_;
   std::vector<std::uint64_t> keys_;
-  std::vector<std::uint32_t> table_;
+  std::vector<std::uint32_t> table_;  ///< open addressing by key; node ids, 0 (the zero node, never looked up) if free
   std::vector<Rational> rationals_;
   std::vector<double> reals_;
   std::vector<Symbol> symbols_;
   std::unordered_map<std::string, std::uint32_t> symbol_ids_;
+  mutable std::unordered_map<std::uint32_t, Interval> bounds_;  ///< of nodes that were asked for; looked up only
 };
 
 }  // namespace alembert

@@ -1,0 +1,243 @@
+// Rules of construction for functions other than the trigonometric ones. In: an operation and its operand.
+// Out: the result, exact where the operand is a number with an exact result, otherwise a node.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "symbolic/builder.hpp"
+
+namespace alembert {
+namespace {
+
+[[noreturn]] void not_defined(const char* what) {
+  throw std::domain_error(what);
+}
+
+// n = square^2 * rest for n > 0, as far as small primes and a square as a whole show it.
+struct SquareFactor {
+  std::int64_t square = 1, rest = 1;
+};
+
+std::int64_t integer_root(std::int64_t n) {
+  std::int64_t root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
+  while (root > 0 && root > n / root) --root;
+  while ((root + 1) <= n / (root + 1)) ++root;
+  return root;
+}
+
+SquareFactor square_factor(std::int64_t n) {
+  constexpr std::int64_t kLargestPrime = 1000;
+  SquareFactor out;
+  const std::int64_t whole = integer_root(n);
+  if (whole * whole == n) return {whole, 1};
+  for (std::int64_t p = 2; p <= kLargestPrime && p <= n / p; ++p) {
+    int exponent = 0;
+    for (; n % p == 0; ++exponent) n /= p;
+    for (int i = 0; i < exponent / 2; ++i) out.square *= p;
+    if (exponent % 2 != 0) out.rest *= p;
+  }
+  const std::int64_t left = integer_root(n);
+  if (left * left == n) {
+    out.square *= left;
+  } else {
+    out.rest *= n;
+  }
+  return out;
+}
+
+}  // namespace
+
+Ref Builder::function(Op op, Ref x) {
+  const Nested nested(*this);
+  switch (op) {
+    case Op::sqrt:
+      return square_root(x);
+    case Op::sin:
+      return sine(x);
+    case Op::cos:
+      return cosine(x);
+    case Op::tan:
+      return tangent(x);
+    case Op::asin:
+      return arcsine(x);
+    case Op::acos:
+      return arccosine(x);
+    case Op::atan:
+      return arctangent(x);
+    case Op::exp:
+      return exponential(x);
+    case Op::log:
+      return logarithm(x);
+    case Op::abs:
+      return absolute(x);
+    case Op::sign:
+      return signum(x);
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+      return hyperbolic(op, x);
+    case Op::rational:
+    case Op::pi_multiple:
+    case Op::real:
+    case Op::symbol:
+    case Op::add:
+    case Op::mul:
+    case Op::div:
+    case Op::atan2:
+    case Op::pow:
+      break;
+  }
+  throw std::logic_error("not a function of one operand");
+}
+
+// sqrt(n/d) = square/d * sqrt(rest), where rest has no square factor left.
+Ref Builder::root_of_rational(Rational x) {
+  const auto whole = mul(Rational(x.numerator), Rational(x.denominator));
+  if (!whole) {
+    const std::int64_t n = integer_root(x.numerator), d = integer_root(x.denominator);
+    if (n * n == x.numerator && d * d == x.denominator) return number(Rational(n, d));
+    return intern(Op::sqrt, number(x), Ref());
+  }
+  const SquareFactor found = square_factor(whole->numerator);
+  const auto outside = make_rational(found.square, x.denominator);
+  const Ref factor = number(*outside);
+  if (found.rest == 1) return factor;
+  const Ref root = intern(Op::sqrt, number(found.rest), Ref());
+  return product(factor, root);
+}
+
+Ref Builder::square_root(Ref x) {
+  if (x == kZero || x == kOne) return x;
+  if (constant(x)) {
+    if (graph.bounds(x).upper < 0) not_defined("square root of a negative constant");
+    if (rational(x)) return root_of_rational(rational_of(x));
+    if (op(x) == Op::real) return real(std::sqrt(numeric_value(x)));
+  }
+  const Node n = node(x);
+  if (x.negative() || too_deep()) return intern(Op::sqrt, x, Ref());
+  if (n.op == Op::mul) {
+    if (n.a == n.b) return absolute(n.a);
+    if (constant(n.a) && graph.bounds(n.a).lower > 0) {
+      const Ref outside = square_root(n.a);
+      const Ref inside = square_root(n.b);
+      return product(outside, inside);
+    }
+    for (const bool first : {true, false}) {
+      const Ref square = first ? n.a : n.b, rest = first ? n.b : n.a;
+      if (op(square) != Op::mul || node(square).a != node(square).b) continue;
+      const Ref outside = absolute(node(square).a);
+      const Ref inside = function(Op::sqrt, rest);
+      return product(outside, inside);
+    }
+  }
+  if (n.op == Op::div) {
+    const bool square_below = op(n.b) == Op::mul && node(n.b).a == node(n.b).b;
+    const bool number_above = rational(n.a);
+    if (square_below || (number_above && n.a != kOne)) {
+      const Ref above = function(Op::sqrt, n.a);
+      if (square_below) return quotient(above, absolute(node(n.b).a));
+      const Ref rest = intern(Op::sqrt, intern(Op::div, kOne, n.b), Ref());
+      return product(above, rest);
+    }
+  }
+  return intern(Op::sqrt, x, Ref());
+}
+
+Ref Builder::absolute(Ref x) {
+  x = magnitude(x);
+  const Interval range = graph.bounds(x);
+  if (range.lower >= 0) return x;
+  if (range.upper <= 0) return -x;
+  const Node n = node(x);
+  if (n.op == Op::mul && constant(n.a) && !n.constant) {
+    const Ref factor = absolute(n.a);
+    const Ref rest = absolute(n.b);
+    return product(factor, rest);
+  }
+  if (n.op == Op::real) return x;
+  return intern(Op::abs, x, Ref());
+}
+
+Ref Builder::signum(Ref x) {
+  if (x == kZero) return kZero;
+  const bool negative = x.negative();
+  x = magnitude(x);
+  const Interval range = graph.bounds(x);
+  if (range.lower > 0) return signed_as(kOne, negative);
+  if (range.upper < 0) return signed_as(kOne, !negative);
+  const Node n = node(x);
+  if (n.op == Op::mul && constant(n.a)) {
+    const Interval factor = graph.bounds(n.a);
+    if (factor.lower > 0) return signed_as(signum(n.b), negative);
+    if (factor.upper < 0) return signed_as(signum(n.b), !negative);
+  }
+  return signed_as(intern(Op::sign, x, Ref()), negative);
+}
+
+Ref Builder::exponential(Ref x) {
+  if (x == kZero) return kOne;
+  if (op(x) == Op::log && !x.negative()) return node(x).a;
+  if (op(x) == Op::real) return real(std::exp(numeric_value(x)));
+  return intern(Op::exp, x, Ref());
+}
+
+Ref Builder::logarithm(Ref x) {
+  if (x == kOne) return kZero;
+  if (x == kZero) not_defined("logarithm of zero");
+  if (constant(x) && graph.bounds(x).upper < 0) not_defined("logarithm of a negative constant");
+  if (op(x) == Op::exp && !x.negative()) return node(x).a;
+  if (op(x) == Op::real) return real(std::log(numeric_value(x)));
+  return intern(Op::log, x, Ref());
+}
+
+Ref Builder::hyperbolic(Op op_wanted, Ref x) {
+  const bool even = op_wanted == Op::cosh;
+  if (x == kZero) return even ? kOne : kZero;
+  const bool negative = x.negative() && !even;
+  x = magnitude(x);
+  if (op(x) == Op::real) {
+    const double value = numeric_value(x);
+    const double result = even                    ? std::cosh(value)
+                          : op_wanted == Op::sinh ? std::sinh(value)
+                                                  : std::tanh(value);
+    return signed_as(real(result), negative);
+  }
+  return signed_as(intern(op_wanted, x, Ref()), negative);
+}
+
+Ref Builder::integer_power(Ref x, std::int64_t n) {
+  if (n == 0) return kOne;
+  const bool below = n < 0;
+  if (below && x == kZero) not_defined("division by zero");
+  std::uint64_t left = below ? 0 - static_cast<std::uint64_t>(n) : static_cast<std::uint64_t>(n);
+  Ref square = x, out = kOne;
+  for (; left != 0; left >>= 1) {
+    if ((left & 1) != 0) out = product(out, square);
+    if (left > 1) square = product(square, square);
+  }
+  return below ? quotient(kOne, out) : out;
+}
+
+Ref Builder::power(Ref x, Ref y) {
+  if (y == kZero || x == kOne) return kOne;
+  if (y == kOne) return x;
+  if (rational(y)) {
+    const Rational exponent = rational_of(y);
+    if (exponent.denominator == 1) return integer_power(x, exponent.numerator);
+    if (exponent.denominator == 2) return integer_power(function(Op::sqrt, x), exponent.numerator);
+  }
+  if (x == kZero) {
+    const Interval range = graph.bounds(y);
+    if (range.lower > 0) return kZero;
+    if (range.upper < 0) not_defined("division by zero");
+  }
+  if (constant(x) && graph.bounds(x).upper < 0)
+    not_defined("power of a negative constant with an exponent that is no integer");
+  if (numeric(x) && numeric(y) && (op(x) == Op::real || op(y) == Op::real)) {
+    return real(std::pow(numeric_value(x), numeric_value(y)));
+  }
+  return intern(Op::pow, x, y);
+}
+
+}  // namespace alembert

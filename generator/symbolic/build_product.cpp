@@ -1,0 +1,234 @@
+// Rules of construction for products and quotients. In: two operands with signs. Out: the result in normal
+// form: operands unsigned and ordered by content, constant factors gathered in front, the sign outside.
+#include <stdexcept>
+#include <utility>
+
+#include "symbolic/builder.hpp"
+
+namespace alembert {
+
+Builder::Term Builder::factor(Ref x) {
+  const Node n = node(x);
+  if (n.op == Op::mul && constant(n.a) && (!n.constant || numeric(n.a))) {
+    return {signed_as(n.a, x.negative()), n.b};
+  }
+  return {signed_as(kOne, x.negative()), magnitude(x)};
+}
+
+Builder::Term Builder::term(Ref x) {
+  const Node n = node(x);
+  if (n.op == Op::div && n.a != kOne && constant(n.a) && (!n.constant || numeric(n.a))) {
+    return {signed_as(n.a, x.negative()), intern(Op::div, kOne, n.b)};
+  }
+  return factor(x);
+}
+
+Ref Builder::intern_product(Ref a, Ref b) {
+  if (before(b, a)) std::swap(a, b);
+  return intern(Op::mul, a, b);
+}
+
+// Product of two numbers, unless it has no exact form of its own (pi * pi).
+std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
+  if (op(a) == Op::pi_multiple && op(b) == Op::pi_multiple) return std::nullopt;
+  if (op(a) != Op::real && op(b) != Op::real) {
+    const auto exact = mul(rational_of(a), rational_of(b));
+    if (exact) return rational(a) && rational(b) ? number(*exact) : pi(*exact);
+  }
+  return real(numeric_value(a) * numeric_value(b));
+}
+
+Ref Builder::product(Ref a, Ref b) {
+  if (a == kZero || b == kZero) return kZero;
+  const bool negative = a.negative() != b.negative();
+  a = magnitude(a);
+  b = magnitude(b);
+  if (a == kOne) return signed_as(b, negative);
+  if (b == kOne) return signed_as(a, negative);
+  const Nested nested(*this);
+  if (too_deep()) return signed_as(intern_product(a, b), negative);
+  if (before(b, a)) std::swap(a, b);
+
+  if (constant(a)) {
+    if (const auto found = constant_product(a, b)) return signed_as(*found, negative);
+    return signed_as(intern_product(a, b), negative);
+  }
+  if (op(a) == Op::mul || op(b) == Op::mul) {
+    const Term ta = factor(a), tb = factor(b);
+    if (ta.coefficient != kOne || tb.coefficient != kOne) {
+      const Ref coefficient = product(ta.coefficient, tb.coefficient);
+      // (c*x) * (d/y): the numerator takes c for nothing.
+      for (const bool first : {true, false}) {
+        const Ref divided = first ? ta.rest : tb.rest, other = first ? tb.rest : ta.rest;
+        if (op(divided) != Op::div || !constant(node(divided).a)) continue;
+        const Ref scaled = product(coefficient, divided);
+        return signed_as(product(scaled, other), negative);
+      }
+      const Ref rest = product(ta.rest, tb.rest);
+      return signed_as(product(coefficient, rest), negative);
+    }
+  }
+  if (const auto found = cancel_product(a, b)) return signed_as(*found, negative);
+  return signed_as(intern_product(a, b), negative);
+}
+
+// a is constant; both are unsigned and neither is 0 or 1.
+std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
+  const Node nb = node(b);
+  if (!nb.constant) {
+    if (nb.op == Op::mul && constant(nb.a)) {
+      const Ref gathered = product(a, nb.a);
+      return product(gathered, nb.b);
+    }
+    if (nb.op == Op::div && constant(nb.a)) {
+      const Ref gathered = product(a, nb.a);
+      return gathered == kZero ? kZero
+                               : signed_as(intern(Op::div, magnitude(gathered), nb.b), gathered.negative());
+    }
+    return std::nullopt;
+  }
+  if (numeric(a) && numeric(b)) return fold_product(a, b);
+  const Term ta = term(a), tb = term(b);
+  if (ta.coefficient != kOne || tb.coefficient != kOne) {
+    const Ref coefficient = product(ta.coefficient, tb.coefficient);
+    const Ref rest = product(ta.rest, tb.rest);
+    return product(coefficient, rest);
+  }
+  if (numeric(a)) {
+    if (nb.op == Op::div && nb.a == kOne) return intern(Op::div, a, nb.b);
+    return std::nullopt;
+  }
+  const Node na = node(a);
+  if (na.op == Op::sqrt && nb.op == Op::sqrt && a != b && rational(na.a) && rational(nb.a)) {
+    if (const auto exact = mul(rational_of(na.a), rational_of(nb.a)))
+      return function(Op::sqrt, number(*exact));
+  }
+  return cancel_product(a, b);
+}
+
+// Products that undo a root, a quotient or an absolute value. Operands unsigned.
+std::optional<Ref> Builder::cancel_product(Ref a, Ref b) {
+  if (a == b) {
+    const Node n = node(a);
+    if (n.op == Op::sqrt) return n.a;
+    if (n.op == Op::abs) return product(n.a, n.a);
+    return std::nullopt;
+  }
+  for (int turn = 0; turn < 2; ++turn, std::swap(a, b)) {
+    const Node na = node(a), nb = node(b);
+    if (na.op == Op::sign) {
+      if (na.a == b) return function(Op::abs, b);
+      if (nb.op == Op::abs && nb.a == na.a) return na.a;
+    }
+    if (na.op == Op::sqrt && nb.op == Op::mul && (nb.a == a || nb.b == a)) {
+      return product(na.a, nb.a == a ? nb.b : nb.a);
+    }
+    if (na.op != Op::div) continue;
+    if (na.b == b) return na.a;
+    const Node nd = node(na.b);
+    if (nd.op == Op::mul && (nd.a == b || nd.b == b)) return quotient(na.a, nd.a == b ? nd.b : nd.a);
+    if (nb.op == Op::mul && (nb.a == na.b || nb.b == na.b)) {
+      return product(na.a, nb.a == na.b ? nb.b : nb.a);
+    }
+    if (nb.op == Op::div && nb.a == na.b) return quotient(na.a, nb.b);
+  }
+  return std::nullopt;
+}
+
+// 1/c of a constant that is not 0.
+Ref Builder::reciprocal(Ref c) {
+  const bool negative = c.negative();
+  c = magnitude(c);
+  const Node n = node(c);
+  if (n.op == Op::rational) {
+    if (const auto exact = div(Rational(1), rational_of(c))) return signed_as(number(*exact), negative);
+  }
+  if (n.op == Op::rational || n.op == Op::real) return signed_as(real(1 / numeric_value(c)), negative);
+  Ref out;
+  if (n.op == Op::sqrt && rational(n.a)) {
+    out = product(reciprocal(n.a), c);
+  } else if (n.op == Op::mul && numeric(n.a)) {
+    const Ref number_part = quotient(kOne, n.a);
+    const Ref rest = quotient(kOne, n.b);
+    out = product(number_part, rest);
+  } else if (n.op == Op::div) {
+    out = quotient(n.b, n.a);
+  } else if (n.op == Op::pi_multiple && rational_of(c) != Rational(1)) {
+    const Ref number_part = reciprocal(number(rational_of(c)));
+    const Ref rest = intern(Op::div, kOne, pi(Rational(1)));
+    out = product(number_part, rest);
+  } else {
+    out = intern(Op::div, kOne, c);
+  }
+  return signed_as(out, negative);
+}
+
+Ref Builder::quotient(Ref a, Ref b) {
+  if (b == kZero) throw std::domain_error("division by zero");
+  if (a == kZero) return kZero;
+  const bool negative = a.negative() != b.negative();
+  a = magnitude(a);
+  b = magnitude(b);
+  if (b == kOne) return signed_as(a, negative);
+  if (a == b) return signed_as(kOne, negative);
+  const Nested nested(*this);
+  if (too_deep()) return signed_as(intern(Op::div, a, b), negative);
+
+  if (constant(b)) {
+    if (op(a) == Op::pi_multiple && op(b) == Op::pi_multiple) {
+      if (const auto exact = div(rational_of(a), rational_of(b))) return signed_as(number(*exact), negative);
+    }
+    const Ref factor = reciprocal(b);
+    return signed_as(product(factor, a), negative);
+  }
+  const Node na = node(a), nb = node(b);
+  if (nb.op == Op::mul && constant(nb.a)) {
+    const Ref factor = reciprocal(nb.a);
+    const Ref rest = quotient(a, nb.b);
+    return signed_as(product(factor, rest), negative);
+  }
+  if (nb.op == Op::div) {
+    const Ref dividend = product(a, nb.b);
+    return signed_as(quotient(dividend, nb.a), negative);
+  }
+  if (!na.constant) {
+    const Term ta = factor(a);
+    if (ta.coefficient != kOne) {
+      const Ref rest = quotient(ta.rest, b);
+      return signed_as(product(ta.coefficient, rest), negative);
+    }
+  }
+  if (na.op == Op::div) {
+    const Ref divisor = product(na.b, b);
+    return signed_as(quotient(na.a, divisor), negative);
+  }
+  if (const auto found = cancel_quotient(a, b)) return signed_as(*found, negative);
+  return signed_as(intern(Op::div, a, b), negative);
+}
+
+// Quotients with a common factor, or of a value and its root. Operands unsigned, the divisor not constant.
+std::optional<Ref> Builder::cancel_quotient(Ref a, Ref b) {
+  const Node na = node(a), nb = node(b);
+  if (na.op == Op::mul) {
+    if (na.a == b) return na.b;
+    if (na.b == b) return na.a;
+  }
+  if (nb.op == Op::mul) {
+    if (nb.a == a) return quotient(kOne, nb.b);
+    if (nb.b == a) return quotient(kOne, nb.a);
+    if (na.op == Op::mul) {
+      if (na.a == nb.a) return quotient(na.b, nb.b);
+      if (na.a == nb.b) return quotient(na.b, nb.a);
+      if (na.b == nb.a) return quotient(na.a, nb.b);
+      if (na.b == nb.b) return quotient(na.a, nb.a);
+    }
+  }
+  if (nb.op == Op::sqrt) {
+    if (nb.a == a) return b;
+    if (na.op == Op::mul && (na.a == nb.a || na.b == nb.a)) return product(b, na.a == nb.a ? na.b : na.a);
+  }
+  if (na.op == Op::sqrt && na.a == b) return quotient(kOne, a);
+  return std::nullopt;
+}
+
+}  // namespace alembert
