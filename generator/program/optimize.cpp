@@ -35,15 +35,15 @@ Program optimize(Program program) {
   const Cost given = cost(program);
   Program best = std::move(program);
   Cost least = given;
-  const auto accept = [&best, &least](ValueProgram candidate) {
+  const auto accept = [&best, &least](const ValueProgram& candidate, bool equal_will_do = false) {
     Program placed = place_signs(candidate);
     const Cost reached = cost(placed);
-    if (!(reached < least)) return false;
+    if (least < reached || (!equal_will_do && !(reached < least))) return false;
     best = std::move(placed);
     least = reached;
     return true;
   };
-  accept(to_values(best));
+  accept(to_values(best), true);
   for (int round = 0; round < kRounds; ++round) {
     const bool factored = accept(factor_sums(to_values(best)));
     const bool divided = accept(share_divisions(to_values(best)));

@@ -1,12 +1,324 @@
-// Stage `verify`: program and the expressions it came from in; InternalError out if they differ at random
-// points.
+// Stage `verify`: a program and the expressions it came from in; nothing out, or InternalError if the two
+// differ.
+//
+// Three nets. The program is well formed. At random points its values are those of the expressions, within
+// the running error bounds of both sides. And where both consist of + - * / sqrt sin cos and short binary
+// fractions, they are equal modulo a large prime, where nothing is rounded and no cancellation hides a
+// difference.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "program/error_bound.hpp"
+#include "program/expression_operation.hpp"
+#include "program/operation.hpp"
 #include "program/passes.hpp"
 #include "support/error.hpp"
+#include "symbolic/passes.hpp"
 
 namespace alembert {
-void verify(const Program& program, std::span<const OutputExpressions> outputs,
-            std::span<const SymbolBinding>) {
-  if (program.outputs.size() != outputs.size())
-    throw InternalError("verify: " + program.function + " has other outputs");
+namespace {
+
+constexpr int kPoints = 8;           ///< comparisons that each element gets ...
+constexpr int kAttempts = 64;        ///< ... if so many points give them
+constexpr double kBoundFactor = 64;  ///< running error bounds are of first order, and constants are folded
+constexpr double kSharp = 1e-6;      ///< a tolerance above this fraction of the value shows little
+
+[[noreturn]] void fail(const Program& program, const std::string& what) {
+  throw InternalError("verify: " + program.function + ": " + what);
 }
+
+void check_form(const Program& program, std::span<const OutputExpressions> outputs,
+                std::span<const SymbolBinding> bindings) {
+  if (program.inputs.size() != bindings.size()) fail(program, "the inputs are not the symbols bound");
+  for (std::size_t i = 0; i < bindings.size(); ++i)
+    if (program.inputs[i].kind != bindings[i].slot.kind || program.inputs[i].index != bindings[i].slot.index)
+      fail(program, fmt::format("input {} is not the symbol bound", i));
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    const std::size_t limit = c.op == Operation::constant ? program.constants.size()
+                              : c.op == Operation::input  ? program.inputs.size()
+                                                          : i;
+    if (c.a >= limit || (operands == 2 && c.b >= limit))
+      fail(program, fmt::format("instruction {} refers to what does not precede it", i));
+  }
+  if (program.outputs.size() != outputs.size()) fail(program, "the number of output arrays differs");
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const OutputArray& has = program.outputs[k];
+    const OutputExpressions& wants = outputs[k];
+    if (has.name != wants.name || has.rows != wants.rows || has.columns != wants.columns ||
+        has.values.size() != wants.values.size())
+      fail(program, "output " + wants.name + " has another name or shape");
+    for (const std::uint32_t v : has.values)
+      if (v >= program.code.size()) fail(program, "output " + wants.name + " refers to no instruction");
+  }
+}
+
+/// `array[element]` of the k-th output value.
+std::string element_name(std::span<const OutputExpressions> outputs, std::size_t k) {
+  for (const OutputExpressions& output : outputs) {
+    if (k < output.values.size()) return fmt::format("{}[{}]", output.name, k);
+    k -= output.values.size();
+  }
+  return {};
+}
+
+class PointSource {
+ public:
+  explicit PointSource(ExprGraph& graph) {
+    for (std::uint32_t i = 0; i < graph.symbol_count(); ++i)
+      ranges_.push_back(graph.bounds(graph.symbol_at(i).ref()));
+  }
+
+  /// Values of all symbols, inside their ranges; sizes and signs vary with `attempt`, so that domains are
+  /// met.
+  std::vector<double> point(int attempt) {
+    static constexpr double kScales[] = {2, 1, 0.5, 4};
+    const double scale = kScales[attempt % 4];
+    std::vector<double> out;
+    for (const Interval& range : ranges_) {
+      const double unit = static_cast<double>(random_() >> 11) * 0x1p-53;
+      const bool below = std::isfinite(range.lower), above = std::isfinite(range.upper);
+      if (below && above)
+        out.push_back(range.lower + unit * (range.upper - range.lower));
+      else if (below)
+        out.push_back(range.lower + scale * unit);
+      else if (above)
+        out.push_back(range.upper - scale * unit);
+      else
+        out.push_back(attempt % 3 == 2 ? scale * unit : scale * (2 * unit - 1));
+    }
+    return out;
+  }
+
+ private:
+  std::vector<Interval> ranges_;
+  std::mt19937_64 random_{20250101};
+};
+
+/// The expressions' side: values and error bounds of the roots.
+class ExpressionSide {
+ public:
+  explicit ExpressionSide(std::span<const Expr> roots)
+      : graph_(roots.front().graph()), order_(postorder(roots)), at_(graph_.size()) {
+    for (const std::uint32_t id : order_) nodes_.push_back(Expr(graph_, Ref(id, false)));
+    for (const Expr& root : roots) roots_.push_back(root.ref());
+  }
+
+  std::vector<Approximate> values(std::span<const double> symbols) {
+    const std::vector<double> values = evaluate(nodes_, symbols);
+    const auto operand = [this](Ref r) {
+      return Approximate{r.negative() ? -at_[r.node()].value : at_[r.node()].value, at_[r.node()].error};
+    };
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const Node& n = graph_.node(order_[i]);
+      const Approximate a = n.arity() > 0 ? operand(n.a) : Approximate{};
+      const Approximate b = n.arity() > 1 ? operand(n.b) : Approximate{};
+      at_[order_[i]] = {values[i], error_bound(operation_of(n.op), a, b, values[i])};
+    }
+    std::vector<Approximate> out;
+    for (const Ref r : roots_) out.push_back(operand(r));
+    return out;
+  }
+
+ private:
+  ExprGraph& graph_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Expr> nodes_;
+  std::vector<Ref> roots_;
+  std::vector<Approximate> at_;
+};
+
+/// The program's side; `scratch` holds the values of all instructions, as `interpret` left them.
+std::vector<Approximate> program_values(const Program& program, const std::vector<double>& scratch,
+                                        std::vector<double>& errors) {
+  errors.resize(program.code.size());
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    const Approximate a = operands > 0 ? Approximate{scratch[c.a], errors[c.a]} : Approximate{};
+    const Approximate b = operands > 1 ? Approximate{scratch[c.b], errors[c.b]} : Approximate{};
+    errors[i] = error_bound(c.op, a, b, scratch[i]);
+  }
+  std::vector<Approximate> out;
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t v : output.values) out.push_back({scratch[v], errors[v]});
+  return out;
+}
+
+/// How often an element could be compared.
+struct Comparisons {
+  int sharp = 0, loose = 0;
+  bool only_program_finite = false;
+};
+
+std::vector<Comparisons> compare_numerically(const Program& program, std::span<const Expr> roots,
+                                             std::span<const OutputExpressions> outputs,
+                                             std::span<const SymbolBinding> bindings) {
+  ExprGraph& graph = roots.front().graph();
+  PointSource points(graph);
+  ExpressionSide expressions(roots);
+  std::vector<Comparisons> done(roots.size());
+  std::vector<double> inputs(bindings.size()), results(roots.size()), scratch, errors;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const bool enough =
+        std::all_of(done.begin(), done.end(), [](const Comparisons& c) { return c.sharp >= kPoints; });
+    if (enough) break;
+    const std::vector<double> symbols = points.point(attempt);
+    for (std::size_t i = 0; i < bindings.size(); ++i)
+      inputs[i] = symbols[graph.symbol_index(bindings[i].symbol.ref().node())];
+    const std::vector<Approximate> wanted = expressions.values(symbols);
+    interpret(program, inputs, results, scratch);
+    const std::vector<Approximate> found = program_values(program, scratch, errors);
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+      if (!std::isfinite(wanted[k].value)) {
+        if (std::isfinite(found[k].value)) done[k].only_program_finite = true;
+        continue;
+      }
+      const double tolerance = kBoundFactor * (wanted[k].error + found[k].error) + 1e-300;
+      if (std::isfinite(found[k].value) && !std::isfinite(tolerance)) continue;
+      if (!std::isfinite(wanted[k].error)) continue;
+      const double error = std::abs(found[k].value - wanted[k].value);
+      if (!(error <= tolerance))
+        fail(
+            program,
+            fmt::format("{} is {} in the program and {} by its expression: they differ by {}, where rounding "
+                        "explains {}",
+                        element_name(outputs, k), found[k].value, wanted[k].value, error, tolerance));
+      ++(tolerance <= kSharp * std::max(1.0, std::abs(wanted[k].value)) ? done[k].sharp : done[k].loose);
+    }
+  }
+  return done;
+}
+
+// A fraction whose products and sums stay exact in double, so that folding has not rounded it.
+bool is_short_binary(double x) {
+  return std::abs(x) <= 0x1p12 && x * 0x1p12 == std::floor(x * 0x1p12);
+}
+
+bool is_exact(Operation op) {
+  switch (op) {
+    case Operation::constant:
+    case Operation::input:
+    case Operation::add:
+    case Operation::sub:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::neg:
+    case Operation::sqrt:
+    case Operation::sin:
+    case Operation::cos:
+      return true;
+    case Operation::tan:
+    case Operation::asin:
+    case Operation::acos:
+    case Operation::atan:
+    case Operation::atan2:
+    case Operation::exp:
+    case Operation::log:
+    case Operation::abs:
+    case Operation::sign:
+    case Operation::sinh:
+    case Operation::cosh:
+    case Operation::tanh:
+    case Operation::pow:
+      return false;
+  }
+  return false;
+}
+
+bool can_be_exact(const Program& program, std::span<const Expr> roots) {
+  for (const Instruction& c : program.code)
+    if (!is_exact(c.op)) return false;
+  for (const double x : program.constants)
+    if (!is_short_binary(x)) return false;
+  ExprGraph& graph = roots.front().graph();
+  for (const std::uint32_t id : postorder(roots)) {
+    const Op op = graph.node(id).op;
+    if (op == Op::pi_multiple || op == Op::real || !is_exact(operation_of(op))) return false;
+    if (op != Op::rational) continue;
+    const Rational r = graph.rational_value(id);
+    if (!is_short_binary(r.to_double()) || (r.denominator & (r.denominator - 1)) != 0) return false;
+  }
+  return true;
+}
+
+/// The program as expressions of a graph of its own, whose symbol i is input i.
+std::vector<Expr> as_expressions(const Program& program, ExprGraph& graph) {
+  std::vector<Expr> inputs, values, roots;
+  for (std::size_t i = 0; i < program.inputs.size(); ++i)
+    inputs.push_back(graph.symbol(fmt::format("input {}", i)));
+  for (const Instruction& c : program.code) {
+    const int operands = operand_count(c.op);
+    const Expr a = operands > 0 ? values[c.a] : Expr();
+    const Expr b = operands > 1 ? values[c.b] : Expr();
+    if (c.op == Operation::constant)
+      values.push_back(graph.real(program.constants[c.a]));
+    else if (c.op == Operation::input)
+      values.push_back(inputs[c.a]);
+    else if (c.op == Operation::add)
+      values.push_back(a + b);
+    else if (c.op == Operation::sub)
+      values.push_back(a - b);
+    else if (c.op == Operation::mul)
+      values.push_back(a * b);
+    else if (c.op == Operation::div)
+      values.push_back(a / b);
+    else if (c.op == Operation::neg)
+      values.push_back(-a);
+    else if (c.op == Operation::sqrt)
+      values.push_back(sqrt(a));
+    else if (c.op == Operation::sin)
+      values.push_back(sin(a));
+    else
+      values.push_back(cos(a));
+  }
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t v : output.values) roots.push_back(values[v]);
+  return roots;
+}
+
+void compare_exactly(const Program& program, std::span<const Expr> roots,
+                     std::span<const OutputExpressions> outputs, std::span<const SymbolBinding> bindings) {
+  ExprGraph& graph = roots.front().graph();
+  ExprGraph program_graph;
+  const std::vector<Expr> program_roots = as_expressions(program, program_graph);
+  const std::vector<Modular> point = random_modular_point(graph.symbol_count(), 1);
+  std::vector<Modular> program_point;
+  for (const SymbolBinding& binding : bindings)
+    program_point.push_back(point[graph.symbol_index(binding.symbol.ref().node())]);
+  const std::vector<Modular> wanted = evaluate_modular(roots, point);
+  const std::vector<Modular> found = evaluate_modular(program_roots, program_point);
+  for (std::size_t k = 0; k < roots.size(); ++k)
+    if (!(wanted[k] == found[k]))
+      fail(program,
+           fmt::format("{} is {} + {}i modulo 2^61-1 in the program and {} + {}i by its expression",
+                       element_name(outputs, k), found[k].re, found[k].im, wanted[k].re, wanted[k].im));
+}
+
+}  // namespace
+
+void verify(const Program& program, std::span<const OutputExpressions> outputs,
+            std::span<const SymbolBinding> bindings) {
+  check_form(program, outputs, bindings);
+  std::vector<Expr> roots;
+  for (const OutputExpressions& output : outputs)
+    roots.insert(roots.end(), output.values.begin(), output.values.end());
+  if (roots.empty()) return;
+  const std::vector<Comparisons> done = compare_numerically(program, roots, outputs, bindings);
+  if (can_be_exact(program, roots)) return compare_exactly(program, roots, outputs, bindings);
+  // An expression without a finite value at any point (say, a function far outside its domain) is taken on
+  // trust, but not if the program finds values where it has none.
+  for (std::size_t k = 0; k < done.size(); ++k)
+    if (done[k].sharp == 0 && done[k].loose == 0 && done[k].only_program_finite)
+      fail(program, element_name(outputs, k) + " has values in the program, but none by its expression");
+}
+
 }  // namespace alembert

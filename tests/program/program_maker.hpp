@@ -1,0 +1,138 @@
+// Programs for tests, made by hand or at random, and their values with error bounds. In: operations. Out:
+// programs.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "program/error_bound.hpp"
+#include "program/operation.hpp"
+#include "program/passes.hpp"
+
+namespace alembert {
+
+/// Builds a program instruction by instruction, exactly as told.
+class ProgramMaker {
+ public:
+  explicit ProgramMaker(std::uint32_t inputs) {
+    program.function = "made";
+    for (std::uint32_t i = 0; i < inputs; ++i)
+      program.inputs.push_back({ArgumentKind::q, i, "x" + std::to_string(i)});
+  }
+  std::uint32_t append(Operation op, std::uint32_t a = 0, std::uint32_t b = 0) {
+    program.code.push_back({op, a, b});
+    return static_cast<std::uint32_t>(program.code.size() - 1);
+  }
+  std::uint32_t input(std::uint32_t slot) { return append(Operation::input, slot); }
+  std::uint32_t constant(double value) {
+    program.constants.push_back(value);
+    return append(Operation::constant, static_cast<std::uint32_t>(program.constants.size() - 1));
+  }
+  std::uint32_t add(std::uint32_t a, std::uint32_t b) { return append(Operation::add, a, b); }
+  std::uint32_t sub(std::uint32_t a, std::uint32_t b) { return append(Operation::sub, a, b); }
+  std::uint32_t mul(std::uint32_t a, std::uint32_t b) { return append(Operation::mul, a, b); }
+  std::uint32_t div(std::uint32_t a, std::uint32_t b) { return append(Operation::div, a, b); }
+  std::uint32_t neg(std::uint32_t a) { return append(Operation::neg, a); }
+  std::uint32_t sin(std::uint32_t a) { return append(Operation::sin, a); }
+  std::uint32_t cos(std::uint32_t a) { return append(Operation::cos, a); }
+  /// Declares the values of the one output array `out`.
+  const Program& returning(std::vector<std::uint32_t> values) {
+    program.outputs = {{"out", static_cast<std::uint32_t>(values.size()), 1, std::move(values)}};
+    return program;
+  }
+
+  Program program;
+};
+
+inline std::size_t output_size(const Program& program) {
+  std::size_t n = 0;
+  for (const OutputArray& output : program.outputs) n += output.values.size();
+  return n;
+}
+
+inline std::vector<double> run(const Program& program, std::span<const double> inputs) {
+  std::vector<double> out(output_size(program)), scratch;
+  interpret(program, inputs, out, scratch);
+  return out;
+}
+
+/// Outputs with running error bounds.
+inline std::vector<Approximate> run_bounded(const Program& program, std::span<const double> inputs) {
+  std::vector<double> out(output_size(program)), v;
+  interpret(program, inputs, out, v);
+  std::vector<Approximate> at(program.code.size()), result;
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    at[i] = {v[i], error_bound(c.op, operands > 0 ? at[c.a] : Approximate{},
+                               operands > 1 ? at[c.b] : Approximate{}, v[i])};
+  }
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t value : output.values) result.push_back(at[value]);
+  return result;
+}
+
+inline std::vector<double> random_point(std::size_t size, std::mt19937_64& random) {
+  std::vector<double> x(size);
+  for (double& value : x) value = 0.25 + 1.5 * (static_cast<double>(random() >> 11) * 0x1p-53);
+  return x;
+}
+
+/// What the random programs are made of.
+enum class Mix {
+  arithmetic,  ///< mostly + - * with many repeated operands, as in the equations of motion
+  everything,  ///< every operation, divisions by values that may be shared
+};
+
+/// A program of about `size` instructions that no simplification has seen: repeated, cancelling, negated and
+/// constant parts.
+inline Program random_program(std::size_t size, Mix mix, std::mt19937_64& random) {
+  ProgramMaker m(5);
+  for (std::uint32_t i = 0; i < 5; ++i) m.input(i);
+  for (const double c : {0.0, 1.0, -1.0, 2.0, -2.0, 0.5, 3.0, -0.75, 1.0 / 3.0}) m.constant(c);
+  static constexpr Operation kArithmetic[] = {Operation::add, Operation::sub, Operation::mul, Operation::add,
+                                              Operation::mul, Operation::sub, Operation::neg};
+  static constexpr Operation kFunctions[] = {
+      Operation::div,   Operation::sqrt, Operation::sin,  Operation::cos,  Operation::tan,
+      Operation::asin,  Operation::acos, Operation::atan, Operation::exp,  Operation::log,
+      Operation::atan2, Operation::sign, Operation::abs,  Operation::sinh, Operation::cosh,
+      Operation::tanh,  Operation::pow,  Operation::div,  Operation::div,  Operation::div};
+  while (m.program.code.size() < size) {
+    const std::uint64_t r = random();
+    const auto pick = [&] {
+      const std::size_t n = m.program.code.size();
+      const std::size_t recent = std::min<std::size_t>(n, 12);
+      return static_cast<std::uint32_t>(random() % 4 == 0 ? random() % n : n - 1 - random() % recent);
+    };
+    const std::uint32_t a = pick(), b = pick();
+    Operation op = kArithmetic[r % std::size(kArithmetic)];
+    if (mix == Mix::everything && r / 7 % 3 == 0) op = kFunctions[r / 21 % std::size(kFunctions)];
+    if (op == Operation::exp || op == Operation::sinh || op == Operation::cosh || op == Operation::tan) {
+      const std::uint32_t bounded = m.sin(a);
+      m.append(op, bounded);
+    } else {
+      m.append(op, a, operand_count(op) == 2 ? b : 0);
+    }
+  }
+  std::vector<std::uint32_t> outputs;
+  for (int k = 0; k < 4; ++k) outputs.push_back(static_cast<std::uint32_t>(size - 1 - random() % (size / 3)));
+  m.returning(outputs);
+  return m.program;
+}
+
+/// Operations weighted as `optimize` does: a division counts as four.
+inline std::size_t weighted(const OperationCount& n) {
+  return n.mul + n.add + 4 * n.div + n.trig + n.other;
+}
+
+inline std::size_t negations(const Program& program) {
+  std::size_t n = 0;
+  for (const Instruction& c : program.code) n += c.op == Operation::neg;
+  return n;
+}
+
+}  // namespace alembert
