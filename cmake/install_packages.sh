@@ -1,0 +1,23 @@
+#!/bin/sh
+# Installs what alembert needs from Debian's packages: `install_packages.sh` for building and using it, `install_packages.sh tests` for
+# everything the tests use as well. Runs as root or through sudo; does nothing where all is installed.
+set -eu
+
+packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev nlohmann-json3-dev"
+if [ "${1:-}" = tests ]; then
+  packages="$packages git clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
+            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev"
+fi
+
+missing=""
+for package in $packages; do
+  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+done
+[ -z "$missing" ] && exit 0
+
+as_root=""
+[ "$(id -u)" -eq 0 ] || as_root=sudo
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -q
+# shellcheck disable=SC2086
+$as_root apt-get install -q -y --no-install-recommends $missing

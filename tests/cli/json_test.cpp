@@ -1,0 +1,106 @@
+// The JSON contracts of `report` and `evaluate`, on which scripts rely.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+
+namespace alembert::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const char* const kPendulum = R"(alembert: 1
+name: pendulum
+coordinates: [q]
+parameters: {l: {value: 0.5, runtime: true}}
+bodies:
+  - {name: bob, transform: [{rotate: {axis: y, angle: q}}, {translate: [0, 0, -l]}], mass: 2, external_wrench: true}
+)";
+
+TEST(Report, HasTheFieldsOfTheContract) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "report --json " + folder.write("pendulum.yaml", kPendulum));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["mechanism"], "pendulum");
+  EXPECT_EQ(report["coordinates"], 1);
+  EXPECT_EQ(report["speeds"], 1);
+  for (const char* function :
+       {"inverse_dynamics", "mass_matrix", "bias", "mass_matrix_and_bias", "forward_dynamics"}) {
+    for (const char* field : {"mul", "add", "div", "trig", "other"}) {
+      EXPECT_TRUE(report["functions"][function][field].is_number_integer()) << function << ' ' << field;
+    }
+    EXPECT_THAT((std::vector<std::string>{"reduced", "factored"}),
+                testing::Contains(report["functions"][function]["formulation"]));
+  }
+  EXPECT_EQ(report["functions"]["forward_dynamics"]["div"], 1);
+}
+
+TEST(Report, FormulationCanBeChosen) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("pendulum.yaml", kPendulum);
+  for (const char* formulation : {"factored", "reduced"}) {
+    const CommandResult result =
+        alembert(folder, "report --json --formulation " + std::string(formulation) + " " + file);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(json::parse(result.out)["functions"]["inverse_dynamics"]["formulation"], formulation);
+  }
+}
+
+TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(
+      folder, "evaluate --json " + folder.write("pendulum.yaml", kPendulum),
+      R"({"q": [0.3], "qd": [0.7], "qdd": [1.1], "t": 0})"
+      "\n\n"
+      R"({"q": [0.3], "qdd": [1.1], "wrenches": {"bob": [1, 0, 0, 0, 0.25, 0]}, "parameters": {"l": 2}})"
+      "\n");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  const json first = json::parse(line);
+  const double mass = 2 * 0.25, bias = 2 * 9.81 * 0.5 * std::sin(0.3);
+  EXPECT_NEAR(first["M"][0][0].get<double>(), mass, 1e-15);
+  EXPECT_NEAR(first["c"][0].get<double>(), bias, 1e-14);
+  EXPECT_NEAR(first["tau"][0].get<double>(), mass * 1.1 + bias, 1e-14);
+  EXPECT_NEAR(first["qdd"][0].get<double>(), 1.1, 1e-14);
+  ASSERT_TRUE(std::getline(lines, line));
+  const json second = json::parse(line);
+  // The bob is at (-l sin q, 0, -l cos q): dx/dq = -l cos q.
+  EXPECT_NEAR(second["tau"][0].get<double>(),
+              8 * 1.1 + 2 * 9.81 * 2 * std::sin(0.3) + 2 * std::cos(0.3) - 0.25, 1e-13);
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+struct BadState {
+  const char* name;
+  const char* line;
+  const char* message;
+};
+class EvaluateRejects : public testing::TestWithParam<BadState> {};
+TEST_P(EvaluateRejects, WithPlaceAndReason) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "evaluate --json " + folder.write("pendulum.yaml", kPendulum),
+                                        std::string("{\"q\": [0]}\n") + GetParam().line + "\n");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, StartsWith("<stdin>:2:"));
+  EXPECT_THAT(result.err, HasSubstr(GetParam().message));
+}
+INSTANTIATE_TEST_SUITE_P(
+    States, EvaluateRejects,
+    testing::Values(BadState{"cut", "{\"q\": [0", "JSON"}, BadState{"array", "[1]", "object"},
+                    BadState{"size", "{\"q\": [0, 1]}", "1 numbers"},
+                    BadState{"text", "{\"q\": [\"a\"]}", "number"},
+                    BadState{"key", "{\"qdddd\": [1]}", "unknown key"},
+                    BadState{"huge", "{\"q\": [1e999]}", ""},
+                    BadState{"body", "{\"wrenches\": {\"bop\": [0,0,0,0,0,0]}}", "bob"},
+                    BadState{"deep", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[", "JSON"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace alembert::test

@@ -1,0 +1,112 @@
+// `simulate`, `check`, and the options all commands share.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "cli/command.hpp"
+
+namespace alembert::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::vector<double>> csv_rows(const std::string& text) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(Simulate, ConservesTheEnergyOfADoublePendulum) {
+  const TemporaryFolder folder;
+  const std::string csv = folder / "out.csv";
+  const CommandResult result = alembert(folder, "simulate " + mechanism_file("double_pendulum") +
+                                                    " --duration 5 --step 0.001 --q 1,0.5 --csv " + csv);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(read_text(csv), testing::StartsWith("t,"));
+  const auto rows = csv_rows(read_text(csv));
+  ASSERT_EQ(rows.size(), 501u);
+  EXPECT_DOUBLE_EQ(rows.back()[0], 5.0);
+  EXPECT_NE(rows.back()[1], 1.0);
+  for (const auto& row : rows) EXPECT_NEAR(row.back(), rows[0].back(), 1e-7 * std::abs(rows[0].back()));
+}
+
+TEST(Simulate, KeepsQuaternionsOfUnitLength) {
+  const TemporaryFolder folder;
+  const CommandResult result =
+      alembert(folder, "simulate " + mechanism_file("free_body") +
+                           " --duration 1 --integrator euler --qd 0.1,0.2,0.3,1,2,3");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const auto& row : csv_rows(result.out)) {
+    double norm = 0;
+    for (std::size_t i = 4; i < 8; ++i) norm += row[i] * row[i];
+    EXPECT_NEAR(norm, 1, 1e-14);
+  }
+}
+
+TEST(Simulate, SaysWhereItCannotGoOn) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("pole.yaml", R"(alembert: 1
+name: pole
+coordinates: [azimuth, polar]
+bodies:
+  - {name: bob, transform: [{rotate: {axis: z, angle: azimuth}}, {rotate: {axis: y, angle: polar}}], mass: 1, com: [0, 0, -1]}
+)");
+  const CommandResult result = alembert(folder, "simulate " + file);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("t = 0"));
+  EXPECT_THAT(result.out, HasSubstr("\n0,"));  // the rows so far are kept
+}
+
+TEST(Simulate, RejectsWhatMakesNoSense) {
+  const TemporaryFolder folder;
+  const std::string file = mechanism_file("pendulum");
+  for (const char* options : {" --step 0", " --step -1", " --duration nan", " --q 1,2,3",
+                              " --integrator magic", " --csv /nowhere/x.csv", " --step 1e-300"}) {
+    const CommandResult result = alembert(folder, "simulate " + file + options);
+    EXPECT_EQ(result.exit_code, 1) << options;
+    EXPECT_NE(result.err, "") << options;
+  }
+}
+
+TEST(Check, ReportsTheLaws) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "check " + mechanism_file("tree_every_joint"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Q = M qdd + c"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("FAILS")));
+}
+
+TEST(Options, DumpAndVerboseShowTheStages) {
+  const TemporaryFolder folder;
+  const std::string file = mechanism_file("pendulum");
+  for (const char* stage : {"load", "kinematics", "equations", "lower", "optimise", "schedule"}) {
+    const CommandResult result = alembert(folder, "report --json --dump " + std::string(stage) + " " + file);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_GT(result.out.find('{'), 20u) << stage;
+  }
+  const CommandResult result = alembert(folder, "report --verbose " + file);
+  for (const char* stage : {"load", "kinematics", "equations", "program"})
+    EXPECT_THAT(result.err, HasSubstr(stage));
+}
+
+TEST(Options, WrongUseExitsWithOne) {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"", "nonsense", "report", "report --nonsense x.yaml", "generate x.yaml",
+                                "report --formulation best x.yaml"}) {
+    EXPECT_EQ(alembert(folder, arguments).exit_code, 1) << arguments;
+  }
+  EXPECT_EQ(alembert(folder, "--help").exit_code, 0);
+  EXPECT_THAT(alembert(folder, "--version").out, testing::StartsWith("alembert "));
+}
+
+}  // namespace
+}  // namespace alembert::test

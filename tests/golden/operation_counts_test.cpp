@@ -1,0 +1,101 @@
+// Operation counts of every mechanism of the catalogue against a golden table, so that a worse (or better)
+// optimiser shows in review. ALEMBERT_UPDATE_GOLDEN=1 rewrites the table.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "dynamics/mechanism_file.hpp"
+#include "pipeline.hpp"
+
+namespace alembert::test {
+namespace {
+
+const char* const kTable = ALEMBERT_SOURCE_DIR "/tests/golden/operation_counts.txt";
+const char* const kHeader =
+    "mechanism                function                  mul    add   div  trig other  formulation";
+
+/// Rows of the table by mechanism.
+std::map<std::string, std::string> read_table() {
+  std::map<std::string, std::string> rows;
+  std::ifstream in(kTable);
+  for (std::string line; std::getline(in, line);) {
+    if (line == kHeader) continue;
+    rows[line.substr(0, line.find(' '))] += line + "\n";
+  }
+  return rows;
+}
+
+std::string rows_of(const std::string& path) {
+  CompileOptions options;
+  options.functions = {
+      FunctionKind::inverse_dynamics,     FunctionKind::mass_matrix,      FunctionKind::bias,
+      FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics, FunctionKind::energy};
+  const CompiledMechanism compiled = compile_mechanism(read_source(path), options);
+  std::string rows;
+  for (const CompiledFunction& f : compiled.functions) {
+    rows += fmt::format("{:<24} {:<21} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,
+                        to_string(f.kind), f.count.mul, f.count.add, f.count.div, f.count.trig, f.count.other,
+                        to_string(f.formulation));
+  }
+  return rows;
+}
+
+TEST(OperationCounts, AreThoseOfTheGoldenTable) {
+  std::map<std::string, std::string> now;
+  for (const std::string& path : catalogue()) now[test_name(path)] = rows_of(path);
+  if (std::getenv("ALEMBERT_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream out(kTable);
+    out << kHeader << '\n';
+    for (const auto& [name, rows] : now) out << rows;
+    ASSERT_TRUE(out.good());
+    GTEST_SKIP() << "table rewritten";
+  }
+  const std::map<std::string, std::string> golden = read_table();
+  ASSERT_FALSE(golden.empty());
+  for (const auto& [name, rows] : now) {
+    const auto found = golden.find(name);
+    EXPECT_EQ(found == golden.end() ? "" : found->second, rows) << name;
+  }
+  for (const auto& [name, rows] : golden)
+    EXPECT_TRUE(now.contains(name)) << name << " is in the table but not in mechanisms/";
+}
+
+/// Inverse dynamics is O(n): the operations of a generic revolute chain grow by the same number with each
+/// further link.
+TEST(OperationCounts, InverseDynamicsOfAChainIsLinear) {
+  const auto chain = [](int n) {
+    std::string text = "alembert: 1\nname: chain\ncoordinates: [";
+    for (int i = 1; i <= n; ++i) text += fmt::format("{}q{}", i > 1 ? ", " : "", i);
+    text += "]\nbodies:\n";
+    for (int i = 1; i <= n; ++i) {
+      text += fmt::format("  - name: b{}\n", i);
+      if (i > 1) text += fmt::format("    parent: b{}\n", i - 1);
+      text += fmt::format(
+          "    transform: [{{rotate: {{axis: x, angle: 0.{}}}}}, {{translate: [0.{}, 0, 0.{}]}}, {{rotate: "
+          "{{axis: z, angle: q{}}}}}]\n",
+          3 + i % 5, 4 + i % 4, 2 + i % 3, i);
+      text +=
+          "    mass: 1.5\n    com: [0.1, 0.2, 0.3]\n    inertia: {xx: 1.1, yy: 1.2, zz: 1.3, xy: 0.1, xz: "
+          "0.05, yz: 0.02}\n";
+    }
+    CompileOptions options;
+    options.functions = {FunctionKind::inverse_dynamics};
+    options.formulation = Formulation::reduced;
+    return compile_mechanism(std::make_shared<const SourceText>(SourceText{"chain.yaml", text}), options)
+        .functions[0]
+        .count;
+  };
+  const std::size_t four = chain(4).arithmetic();
+  const std::size_t per_link = chain(5).arithmetic() - four;
+  for (const std::size_t n : {6u, 12u, 24u}) {
+    EXPECT_EQ(chain(static_cast<int>(n)).arithmetic(), four + (n - 4) * per_link) << "links: " << n;
+  }
+  RecordProperty("operations_per_link", static_cast<int>(per_link));
+}
+
+}  // namespace
+}  // namespace alembert::test
