@@ -1,0 +1,59 @@
+// For the tests of the loader: descriptions in memory in, loaded mechanisms or diagnostics out.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mechanism/load.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert::test {
+
+inline std::shared_ptr<const SourceText> source_of(std::string text) {
+  auto source = std::make_shared<SourceText>();
+  source->name = "m.yaml";
+  source->text = std::move(text);
+  return source;
+}
+
+/// A mechanism with the graph that its expressions live in.
+struct Loaded {
+  ExprGraph graph;
+  Mechanism mechanism;
+  explicit Loaded(std::string text) : mechanism(load_mechanism(source_of(std::move(text)), graph)) {}
+  Expr number(std::int64_t n, std::int64_t d = 1) { return graph.rational(Rational(n, d)); }
+  Expr symbol(std::string_view name) { return graph.symbol(name); }
+};
+
+/// The diagnostic of a description that is wrong, or nothing if it loads.
+inline std::string error_of(std::string text) {
+  ExprGraph graph;
+  try {
+    load_mechanism(source_of(std::move(text)), graph);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// A description with one body whose transform is `transform`, over the coordinates `coordinates`.
+inline std::string with_transform(const std::string& transform, const std::string& coordinates = "[q]") {
+  return "alembert: 1\nname: one\ncoordinates: " + coordinates +
+         "\nbodies:\n  - {name: arm, mass: 1, transform: " + transform + "}\n";
+}
+
+inline const std::vector<Factor>& factors(const Loaded& loaded) {
+  return loaded.mechanism.bodies.at(0).transform.factors;
+}
+
+}  // namespace alembert::test
+
+namespace alembert {
+/// Shown by GoogleTest when two expressions differ.
+inline void PrintTo(const Expr& x, std::ostream* out) {
+  *out << (x.valid() ? to_string(x) : "no expression");
+}
+}  // namespace alembert
