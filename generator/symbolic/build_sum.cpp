@@ -178,7 +178,7 @@ std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
     }
   }
   if (at == fb.size) return std::nullopt;
-  Factors fa = factors(graph, a);
+  Factors fa = magnitude(a) == kOne ? Factors() : factors(graph, a);
   if (!fa.complete) return std::nullopt;
   for (; at + 1 < fb.size; ++at) {
     const Ref squared = fb.at[at];

@@ -1,0 +1,202 @@
+// Exact evaluation in the field with p^2 elements. In: roots and the values of all symbols. Out: values of
+// the roots.
+//
+// sin and cos of an angle are (2t/(1+t^2), (1-t^2)/(1+t^2)) for a t that is a hash of the angle, the same for
+// an angle and its negative up to the sign of t; sinh and cosh likewise on the hyperbola. pi is a fixed
+// element. Roots are exact: every element of the prime field has one in the larger field; where an element of
+// that has none, and for quotients by zero, the value is a hash of the operands, so that equal operands still
+// give equal values. Which of the two roots is taken says nothing about the sign of a real root: whoever
+// compares roots must check signs otherwise.
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "symbolic/modular.hpp"
+
+namespace alembert {
+namespace modular {
+namespace {
+
+constexpr std::uint64_t scramble(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+// An element of the prime field that stands for an opaque value.
+std::uint64_t hash(Op op, Modular a, Modular b = {}) {
+  std::uint64_t h = scramble(static_cast<std::uint64_t>(op) + 1);
+  for (const std::uint64_t part : {a.re, a.im, b.re, b.im}) h = scramble(h ^ part);
+  return reduce(h);
+}
+
+constexpr std::uint64_t kPi = reduce(scramble(0x3141592653589793u));
+
+Modular from_double(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(std::abs(x), &exponent);
+  const std::uint64_t mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
+  // 2^61 = 1
+  const int shift = ((exponent - 53) % 61 + 61) % 61;
+  const std::uint64_t value = multiply(reduce(mantissa), reduce(std::uint64_t{1} << shift));
+  return {x < 0 ? negate(value) : value, 0};
+}
+
+// The parameter of the circle or hyperbola for an angle: odd in the angle, 0 at 0.
+std::uint64_t half_parameter(Op family, Modular angle) {
+  if (is_zero(angle)) return 0;
+  const bool upper = is_upper(angle);
+  const std::uint64_t t = hash(family, upper ? negate(angle) : angle);
+  return upper ? negate(t) : t;
+}
+
+Modular trigonometric(Op op, Modular angle) {
+  const std::uint64_t t = half_parameter(Op::sin, angle), square = multiply(t, t);
+  const std::uint64_t twice = add(t, t), above = subtract(1, square), below = add(1, square);
+  if (op == Op::sin) return {multiply(twice, inverse(below)), 0};  // 1 + t^2 is never 0: -1 is no square
+  if (op == Op::cos) return {multiply(above, inverse(below)), 0};
+  return above == 0 ? Modular{hash(op, angle), 0} : Modular{multiply(twice, inverse(above)), 0};
+}
+
+Modular hyperbolic(Op op, Modular x) {
+  const std::uint64_t t = half_parameter(Op::sinh, x), square = multiply(t, t);
+  const std::uint64_t twice = add(t, t), plus = add(1, square), minus = subtract(1, square);
+  if (op == Op::tanh) return {multiply(twice, inverse(plus)), 0};
+  if (minus == 0) return {hash(op, x), 0};
+  return {multiply(op == Op::sinh ? twice : plus, inverse(minus)), 0};
+}
+
+Modular odd(Op op, Modular x, Modular with = {}) {
+  if (is_zero(x)) return {};
+  const bool upper = is_upper(x);
+  const std::uint64_t value = hash(op, upper ? negate(x) : x, with);
+  return {upper ? negate(value) : value, 0};
+}
+
+}  // namespace
+
+Modular from_rational(Rational x) {
+  const std::uint64_t n = reduce(static_cast<std::uint64_t>(x.numerator < 0 ? -x.numerator : x.numerator));
+  const std::uint64_t d = reduce(static_cast<std::uint64_t>(x.denominator));
+  const std::uint64_t value = d == 1 ? n : d == 0 ? reduce(scramble(n)) : multiply(n, inverse(d));
+  return {x.numerator < 0 ? negate(value) : value, 0};
+}
+
+std::optional<Modular> root(Modular x) {
+  if (x.im == 0) {
+    const Root r = root(x.re);
+    return r.imaginary ? Modular{0, r.value} : Modular{r.value, 0};
+  }
+  const Root norm = root(add(multiply(x.re, x.re), multiply(x.im, x.im)));
+  if (norm.imaginary) return std::nullopt;
+  // (u + v i)^2 = x with u^2 = (re +- norm)/2, v = im/(2u); exactly one of the two signs gives a square.
+  Root u = root(halve(add(x.re, norm.value)));
+  if (u.imaginary) u = root(halve(subtract(x.re, norm.value)));
+  const Modular out{u.value, multiply(x.im, inverse(add(u.value, u.value)))};
+  return is_upper(out) ? negate(out) : out;
+}
+
+std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
+                            std::span<const Modular> symbols) {
+  std::vector<Modular> out(order.ids.size());
+  const auto of = [&](Ref r) {
+    const Modular value = out[order.at(r.node())];
+    return r.negative() ? negate(value) : value;
+  };
+  for (std::size_t i = 0; i < order.ids.size(); ++i) {
+    const std::uint32_t id = order.ids[i];
+    const Node& node = graph.node(id);
+    const int arity = node.arity();
+    const Modular a = arity >= 1 ? of(node.a) : Modular{}, b = arity == 2 ? of(node.b) : Modular{};
+    Modular& value = out[i];
+    switch (node.op) {
+      case Op::rational:
+        value = from_rational(graph.rational_value(id));
+        break;
+      case Op::pi_multiple:
+        value = multiply(from_rational(graph.rational_value(id)), {kPi, 0});
+        break;
+      case Op::real:
+        value = from_double(graph.real_value(id));
+        break;
+      case Op::symbol: {
+        const std::uint32_t index = graph.symbol_index(id);
+        if (index >= symbols.size())
+          throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
+        value = symbols[index];
+        break;
+      }
+      case Op::add:
+        value = add(a, b);
+        break;
+      case Op::mul:
+        value = multiply(a, b);
+        break;
+      case Op::div:
+        value = is_zero(b) ? odd(node.op, a) : multiply(a, inverse(b));
+        break;
+      case Op::sqrt: {
+        const std::optional<Modular> found = root(a);
+        value = found ? *found : Modular{hash(node.op, a), 0};
+        break;
+      }
+      case Op::sin:
+      case Op::cos:
+      case Op::tan:
+        value = trigonometric(node.op, a);
+        break;
+      case Op::sinh:
+      case Op::cosh:
+      case Op::tanh:
+        value = hyperbolic(node.op, a);
+        break;
+      case Op::asin:
+      case Op::atan:
+      case Op::sign:
+        value = odd(node.op, a);
+        break;
+      case Op::atan2:
+        value = is_zero(a) ? Modular{hash(node.op, a, b), 0} : odd(node.op, a, b);
+        break;
+      case Op::abs:
+        value = is_zero(a) ? a : Modular{hash(node.op, is_upper(a) ? negate(a) : a), 0};
+        break;
+      case Op::acos:
+      case Op::exp:
+      case Op::log:
+        value = {hash(node.op, a), 0};
+        break;
+      case Op::pow:
+        value = {hash(node.op, a, b), 0};
+        break;
+    }
+  }
+  return out;
+}
+
+}  // namespace modular
+
+std::vector<Modular> evaluate_modular(std::span<const Expr> roots, std::span<const Modular> symbols) {
+  std::vector<Modular> out;
+  const ExprGraph* graph = graph_of(roots);
+  if (graph == nullptr) return out;
+  const Postorder order = indexed_postorder(roots);
+  const std::vector<Modular> all = modular::values(*graph, order, symbols);
+  out.reserve(roots.size());
+  for (const Expr& root : roots) {
+    const Modular value = all[order.at(root.ref().node())];
+    out.push_back(root.ref().negative() ? modular::negate(value) : value);
+  }
+  return out;
+}
+
+std::vector<Modular> random_modular_point(std::uint32_t symbol_count, std::uint64_t seed) {
+  std::vector<Modular> out(symbol_count);
+  for (std::uint32_t i = 0; i < symbol_count; ++i) {
+    out[i].re = modular::reduce(modular::scramble(modular::scramble(seed) ^ (i + 1)));
+  }
+  return out;
+}
+
+}  // namespace alembert

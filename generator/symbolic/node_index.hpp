@@ -1,0 +1,86 @@
+// A set of nodes with positions. In: node ids, in any order. Out: the position at which each was added. Small
+// sets of a large graph cost only their own size. Private to this room.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "symbolic/expr.hpp"
+
+namespace alembert {
+
+class NodeIndex {
+ public:
+  static constexpr std::uint32_t kAbsent = 0xffffffffu;
+
+  NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kAbsent, 0}) {}
+
+  std::uint32_t find(std::uint32_t id) const {
+    for (std::size_t slot = home(id);; slot = (slot + 1) & (slots_.size() - 1)) {
+      if (slots_[slot].id == id) return slots_[slot].position;
+      if (slots_[slot].id == kAbsent) return kAbsent;
+    }
+  }
+  bool contains(std::uint32_t id) const { return find(id) != kAbsent; }
+
+  /// Adds an id that is not there yet.
+  void add(std::uint32_t id, std::uint32_t position) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    place({id, position});
+    ++count_;
+  }
+  void set(std::uint32_t id, std::uint32_t position) {
+    for (std::size_t slot = home(id);; slot = (slot + 1) & (slots_.size() - 1)) {
+      if (slots_[slot].id == id) {
+        slots_[slot].position = position;
+        return;
+      }
+      if (slots_[slot].id == kAbsent) break;
+    }
+    add(id, position);
+  }
+
+ private:
+  struct Slot {
+    std::uint32_t id, position;
+  };
+  // Neighbouring ids share a block, blocks are spread: dense ranges stay dense in memory and never collide in
+  // bulk.
+  std::size_t home(std::uint32_t id) const {
+    const std::uint64_t block =
+        (static_cast<std::uint64_t>(id >> 4) * 0x9e3779b97f4a7c15u) >> (64 - (bits_ - 4));
+    return static_cast<std::size_t>(block) << 4 | (id & 15u);
+  }
+  void place(Slot entry) {
+    std::size_t slot = home(entry.id);
+    while (slots_[slot].id != kAbsent) slot = (slot + 1) & (slots_.size() - 1);
+    slots_[slot] = entry;
+  }
+  void grow() {
+    std::vector<Slot> old;
+    old.swap(slots_);
+    ++bits_;
+    slots_.assign(std::size_t{1} << bits_, Slot{kAbsent, 0});
+    for (const Slot& entry : old) {
+      if (entry.id != kAbsent) place(entry);
+    }
+  }
+
+  int bits_ = 6;
+  std::size_t count_ = 0;
+  std::vector<Slot> slots_;
+};
+
+/// Nodes reachable from roots, operands first, and the position of each.
+struct Postorder {
+  std::vector<std::uint32_t> ids;
+  NodeIndex index;
+  std::uint32_t at(std::uint32_t id) const { return index.find(id); }
+};
+Postorder indexed_postorder(std::span<const Expr> roots);
+
+/// The graph of some roots; throws std::logic_error if they belong to several or to none.
+ExprGraph* graph_of(std::span<const Expr> roots);
+
+}  // namespace alembert

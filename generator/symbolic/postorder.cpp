@@ -1,0 +1,53 @@
+// Order of evaluation. In: roots. Out: the ids of all nodes they need, operands first, depth first from the
+// roots in their order and from operand a before b.
+#include <stdexcept>
+
+#include "symbolic/node_index.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+ExprGraph* graph_of(std::span<const Expr> roots) {
+  ExprGraph* graph = nullptr;
+  for (const Expr& root : roots) {
+    if (!root.valid()) throw std::logic_error("an expression that belongs to no graph was used");
+    if (graph != nullptr && graph != &root.graph()) {
+      throw std::logic_error("expressions of different graphs cannot be combined");
+    }
+    graph = &root.graph();
+  }
+  return graph;
+}
+
+Postorder indexed_postorder(std::span<const Expr> roots) {
+  const ExprGraph* graph = graph_of(roots);
+  Postorder out;
+  std::vector<std::uint32_t> open;
+  for (const Expr& root : roots) {
+    open.push_back(root.ref().node());
+    while (!open.empty()) {
+      const std::uint32_t id = open.back();
+      if (out.index.contains(id)) {
+        open.pop_back();
+        continue;
+      }
+      const Node& node = graph->node(id);
+      const int arity = node.arity();
+      const std::size_t before = open.size();
+      // b is pushed first so that a is visited first.
+      if (arity == 2 && !out.index.contains(node.b.node())) open.push_back(node.b.node());
+      if (arity >= 1 && !out.index.contains(node.a.node())) open.push_back(node.a.node());
+      if (open.size() != before) continue;
+      open.pop_back();
+      out.index.add(id, static_cast<std::uint32_t>(out.ids.size()));
+      out.ids.push_back(id);
+    }
+  }
+  return out;
+}
+
+std::vector<std::uint32_t> postorder(std::span<const Expr> roots) {
+  return indexed_postorder(roots).ids;
+}
+
+}  // namespace alembert
