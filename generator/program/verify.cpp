@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "program/error_bound.hpp"
+#include "program/exact_comparison.hpp"
 #include "program/expression_operation.hpp"
 #include "program/operation.hpp"
 #include "program/passes.hpp"
@@ -153,6 +154,10 @@ std::vector<Approximate> program_values(const Program& program, const std::vecto
   return out;
 }
 
+std::string text(const Modular& x) {
+  return fmt::format("{} + {}i", x.re, x.im);
+}
+
 /// How often an element could be compared.
 struct Comparisons {
   int sharp = 0, loose = 0;
@@ -198,111 +203,6 @@ std::vector<Comparisons> compare_numerically(const Program& program, std::span<c
   return done;
 }
 
-// A fraction whose products and sums stay exact in double, so that folding has not rounded it.
-bool is_short_binary(double x) {
-  return std::abs(x) <= 0x1p12 && x * 0x1p12 == std::floor(x * 0x1p12);
-}
-
-bool is_exact(Operation op) {
-  switch (op) {
-    case Operation::constant:
-    case Operation::input:
-    case Operation::add:
-    case Operation::sub:
-    case Operation::mul:
-    case Operation::div:
-    case Operation::neg:
-    case Operation::sqrt:
-    case Operation::sin:
-    case Operation::cos:
-      return true;
-    case Operation::tan:
-    case Operation::asin:
-    case Operation::acos:
-    case Operation::atan:
-    case Operation::atan2:
-    case Operation::exp:
-    case Operation::log:
-    case Operation::abs:
-    case Operation::sign:
-    case Operation::sinh:
-    case Operation::cosh:
-    case Operation::tanh:
-    case Operation::pow:
-      return false;
-  }
-  return false;
-}
-
-bool can_be_exact(const Program& program, std::span<const Expr> roots) {
-  for (const Instruction& c : program.code)
-    if (!is_exact(c.op)) return false;
-  for (const double x : program.constants)
-    if (!is_short_binary(x)) return false;
-  ExprGraph& graph = roots.front().graph();
-  for (const std::uint32_t id : postorder(roots)) {
-    const Op op = graph.node(id).op;
-    if (op == Op::pi_multiple || op == Op::real || !is_exact(operation_of(op))) return false;
-    if (op != Op::rational) continue;
-    const Rational r = graph.rational_value(id);
-    if (!is_short_binary(r.to_double()) || (r.denominator & (r.denominator - 1)) != 0) return false;
-  }
-  return true;
-}
-
-/// The program as expressions of a graph of its own, whose symbol i is input i.
-std::vector<Expr> as_expressions(const Program& program, ExprGraph& graph) {
-  std::vector<Expr> inputs, values, roots;
-  for (std::size_t i = 0; i < program.inputs.size(); ++i)
-    inputs.push_back(graph.symbol(fmt::format("input {}", i)));
-  for (const Instruction& c : program.code) {
-    const int operands = operand_count(c.op);
-    const Expr a = operands > 0 ? values[c.a] : Expr();
-    const Expr b = operands > 1 ? values[c.b] : Expr();
-    if (c.op == Operation::constant)
-      values.push_back(graph.real(program.constants[c.a]));
-    else if (c.op == Operation::input)
-      values.push_back(inputs[c.a]);
-    else if (c.op == Operation::add)
-      values.push_back(a + b);
-    else if (c.op == Operation::sub)
-      values.push_back(a - b);
-    else if (c.op == Operation::mul)
-      values.push_back(a * b);
-    else if (c.op == Operation::div)
-      values.push_back(a / b);
-    else if (c.op == Operation::neg)
-      values.push_back(-a);
-    else if (c.op == Operation::sqrt)
-      values.push_back(sqrt(a));
-    else if (c.op == Operation::sin)
-      values.push_back(sin(a));
-    else
-      values.push_back(cos(a));
-  }
-  for (const OutputArray& output : program.outputs)
-    for (const std::uint32_t v : output.values) roots.push_back(values[v]);
-  return roots;
-}
-
-void compare_exactly(const Program& program, std::span<const Expr> roots,
-                     std::span<const OutputExpressions> outputs, std::span<const SymbolBinding> bindings) {
-  ExprGraph& graph = roots.front().graph();
-  ExprGraph program_graph;
-  const std::vector<Expr> program_roots = as_expressions(program, program_graph);
-  const std::vector<Modular> point = random_modular_point(graph.symbol_count(), 1);
-  std::vector<Modular> program_point;
-  for (const SymbolBinding& binding : bindings)
-    program_point.push_back(point[graph.symbol_index(binding.symbol.ref().node())]);
-  const std::vector<Modular> wanted = evaluate_modular(roots, point);
-  const std::vector<Modular> found = evaluate_modular(program_roots, program_point);
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    if (!(wanted[k] == found[k]))
-      fail(program,
-           fmt::format("{} is {} + {}i modulo 2^61-1 in the program and {} + {}i by its expression",
-                       element_name(outputs, k), found[k].re, found[k].im, wanted[k].re, wanted[k].im));
-}
-
 }  // namespace
 
 void verify(const Program& program, std::span<const OutputExpressions> outputs,
@@ -313,7 +213,12 @@ void verify(const Program& program, std::span<const OutputExpressions> outputs,
     roots.insert(roots.end(), output.values.begin(), output.values.end());
   if (roots.empty()) return;
   const std::vector<Comparisons> done = compare_numerically(program, roots, outputs, bindings);
-  if (can_be_exact(program, roots)) return compare_exactly(program, roots, outputs, bindings);
+  const ExactComparison exact = compare_exactly(program, roots, bindings);
+  if (exact.possible && exact.first_difference < roots.size())
+    fail(program,
+         fmt::format("{} is {} in the program and {} by its expression, modulo 2^61-1",
+                     element_name(outputs, exact.first_difference), text(exact.found), text(exact.wanted)));
+  if (exact.possible) return;
   // An expression without a finite value at any point (say, a function far outside its domain) is taken on
   // trust, but not if the program finds values where it has none.
   for (std::size_t k = 0; k < done.size(); ++k)

@@ -2,11 +2,13 @@
 // programs.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "program/error_bound.hpp"
@@ -21,7 +23,7 @@ class ProgramMaker {
   explicit ProgramMaker(std::uint32_t inputs) {
     program.function = "made";
     for (std::uint32_t i = 0; i < inputs; ++i)
-      program.inputs.push_back({ArgumentKind::q, i, "x" + std::to_string(i)});
+      program.inputs.push_back({ArgumentKind::q, i, fmt::format("x{}", i)});
   }
   std::uint32_t append(Operation op, std::uint32_t a = 0, std::uint32_t b = 0) {
     program.code.push_back({op, a, b});
