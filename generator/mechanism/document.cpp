@@ -81,6 +81,9 @@ class TreeBuilder final : public YAML::EventHandler {
     refuse_tag(mark, tag);
     node.plain = tag == "?" || tag.empty();
     node.text = value;
+    if (!node.plain && !document_.quote_is_closed(node)) {
+      throw InputError(document_.where(node), "this quote is never closed");
+    }
     attach(node);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -228,6 +231,24 @@ void Document::check_text() {
     }
     i += length;
   }
+}
+
+/// yaml-cpp lets a quoted scalar end with the file.
+bool Document::quote_is_closed(const YamlNode& scalar) const {
+  const std::string_view text = source_->text;
+  std::size_t at = position(scalar.line, scalar.column);
+  const char quote = at < text.size() ? text[at] : '\0';
+  if (quote != '"' && quote != '\'') return true;
+  for (++at; at < text.size(); ++at) {
+    if (text[at] == quote) {
+      const bool doubled = quote == '\'' && at + 1 < text.size() && text[at + 1] == quote;
+      if (!doubled) return true;
+      ++at;
+    } else if (quote == '"' && text[at] == '\\') {
+      ++at;
+    }
+  }
+  return false;
 }
 
 std::size_t Document::position(int line, int column) const {

@@ -46,6 +46,7 @@ class Document {
  private:
   friend class TreeBuilder;
   void check_text();
+  bool quote_is_closed(const YamlNode& scalar) const;
   std::size_t position(int line, int column) const;
 
   std::shared_ptr<const SourceText> source_;

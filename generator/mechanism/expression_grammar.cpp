@@ -166,22 +166,28 @@ struct Action<grammar::call> : Nesting {
   }
 };
 
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
 std::string found_at(std::string_view text, std::size_t offset) {
   if (offset >= text.size()) return "the end of the expression";
   // A whole UTF-8 character, or a whole word.
   std::size_t end = offset + 1;
-  const auto word = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  if (word(text[offset]))
-    while (end < text.size() && word(text[end])) ++end;
+  if (is_word(text[offset]))
+    while (end < text.size() && is_word(text[end])) ++end;
   else
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) ++end;
   return fmt::format("'{}'", printable(text.substr(offset, end - offset)));
 }
 
 std::string note_for(std::string_view text, std::size_t offset) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const char c = offset < text.size() ? text[offset] : '\0';
   if (c == ',' && offset > 0 && is_digit(text[offset - 1]) && offset + 1 < text.size() &&
       is_digit(text[offset + 1]))
@@ -189,6 +195,12 @@ std::string note_for(std::string_view text, std::size_t offset) {
   if (c == '*' && offset > 0 && text[offset - 1] == '*') return "a power is written x^n";
   if (c == '.' && text.substr(0, offset).find_first_not_of(" \t\n\r") == std::string_view::npos)
     return "infinity and NaN are not values here";
+  std::size_t end = offset;
+  while (end > 0 && is_blank(text[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  if (const std::string_view before = text.substr(begin, end - begin); function_arity(before) > 0)
+    return fmt::format("a function takes its argument in parentheses: {}(x)", before);
   return {};
 }
 
@@ -206,8 +218,7 @@ std::vector<PostfixToken> parse_expression(std::string_view text) {
     pegtl::parse<grammar::whole, Action, Control>(input, state);
   } catch (const pegtl::parse_error& error) {
     const std::size_t offset = error.positions().front().byte;
-    if (input.private_depth > kMaximumExpressionDepth ||
-        error.message().find("depth") != std::string_view::npos)
+    if (error.message() == std::string_view("maximum parser rule nesting depth exceeded"))
       throw SyntaxError{
           offset, fmt::format("expression nested more than {} levels deep", kMaximumExpressionDepth), {}};
     throw SyntaxError{offset, fmt::format("expected {}, found {}", error.message(), found_at(text, offset)),

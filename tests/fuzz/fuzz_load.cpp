@@ -1,0 +1,45 @@
+// libFuzzer target: any bytes in; the loader must give a mechanism or an InputError with a place inside the
+// text, and never crash, hang, leak or throw anything else.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "mechanism/load.hpp"
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "the loader broke its contract: %s\n", what);
+  std::abort();
+}
+
+void check_mechanism(const alembert::Mechanism& mechanism) {
+  require(!mechanism.name.empty() && !mechanism.coordinates.empty() && !mechanism.bodies.empty(),
+          "an empty mechanism");
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
+    require(mechanism.bodies[i].parent < static_cast<int>(i), "a parent after its child");
+  for (const alembert::Coordinate& coordinate : mechanism.coordinates)
+    require(coordinate.initial.size() == coordinate.symbols.size(), "a coordinate without its values");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  auto source = std::make_shared<alembert::SourceText>();
+  source->name = "fuzz";
+  source->text.assign(reinterpret_cast<const char*>(data), size);
+  const std::ptrdiff_t lines = std::count(source->text.begin(), source->text.end(), '\n') + 1;
+  alembert::ExprGraph graph;
+  try {
+    check_mechanism(alembert::load_mechanism(source, graph));
+  } catch (const alembert::InputError& error) {
+    require(error.where().line >= 1 && error.where().line <= lines, "a line outside the text");
+    require(error.where().column >= 1, "a column before the line");
+    require(std::string(error.what()).starts_with("fuzz:"), "a diagnostic without its place");
+  }
+  return 0;
+}
