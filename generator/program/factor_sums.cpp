@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <span>
 #include <tuple>
@@ -70,12 +71,13 @@ class SumFactoring {
       for (const Value v : output.values) angle_[v.node()] = 0;
   }
 
-  ValueProgram run() {
+  std::optional<ValueProgram> run() {
     to_.function = from_.function;
     to_.formulation = from_.formulation;
     to_.inputs = from_.inputs;
     to_.graph.reserve(order_.size());
     for (const std::uint32_t id : order_) image_[id] = rewrite(id);
+    if (!rewritten_) return std::nullopt;
     to_.outputs = from_.outputs;
     for (auto& output : to_.outputs)
       for (Value& v : output.values) v = image(v);
@@ -97,8 +99,14 @@ class SumFactoring {
     if (n.op == Operation::constant) return to_.graph.constant(graph_.constant_value(Value(id, false)));
     if (n.op == Operation::input) return to_.graph.input(n.a.bits);
     if (inner_[id] == 0) {
-      if (n.op == Operation::add && read_chain(id)) return write_chain();
-      if (is_product(n.op) && read_product(id)) return write_product(terms_[0], nullptr);
+      if (n.op == Operation::add && read_chain(id)) {
+        rewritten_ = true;
+        return write_chain();
+      }
+      if (is_product(n.op) && read_product(id)) {
+        rewritten_ = true;
+        return write_product(terms_[0], nullptr);
+      }
     }
     const Value a = image(n.a);
     const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
@@ -338,6 +346,7 @@ class SumFactoring {
   std::vector<std::uint8_t> angle_;  ///< used by sin, cos and tan only
   std::vector<Value> image_;
   ValueProgram to_;
+  bool rewritten_ = false;
 
   // Of the chain at hand.
   std::vector<Term> terms_;
@@ -350,7 +359,7 @@ class SumFactoring {
 
 }  // namespace
 
-ValueProgram factor_sums(const ValueProgram& program) {
+std::optional<ValueProgram> factor_sums(const ValueProgram& program) {
   return SumFactoring(program).run();
 }
 

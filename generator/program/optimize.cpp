@@ -1,4 +1,5 @@
 // Stage `optimise`: program in, equal program out that never costs more.
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,20 +34,26 @@ Cost cost(const Program& program) {
 
 Program optimize(Program program) {
   const Cost given = cost(program);
-  Program best = std::move(program);
-  Cost least = given;
-  const auto accept = [&best, &least](const ValueProgram& candidate, bool equal_will_do = false) {
-    Program placed = place_signs(candidate);
+  ValueProgram values = to_values(program);
+  Program best = place_signs(values);
+  Cost least = cost(best);
+  if (given < least) {
+    best = std::move(program);
+    least = given;
+  }
+  const auto accept = [&](const std::optional<ValueProgram>& candidate) {
+    if (!candidate) return false;
+    Program placed = place_signs(*candidate);
     const Cost reached = cost(placed);
-    if (least < reached || (!equal_will_do && !(reached < least))) return false;
+    if (!(reached < least)) return false;
     best = std::move(placed);
     least = reached;
+    values = to_values(best);
     return true;
   };
-  accept(to_values(best), true);
   for (int round = 0; round < kRounds; ++round) {
-    const bool factored = accept(factor_sums(to_values(best)));
-    const bool divided = accept(share_divisions(to_values(best)));
+    const bool factored = accept(factor_sums(values));
+    const bool divided = accept(share_divisions(values));
     if (!factored && !divided) break;
   }
   if (given < cost(best)) throw InternalError("optimise: " + best.function + " costs more than before");

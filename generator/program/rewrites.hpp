@@ -1,8 +1,10 @@
-// The rewrites of stage `optimise`: a value program in, an equal one out. Each lowers the weighted count of
-// the places it touches; nodes that become unused stay behind, unreachable.
+// The rewrites of stage `optimise`: a value program in, an equal one out, or nothing where there is nothing
+// to rewrite. Each lowers the weighted count of the places it touches; nodes that become unused stay behind,
+// unreachable.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "program/value_graph.hpp"
 
@@ -14,10 +16,10 @@ inline constexpr std::size_t kDivisionWeight = 4;
 
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
-ValueProgram factor_sums(const ValueProgram& program);
+std::optional<ValueProgram> factor_sums(const ValueProgram& program);
 
 /// x/d, y/d -> r = 1/d, x*r, y*r; (a/b)/c -> a/(b*c); a/(b/c) -> a*c/b; (a/b)*(c/d) -> (a*c)/(b*d); x*(c/y)
 /// -> (c*x)/y.
-ValueProgram share_divisions(const ValueProgram& program);
+std::optional<ValueProgram> share_divisions(const ValueProgram& program);
 
 }  // namespace alembert

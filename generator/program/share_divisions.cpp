@@ -1,5 +1,6 @@
 // Rewrite of stage `optimise`: fewer divisions. In: a value program. Out: the same values with shared
 // reciprocals and merged quotients. See rewrites.hpp.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -28,7 +29,10 @@ class DivisionSharing {
       if (from_.graph.node(id).op == Operation::div) ++divisions_by_[from_.graph.node(id).b.node()];
   }
 
-  ValueProgram run() {
+  std::optional<ValueProgram> run() {
+    if (std::none_of(order_.begin(), order_.end(),
+                     [this](std::uint32_t id) { return from_.graph.node(id).op == Operation::div; }))
+      return std::nullopt;
     to_.function = from_.function;
     to_.formulation = from_.formulation;
     to_.inputs = from_.inputs;
@@ -107,7 +111,7 @@ class DivisionSharing {
 
 }  // namespace
 
-ValueProgram share_divisions(const ValueProgram& program) {
+std::optional<ValueProgram> share_divisions(const ValueProgram& program) {
   return DivisionSharing(program).run();
 }
 

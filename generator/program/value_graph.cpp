@@ -11,11 +11,10 @@ namespace alembert {
 namespace {
 
 std::uint64_t mix(Operation op, std::uint64_t a, std::uint64_t b) {
-  std::uint64_t h = (static_cast<std::uint64_t>(op) + 1) * 0x9e3779b97f4a7c15u;
-  h = (h ^ a) * 0xff51afd7ed558ccdu;
+  std::uint64_t h = a * 0x9e3779b97f4a7c15u ^ (b + static_cast<std::uint64_t>(op)) * 0xc2b2ae3d27d4eb4fu;
   h ^= h >> 32;
-  h = (h ^ b) * 0xc4ceb9fe1a85ec53u;
-  return h ^ (h >> 29);
+  h *= 0xd6e8feb86659fd93u;
+  return h ^ h >> 32;
 }
 
 // Folding keeps accuracy only if the folded constant neither overflows nor underflows.
