@@ -32,6 +32,8 @@ struct DerivativeGraph {
   std::vector<std::uint32_t> variables;  ///< vertex of each variable, kNone if no root depends on it
 
   Expr expr(Ref ref) const { return {*graph, ref}; }
+  /// The derivative of root i, given that of its vertex.
+  Expr signed_as_root(std::size_t i, Expr x) const { return negative[i] ? -x : x; }
 };
 
 /// Throws std::invalid_argument if a variable is no symbol, or is repeated, or if handles belong to different

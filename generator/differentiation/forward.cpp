@@ -23,7 +23,7 @@ Jacobian jacobian_forward(std::span<const Expr> roots, std::span<const Expr> var
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const std::uint32_t root = graph.roots[i];
       if (root == DerivativeGraph::kNone || !tangent[root].valid()) continue;
-      result.entries[i * variables.size() + j] = graph.negative[i] ? -tangent[root] : tangent[root];
+      result.entries[i * variables.size() + j] = graph.signed_as_root(i, tangent[root]);
     }
   }
   return result;

@@ -10,10 +10,10 @@ namespace alembert {
 
 namespace {
 
-/// Operations of the roots and all derivatives together, equal values counted once.
-std::size_t cost(std::span<const Expr> roots, const Jacobian& jacobian) {
+/// Operations of the roots and the derivatives together, equal values counted once.
+std::size_t cost(std::span<const Expr> roots, std::span<const Expr> derivatives) {
   std::vector<Expr> all(roots.begin(), roots.end());
-  all.insert(all.end(), jacobian.entries.begin(), jacobian.entries.end());
+  all.insert(all.end(), derivatives.begin(), derivatives.end());
   const ExprCount count = count_operations(value_number(all));
   return count.total() + count.trig;
 }
@@ -22,9 +22,22 @@ std::size_t cost(std::span<const Expr> roots, const Jacobian& jacobian) {
 
 Jacobian jacobian(std::span<const Expr> roots, std::span<const Expr> variables) {
   Jacobian best = jacobian_forward(roots, variables);
-  const std::size_t forward_cost = cost(roots, best);
-  Jacobian reverse = jacobian_reverse(roots, variables);
-  if (cost(roots, reverse) < forward_cost) best = std::move(reverse);
+  std::size_t best_cost = cost(roots, best.entries);
+  // Derivatives that are constants, or parts of the roots, cost nothing: there is nothing to be gained.
+  if (best_cost == cost(roots, {})) return best;
+
+  // On a tie the method that came first stays.
+  const auto consider = [&](Jacobian&& other) {
+    const std::size_t other_cost = cost(roots, other.entries);
+    if (other_cost >= best_cost) return;
+    best = std::move(other);
+    best_cost = other_cost;
+  };
+  consider(jacobian_reverse(roots, variables));
+  Jacobian factored = jacobian_d_star(roots, variables);
+  const bool gave_up = factored.d_star_gave_up;
+  if (!gave_up) consider(std::move(factored));  // otherwise it is the reverse mode once more
+  best.d_star_gave_up = gave_up;
   return best;
 }
 

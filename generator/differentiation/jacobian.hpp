@@ -1,8 +1,9 @@
-// Differentiation behind one door. In: roots and symbols. Out: all partial derivatives. Three methods, each a test of the
-// others: forward, reverse, and D* (Guenter 2007) on the derivative graph.
+// Differentiation behind one door. In: roots and symbols. Out: all partial derivatives. Three methods, each a
+// test of the others: forward, reverse, and D* (Guenter 2007) on the derivative graph.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,22 +20,26 @@ struct Jacobian {
   std::vector<Expr> entries;
   Expr operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
   DerivativeMethod method = DerivativeMethod::forward;  ///< the one that was kept
-  bool d_star_gave_up = false;                          ///< the step cap was reached; forward or reverse was used instead
+  bool d_star_gave_up = false;  ///< the step cap was reached; forward or reverse was used instead
 };
 
-/// Each by one method. Variables must be distinct symbols. Differentiating `sign` gives zero; `abs` gives sign.
+/// Each by one method. Variables must be distinct symbols. Differentiating `sign` gives zero; `abs` gives
+/// sign.
 Jacobian jacobian_forward(std::span<const Expr> roots, std::span<const Expr> variables);
 Jacobian jacobian_reverse(std::span<const Expr> roots, std::span<const Expr> variables);
 
 struct DStarOptions {
-  std::size_t max_steps = 20000;  ///< factorings before it gives up
-  bool check = false;             ///< verify the path sums modulo a prime after every step (tests, debug)
+  std::size_t max_steps = 20000;         ///< factorings before it gives up
+  std::uint64_t max_work = 200'000'000;  ///< edges visited before it gives up, about a second or two
+  bool check = false;  ///< verify the path sums modulo a prime after every step (tests, debug)
 };
-/// Derivative graph, factored by dominators and postdominators (symbolic-engine notes). On reaching the step cap
-/// returns the reverse-mode result with d_star_gave_up set.
-Jacobian jacobian_d_star(std::span<const Expr> roots, std::span<const Expr> variables, DStarOptions options = {});
+/// Derivative graph, factored by dominators and postdominators (symbolic-engine notes). On reaching the step
+/// cap returns the reverse-mode result with d_star_gave_up set.
+Jacobian jacobian_d_star(std::span<const Expr> roots, std::span<const Expr> variables,
+                         DStarOptions options = {});
 
-/// The portfolio: all three, the one with the fewest operations (roots and derivatives together, after value numbering) kept.
+/// The portfolio: all three, the one with the fewest operations (roots and derivatives together, after value
+/// numbering) kept.
 Jacobian jacobian(std::span<const Expr> roots, std::span<const Expr> variables);
 
 }  // namespace alembert

@@ -109,12 +109,11 @@ Ref local_partial(ExprGraph& graph, std::uint32_t id, int slot) {
   const Expr a(graph, node.a);
   if (operands == 1) {
     const Expr derivative = unary_partial(graph, node.op, v, a);
-    return node.a.negative() ? (-derivative).ref() : derivative.ref();
+    return node.a.negative() ? -derivative.ref() : derivative.ref();
   }
   const Expr b(graph, node.b);
   const Expr derivative = binary_partial(graph, node.op, v, a, b, slot);
-  const Ref operand = slot == 0 ? node.a : node.b;
-  return operand.negative() ? (-derivative).ref() : derivative.ref();
+  return (slot == 0 ? node.a : node.b).negative() ? -derivative.ref() : derivative.ref();
 }
 
 }  // namespace alembert

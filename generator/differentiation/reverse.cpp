@@ -24,7 +24,7 @@ Jacobian jacobian_reverse(std::span<const Expr> roots, std::span<const Expr> var
     for (std::size_t j = 0; j < variables.size(); ++j) {
       const std::uint32_t variable = graph.variables[j];
       if (variable == DerivativeGraph::kNone || !adjoint[variable].valid()) continue;
-      result.entries[i * variables.size() + j] = graph.negative[i] ? -adjoint[variable] : adjoint[variable];
+      result.entries[i * variables.size() + j] = graph.signed_as_root(i, adjoint[variable]);
     }
   }
   return result;
