@@ -12,15 +12,16 @@ std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double
   const ExprGraph* graph = graph_of(roots);
   const Postorder order = indexed_postorder(roots);
   std::vector<double> values(order.ids.size());
-  const auto of = [&](Ref r) {
-    const double value = values[order.at(r.node())];
-    return r.negative() ? -value : value;
+  const auto of = [&](std::uint32_t local) {
+    const double value = values[local >> 1];
+    return (local & 1) != 0 ? -value : value;
   };
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
     const std::uint32_t id = order.ids[i];
     const Node& node = graph->node(id);
     const int arity = node.arity();
-    const double a = arity >= 1 ? of(node.a) : 0, b = arity == 2 ? of(node.b) : 0;
+    const LocalOperands operands = order.operands[i];
+    const double a = arity >= 1 ? of(operands.a) : 0, b = arity == 2 ? of(operands.b) : 0;
     double value = 0;
     switch (node.op) {
       case Op::rational:
@@ -101,7 +102,7 @@ std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double
   }
   std::vector<double> out;
   out.reserve(roots.size());
-  for (const Expr& root : roots) out.push_back(of(root.ref()));
+  for (const Expr& root : roots) out.push_back(of(order.local(root.ref())));
   return out;
 }
 

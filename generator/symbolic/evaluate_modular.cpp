@@ -100,15 +100,16 @@ std::optional<Modular> root(Modular x) {
 std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
                             std::span<const Modular> symbols) {
   std::vector<Modular> out(order.ids.size());
-  const auto of = [&](Ref r) {
-    const Modular value = out[order.at(r.node())];
-    return r.negative() ? negate(value) : value;
+  const auto of = [&](std::uint32_t local) {
+    const Modular value = out[local >> 1];
+    return (local & 1) != 0 ? negate(value) : value;
   };
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
     const std::uint32_t id = order.ids[i];
     const Node& node = graph.node(id);
     const int arity = node.arity();
-    const Modular a = arity >= 1 ? of(node.a) : Modular{}, b = arity == 2 ? of(node.b) : Modular{};
+    const LocalOperands operands = order.operands[i];
+    const Modular a = arity >= 1 ? of(operands.a) : Modular{}, b = arity == 2 ? of(operands.b) : Modular{};
     Modular& value = out[i];
     switch (node.op) {
       case Op::rational:

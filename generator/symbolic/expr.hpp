@@ -28,12 +28,27 @@ enum class Op : std::uint8_t {
   add,          ///< a + b; a is unsigned, b may carry a sign
   mul,          ///< a * b, both unsigned; a constant factor comes first
   div,          ///< a / b, both unsigned
-  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, abs, sign, sinh, cosh, tanh,
-  pow,          ///< a^b where b is no integer (integers become products)
+  sqrt,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  exp,
+  log,
+  abs,
+  sign,
+  sinh,
+  cosh,
+  tanh,
+  pow,  ///< a^b where b is no integer (integers become products)
 };
 inline constexpr int kOpCount = static_cast<int>(Op::pow) + 1;
 
-/// Node index shifted left by one, plus 1 if negated. Node 0 is the constant zero, which has no sign: there is no -0.
+/// Node index shifted left by one, plus 1 if negated. Node 0 is the constant zero, which has no sign: there
+/// is no -0.
 struct Ref {
   std::uint32_t bits = 0;
   constexpr Ref() = default;
@@ -54,14 +69,38 @@ struct Node {
 
 constexpr int arity(Op op) {
   switch (op) {
-    case Op::rational: case Op::pi_multiple: case Op::real: case Op::symbol: return 0;
-    case Op::add: case Op::mul: case Op::div: case Op::atan2: case Op::pow: return 2;
-    case Op::sqrt: case Op::sin: case Op::cos: case Op::tan: case Op::asin: case Op::acos: case Op::atan:
-    case Op::exp: case Op::log: case Op::abs: case Op::sign: case Op::sinh: case Op::cosh: case Op::tanh: return 1;
+    case Op::rational:
+    case Op::pi_multiple:
+    case Op::real:
+    case Op::symbol:
+      return 0;
+    case Op::add:
+    case Op::mul:
+    case Op::div:
+    case Op::atan2:
+    case Op::pow:
+      return 2;
+    case Op::sqrt:
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+    case Op::exp:
+    case Op::log:
+    case Op::abs:
+    case Op::sign:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+      return 1;
   }
   return 0;
 }
-constexpr int Node::arity() const { return alembert::arity(op); }
+constexpr int Node::arity() const {
+  return alembert::arity(op);
+}
 
 /// A closed interval known to contain a value; used to prove signs. Defaults to the whole line.
 struct Interval {
@@ -71,7 +110,8 @@ struct Interval {
 class ExprGraph;
 
 /// A value in a graph. Cheap to copy; the graph must outlive it. Two Exprs of one graph are the same
-/// expression exactly if they compare equal. A default-constructed Expr belongs to no graph and may only be assigned to.
+/// expression exactly if they compare equal. A default-constructed Expr belongs to no graph and may only be
+/// assigned to.
 class Expr {
  public:
   Expr() = default;
@@ -94,9 +134,15 @@ Expr operator+(Expr a, Expr b);
 Expr operator-(Expr a, Expr b);
 Expr operator*(Expr a, Expr b);
 Expr operator/(Expr a, Expr b);  ///< throws std::domain_error if b is the constant zero
-inline Expr& operator+=(Expr& a, Expr b) { return a = a + b; }
-inline Expr& operator-=(Expr& a, Expr b) { return a = a - b; }
-inline Expr& operator*=(Expr& a, Expr b) { return a = a * b; }
+inline Expr& operator+=(Expr& a, Expr b) {
+  return a = a + b;
+}
+inline Expr& operator-=(Expr& a, Expr b) {
+  return a = a - b;
+}
+inline Expr& operator*=(Expr& a, Expr b) {
+  return a = a * b;
+}
 
 Expr sqrt(Expr x);
 Expr sin(Expr x);
@@ -127,13 +173,15 @@ class ExprGraph {
   Expr integer(std::int64_t value);
   Expr rational(Rational value);
   Expr pi(Rational multiple = Rational(1));
-  Expr real(double value);  ///< exact rational if it is a short one; throws std::domain_error on NaN and infinity
+  Expr real(
+      double value);  ///< exact rational if it is a short one; throws std::domain_error on NaN and infinity
   Expr zero() { return integer(0); }
   Expr one() { return integer(1); }
 
   /// The symbol of that name (made on first use). Names are arbitrary text; equal names are equal symbols.
   Expr symbol(std::string_view name);
-  /// Declares that a symbol stays inside an interval (a parameter's value, a coordinate's hard range); sign proofs use it.
+  /// Declares that a symbol stays inside an interval (a parameter's value, a coordinate's hard range); sign
+  /// proofs use it.
   void assume(Expr symbol, Interval interval);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
@@ -154,7 +202,11 @@ class ExprGraph {
 
  private:
   friend struct Builder;
-  struct Symbol { std::string name; std::uint32_t node; Interval interval; };
+  struct Symbol {
+    std::string name;
+    std::uint32_t node;
+    Interval interval;
+  };
   std::uint32_t append(Node node, std::uint64_t key);
   void rehash(std::size_t slots);
   Ref intern_number(Op op, Rational value);
@@ -162,12 +214,14 @@ class ExprGraph {
 
   std::vector<Node> nodes_;
   std::vector<std::uint64_t> keys_;
-  std::vector<std::uint32_t> table_;  ///< open addressing by key; node ids, 0 (the zero node, never looked up) if free
+  std::vector<std::uint32_t>
+      table_;  ///< open addressing by key; node ids, 0 (the zero node, never looked up) if free
   std::vector<Rational> rationals_;
   std::vector<double> reals_;
   std::vector<Symbol> symbols_;
   std::unordered_map<std::string, std::uint32_t> symbol_ids_;
-  mutable std::unordered_map<std::uint32_t, Interval> bounds_;  ///< of nodes that were asked for; looked up only
+  mutable std::unordered_map<std::uint32_t, Interval>
+      bounds_;  ///< of nodes that were asked for; looked up only
 };
 
 }  // namespace alembert

@@ -72,11 +72,19 @@ class NodeIndex {
   std::vector<Slot> slots_;
 };
 
+/// A node seen from inside a Postorder: positions in it instead of ids, shifted left by one, plus 1 if
+/// negated.
+struct LocalOperands {
+  std::uint32_t a = 0, b = 0;
+};
+
 /// Nodes reachable from roots, operands first, and the position of each.
 struct Postorder {
   std::vector<std::uint32_t> ids;
+  std::vector<LocalOperands> operands;  ///< as many of them are meant as the operation has
   NodeIndex index;
   std::uint32_t at(std::uint32_t id) const { return index.find(id); }
+  std::uint32_t local(Ref x) const { return at(x.node()) << 1 | (x.negative() ? 1u : 0u); }
 };
 Postorder indexed_postorder(std::span<const Expr> roots);
 

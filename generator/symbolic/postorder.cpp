@@ -41,6 +41,7 @@ Postorder indexed_postorder(std::span<const Expr> roots) {
       open.pop_back();
       out.index.add(id, static_cast<std::uint32_t>(out.ids.size()));
       out.ids.push_back(id);
+      out.operands.push_back({arity >= 1 ? out.local(node.a) : 0, arity == 2 ? out.local(node.b) : 0});
     }
   }
   return out;

@@ -1,0 +1,350 @@
+// Probabilistic value numbering. In: roots. Out: equal roots in which nodes of equal value, up to sign, are
+// one node, and nodes that are zero or a small rational are that number. This is what turns a long sum of
+// products of sines and cosines into a cosine that is there already.
+//
+// Values are taken in a finite field at two random points and confirmed at two more; a false match of
+// expressions without roots has a chance below 2^-100. The sign of a root is arbitrary in the field, so that
+// sqrt(x^2 + 2xy + y^2) agrees with x + y at every second point: matches that involve roots are confirmed at
+// many more points and in double precision, where roots are positive.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "symbolic/modular.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::size_t kPoints = 4;
+constexpr std::size_t kRootPoints =
+    40;  // further points where roots are involved: each halves the chance of error
+constexpr std::size_t kDoublePoints = 8;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+using Values = std::array<std::vector<Modular>, kPoints>;
+
+// Weight of an operation when representatives are compared: about its time.
+std::uint64_t weight(Op op) {
+  switch (op) {
+    case Op::rational:
+    case Op::pi_multiple:
+    case Op::real:
+    case Op::symbol:
+      return 0;
+    case Op::add:
+    case Op::mul:
+      return 1;
+    case Op::div:
+      return 4;
+    case Op::sqrt:
+    case Op::abs:
+    case Op::sign:
+      return 5;
+    case Op::sin:
+    case Op::cos:
+    case Op::tan:
+    case Op::asin:
+    case Op::acos:
+    case Op::atan:
+    case Op::atan2:
+    case Op::exp:
+    case Op::log:
+    case Op::sinh:
+    case Op::cosh:
+    case Op::tanh:
+    case Op::pow:
+      return 12;
+  }
+  return 0;
+}
+
+// n/d with |n| and d below 2^12 that has this value, if there is one.
+std::optional<Rational> small_rational(Modular value) {
+  constexpr std::int64_t kBound = 1 << 12;
+  if (value.im != 0) return std::nullopt;
+  // Euclid on (p, value), stopped at the first small remainder: n = value * d modulo p.
+  std::uint64_t last = modular::kPrime, rest = value.re;
+  std::int64_t last_d = 0, d = 1;
+  while (rest >= static_cast<std::uint64_t>(kBound)) {
+    const std::uint64_t q = last / rest;
+    const std::uint64_t next = last - q * rest;
+    if (q > static_cast<std::uint64_t>(2 * kBound)) return std::nullopt;
+    const std::int64_t next_d = last_d - static_cast<std::int64_t>(q) * d;
+    last = rest;
+    rest = next;
+    last_d = d;
+    d = next_d;
+    if (d >= kBound || d <= -kBound) return std::nullopt;
+  }
+  return make_rational(static_cast<std::int64_t>(rest), d);
+}
+
+// A random point at which every symbol keeps its assumed interval.
+std::vector<double> double_point(ExprGraph& graph, std::uint64_t seed) {
+  const std::vector<Modular> random = random_modular_point(graph.symbol_count(), seed);
+  std::vector<double> out(random.size());
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    const double unit = static_cast<double>(random[i].re) / static_cast<double>(modular::kPrime);
+    Interval range = graph.bounds(graph.symbol_at(i).ref());
+    constexpr double kReach = 2;
+    if (!std::isfinite(range.lower))
+      range.lower = std::isfinite(range.upper) ? range.upper - kReach : -kReach;
+    if (!std::isfinite(range.upper)) range.upper = std::max(range.lower + kReach, kReach);
+    out[i] = range.lower + unit * (range.upper - range.lower);
+  }
+  return out;
+}
+
+// A node of the order found equal to another one (or to a number), to be confirmed because roots are
+// involved.
+struct Match {
+  std::uint32_t node, other;  // positions; other == kNone: the number of the class
+  std::uint32_t value_class;
+  bool negative;
+};
+
+class Numbering {
+ public:
+  explicit Numbering(std::span<const Expr> roots)
+      : graph_(*graph_of(roots)), order_(indexed_postorder(roots)) {}
+
+  std::vector<Expr> run(std::span<const Expr> roots) {
+    classify();
+    confirm();
+    choose();
+    std::vector<Expr> out;
+    out.reserve(roots.size());
+    for (const Expr& root : roots) out.emplace_back(graph_, build(order_.local(root.ref())));
+    return out;
+  }
+
+ private:
+  struct Class {
+    std::uint32_t first = kNone;           // member found first
+    std::uint32_t representative = kNone;  // cheapest member
+    Ref number;
+    bool is_number = false, built = false;
+    Ref image;  // of the representative
+  };
+  struct Member {
+    std::uint32_t value_class = kNone;
+    bool negative = false;  // relative to the first member, or to the number
+  };
+
+  const Node& node(std::uint32_t position) const { return graph_.node(order_.ids[position]); }
+  Ref ref(std::uint32_t position) const { return {order_.ids[position], false}; }
+  bool upper(std::uint32_t i) const {
+    for (const auto& at : values_) {
+      if (!modular::is_zero(at[i])) return modular::is_upper(at[i]);
+    }
+    return false;
+  }
+  bool equal(std::uint32_t i, std::uint32_t k, bool negative) const {
+    for (const auto& at : values_) {
+      if ((negative ? modular::negate(at[k]) : at[k]) != at[i]) return false;
+    }
+    return true;
+  }
+
+  std::uint32_t own_class(std::uint32_t i) {
+    classes_.push_back({});
+    classes_.back().first = i;
+    members_[i] = {static_cast<std::uint32_t>(classes_.size() - 1), false};
+    return members_[i].value_class;
+  }
+
+  std::uint32_t number_class(Rational magnitude) {
+    const Ref number = graph_.rational(magnitude).ref();
+    const std::uint32_t known = numbers_.find(number.node());
+    if (known != NodeIndex::kAbsent) return known;
+    classes_.push_back({});
+    Class& made = classes_.back();
+    made.number = made.image = number;
+    made.is_number = made.built = true;
+    numbers_.add(number.node(), static_cast<std::uint32_t>(classes_.size() - 1));
+    return static_cast<std::uint32_t>(classes_.size() - 1);
+  }
+
+  void classify() {
+    const std::uint32_t count = static_cast<std::uint32_t>(order_.ids.size());
+    for (std::size_t k = 0; k < kPoints; ++k) {
+      values_[k] = modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0x5eed + k));
+    }
+    members_.assign(count, {});
+    rooted_.assign(count, false);
+    std::size_t slots = 64;
+    while (slots < 2 * static_cast<std::size_t>(count)) slots *= 2;
+    std::vector<std::uint32_t> table(slots, kNone);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Node& n = node(i);
+      const LocalOperands operands = order_.operands[i];
+      rooted_[i] = n.op == Op::sqrt || (n.arity() >= 1 && rooted_[operands.a >> 1]) ||
+                   (n.arity() == 2 && rooted_[operands.b >> 1]);
+      if (n.op == Op::rational) {
+        members_[i] = {number_class(graph_.rational_value(order_.ids[i])), false};
+        continue;
+      }
+      // What does not change from point to point is a constant, perhaps a small one.
+      if (values_[0][i] == values_[1][i] && equal_everywhere(i)) {
+        if (const auto small = small_rational(values_[0][i])) {
+          const bool negative = small->negative();
+          const Rational magnitude(negative ? -small->numerator : small->numerator, small->denominator);
+          const std::uint32_t found = number_class(magnitude);
+          members_[i] = {found, negative};
+          // Constants have the same value at every point: the points confirm nothing.
+          if (rooted_[i] || n.constant) matches_.push_back({i, kNone, found, negative});
+          continue;
+        }
+      }
+      const bool flipped = upper(i);
+      std::uint64_t hash = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Modular value = flipped ? modular::negate(values_[k][i]) : values_[k][i];
+        hash = (hash ^ value.re) * 0x9e3779b97f4a7c15u;
+        hash = (hash ^ (hash >> 32) ^ value.im) * 0xbf58476d1ce4e5b9u;
+      }
+      std::size_t slot = static_cast<std::size_t>(hash >> 20) & (slots - 1);
+      bool found = false;
+      for (; table[slot] != kNone && !found; slot = (slot + 1) & (slots - 1)) {
+        const std::uint32_t other = table[slot];
+        const bool negative = flipped != upper(other);
+        if (!equal(i, other, negative)) continue;
+        found = true;
+        const Member first = members_[other];
+        members_[i] = {first.value_class, negative};
+        if (rooted_[i] || rooted_[other] || n.constant)
+          matches_.push_back({i, other, first.value_class, negative});
+        break;
+      }
+      if (found) continue;
+      own_class(i);
+      table[slot] = i;
+    }
+  }
+
+  bool equal_everywhere(std::uint32_t i) const {
+    for (const auto& at : values_) {
+      if (at[i] != values_[0][i]) return false;
+    }
+    return true;
+  }
+
+  // Takes back matches that fail where roots have a definite sign.
+  void confirm() {
+    if (matches_.empty()) return;
+    const auto reject = [this](const Match& match) { own_class(match.node); };
+    for (std::size_t k = 0; k < kRootPoints && !matches_.empty(); ++k) {
+      const auto at =
+          modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0xc0ffee + k));
+      std::erase_if(matches_, [&](const Match& match) {
+        Modular other =
+            match.other != kNone
+                ? at[match.other]
+                : modular::from_rational(graph_.rational_value(classes_[match.value_class].number.node()));
+        if (match.negative) other = modular::negate(other);
+        if (at[match.node] == other) return false;
+        reject(match);
+        return true;
+      });
+    }
+    std::vector<Expr> pairs;
+    for (const Match& match : matches_) {
+      pairs.emplace_back(graph_, ref(match.node));
+      const Ref other = match.other != kNone ? ref(match.other) : classes_[match.value_class].number;
+      pairs.emplace_back(graph_, match.negative ? -other : other);
+    }
+    std::vector<bool> rejected(matches_.size(), false);
+    for (std::size_t k = 0; k < kDoublePoints && !pairs.empty(); ++k) {
+      const std::vector<double> value = evaluate(pairs, double_point(graph_, 0xd0b1e + k));
+      for (std::size_t m = 0; m < matches_.size(); ++m) {
+        const double x = value[2 * m], y = value[2 * m + 1];
+        if (!std::isfinite(x) || !std::isfinite(y)) continue;  // outside the domain of a root
+        constexpr double kTolerance = 1e-6;                    // far above rounding, far below a wrong sign
+        if (std::abs(x - y) > kTolerance * std::max(1.0, std::abs(x) + std::abs(y))) rejected[m] = true;
+      }
+    }
+    for (std::size_t m = 0; m < matches_.size(); ++m) {
+      if (rejected[m]) reject(matches_[m]);
+    }
+  }
+
+  // The representative of a class is its cheapest member as a tree, and of several the first: both fall
+  // strictly from a representative to those of its operands, so that the rebuilt graph has no cycles.
+  void choose() {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 60;
+    std::vector<std::uint64_t> cost(order_.ids.size(), 0);
+    for (std::uint32_t i = 0; i < order_.ids.size(); ++i) {
+      const Node& n = node(i);
+      const LocalOperands operands = order_.operands[i];
+      if (!n.constant) {
+        cost[i] = weight(n.op);
+        if (n.arity() >= 1) cost[i] += cost[operands.a >> 1];
+        if (n.arity() == 2) cost[i] += cost[operands.b >> 1];
+        cost[i] = std::min(cost[i], kMost);
+      }
+      Class& in = classes_[members_[i].value_class];
+      if (in.is_number) continue;
+      if (in.representative == kNone || cost[i] < cost[in.representative]) in.representative = i;
+    }
+  }
+
+  // Image of the representative's class, seen from member `local`.
+  Ref seen(std::uint32_t local) const {
+    const Member member = members_[local >> 1];
+    const Class& in = classes_[member.value_class];
+    bool negative = ((local & 1) != 0) != member.negative;
+    if (!in.is_number) negative = negative != members_[in.representative].negative;
+    return negative ? -in.image : in.image;
+  }
+
+  Ref build(std::uint32_t local) {
+    std::vector<std::uint32_t> open{members_[local >> 1].value_class};
+    while (!open.empty()) {
+      Class& in = classes_[open.back()];
+      if (in.built) {
+        open.pop_back();
+        continue;
+      }
+      const Node n = node(in.representative);
+      const LocalOperands operands = order_.operands[in.representative];
+      const int arity = n.arity();
+      const std::size_t before = open.size();
+      if (arity == 2 && !classes_[members_[operands.b >> 1].value_class].built) {
+        open.push_back(members_[operands.b >> 1].value_class);
+      }
+      if (arity >= 1 && !classes_[members_[operands.a >> 1].value_class].built) {
+        open.push_back(members_[operands.a >> 1].value_class);
+      }
+      if (open.size() != before) continue;
+      open.pop_back();
+      const Ref a = arity >= 1 ? seen(operands.a) : Ref(), b = arity == 2 ? seen(operands.b) : Ref();
+      const bool unchanged = a == n.a && (arity < 2 || b == n.b);
+      in.image = arity == 0 || unchanged ? ref(in.representative) : graph_.make(n.op, a, b);
+      in.built = true;
+    }
+    return seen(local);
+  }
+
+  ExprGraph& graph_;
+  Postorder order_;
+  Values values_;
+  std::vector<Member> members_;
+  std::vector<bool> rooted_;  // a square root below
+  std::vector<Class> classes_;
+  NodeIndex numbers_;  // number node -> class
+  std::vector<Match> matches_;
+};
+
+}  // namespace
+
+std::vector<Expr> value_number(std::span<const Expr> roots) {
+  std::vector<Expr> same(roots.begin(), roots.end());
+  if (graph_of(roots) == nullptr) return same;
+  std::vector<Expr> out = Numbering(roots).run(roots);
+  const ExprCount before = count_operations(roots), after = count_operations(out);
+  return after.total() + after.trig > before.total() + before.trig ? same : out;
+}
+
+}  // namespace alembert
