@@ -10,6 +10,7 @@
 #include <new>
 
 #include "commands/commands.hpp"
+#include "emit/emit.hpp"
 #include "mechanism/load.hpp"
 
 namespace alembert {
@@ -65,6 +66,9 @@ int run(int argc, char** argv) {
   command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
       ->delimiter(',');
   command->add_option("--namespace", generate.name_space, "outer namespace (default alembert::mechanisms)");
+  command->add_option("--parts", generate.parts, "files over which definitions are spread (default: by size)")
+      ->check(CLI::Range(0, kMaxParts));
+  command->add_option("--expected-name", generate.expected_name, "fail unless the mechanism has this name");
   command->add_option("--depfile", generate.depfile, "write a make dependency file for the stamp");
   command->add_option("--stamp", generate.stamp, "touch this file when done");
   command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them");

@@ -1,0 +1,87 @@
+// `generate`: the files of one mechanism, written all or none.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "commands/commands.hpp"
+#include "emit/emit.hpp"
+#include "emit/write_files.hpp"
+#include "mechanism/load.hpp"
+
+namespace alembert {
+
+namespace {
+
+FunctionKind function_kind(const std::string& name) {
+  std::vector<std::string> names;
+  for (const FunctionKind kind : all_function_kinds()) {
+    names.emplace_back(to_string(kind));
+    if (names.back() == name) return kind;
+  }
+  throw InputError({std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1},
+                   "there is no function '" + printable(name) + "'" + did_you_mean(name, names));
+}
+
+std::string_view to_string(FileState state) {
+  switch (state) {
+    case FileState::created:
+      return "created";
+    case FileState::changed:
+      return "changed";
+    case FileState::unchanged:
+      return "unchanged";
+    case FileState::removed:
+      return "removed";
+  }
+  return "";
+}
+
+}  // namespace
+
+int run_generate(const CommonOptions& common, const GenerateOptions& options) {
+  std::vector<FunctionKind> functions;
+  for (const std::string& name : options.functions) functions.push_back(function_kind(name));
+  const CompiledMechanism compiled = compile(common, functions);
+
+  EmitOptions emit;
+  if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
+  if (!options.scalars.empty()) emit.scalars = options.scalars;
+  emit.parts = options.parts;
+  emit.expected_name = options.expected_name;
+  std::vector<Program> programs;
+  for (const CompiledFunction& function : compiled.functions) programs.push_back(function.program);
+  const std::vector<EmittedFile> files = emit_mechanism(*compiled.mechanism, programs, emit);
+
+  if (options.print_outputs) {
+    for (const EmittedFile& file : files) fmt::print("{}/{}\n", options.out_dir, file.path);
+    return 0;
+  }
+  const bool only_look = options.dry_run || options.check;
+  const std::vector<WrittenFile> written =
+      write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write);
+  if (options.check) {
+    for (const WrittenFile& file : written) {
+      if (file.state != FileState::unchanged) {
+        fmt::print(stderr, "{}/{}:1:1: error: this file is not what {} gives: it would be {}\n",
+                   options.out_dir, file.path, common.file, to_string(file.state));
+      }
+    }
+    return up_to_date(written) ? 0 : 1;
+  }
+  if (options.dry_run || common.verbose) {
+    for (const WrittenFile& file : written)
+      fmt::print(stderr, "{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path);
+  }
+  if (options.dry_run) return 0;
+  if (!options.depfile.empty()) {
+    const std::vector<std::string> dependencies{common.file};
+    write_file(
+        options.depfile,
+        depfile_text(options.stamp.empty() ? options.out_dir + "/" + files.front().path : options.stamp,
+                     dependencies));
+  }
+  if (!options.stamp.empty()) write_file(options.stamp, "");
+  return 0;
+}
+
+}  // namespace alembert
