@@ -1,0 +1,114 @@
+// Runs the executable with its streams in temporary files (see the header).
+#include "oracles/alembert_process.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace alembert::oracles {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "alembert_oracle_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+    path = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  fs::path path;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void redirect(const fs::path& path, int flags, int to) {
+  const int from = open(path.c_str(), flags, 0600);
+  if (from < 0 || dup2(from, to) < 0) _exit(127);
+}
+
+Eigen::VectorXd vector_of(const nlohmann::json& values) {
+  Eigen::VectorXd v(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) v[static_cast<Eigen::Index>(i)] = values[i].get<double>();
+  return v;
+}
+
+Eigen::MatrixXd matrix_of(const nlohmann::json& rows) {
+  Eigen::MatrixXd m(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != rows.size()) throw std::runtime_error("M is not square");
+    m.row(static_cast<Eigen::Index>(i)) = vector_of(rows[i]).transpose();
+  }
+  return m;
+}
+
+}  // namespace
+
+std::string json_of(const State& state) {
+  nlohmann::json line = {{"q", state.q}, {"qd", state.speeds}, {"qdd", state.rates}, {"t", state.time}};
+  if (!state.wrenches.empty()) line["wrenches"] = state.wrenches;
+  return line.dump();
+}
+
+std::vector<Answer> ask_alembert(const std::string& executable, const std::string& file,
+                                 const std::vector<State>& states) {
+  const TemporaryFolder folder;
+  {
+    std::ofstream input(folder.path / "in");
+    for (const State& state : states) input << json_of(state) << '\n';
+  }
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("cannot fork");
+  if (child == 0) {
+    redirect(folder.path / "in", O_RDONLY, STDIN_FILENO);
+    redirect(folder.path / "out", O_WRONLY | O_CREAT, STDOUT_FILENO);
+    redirect(folder.path / "err", O_WRONLY | O_CREAT, STDERR_FILENO);
+    execl(executable.c_str(), executable.c_str(), "evaluate", file.c_str(), "--json",
+          static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw std::runtime_error("alembert evaluate " + file + " failed: " + contents(folder.path / "err"));
+  }
+  std::vector<Answer> answers;
+  std::ifstream output(folder.path / "out");
+  for (std::string text; std::getline(output, text);) {
+    const nlohmann::json line = nlohmann::json::parse(text);
+    Answer answer;
+    answer.dynamics.tau = vector_of(line.at("tau"));
+    answer.dynamics.mass_matrix = matrix_of(line.at("M"));
+    answer.dynamics.bias = vector_of(line.at("c"));
+    answer.rates = vector_of(line.at("qdd"));
+    answers.push_back(std::move(answer));
+  }
+  if (answers.size() != states.size()) {
+    throw std::runtime_error("alembert evaluate " + file + " answered " + std::to_string(answers.size()) +
+                             " of " + std::to_string(states.size()) +
+                             " states: " + contents(folder.path / "err"));
+  }
+  return answers;
+}
+
+}  // namespace alembert::oracles

@@ -1,0 +1,25 @@
+// The generator under test as a black box: a description and states in, what `alembert evaluate FILE --json`
+// printed out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracles/state.hpp"
+
+namespace alembert::oracles {
+
+struct Answer {
+  Dynamics dynamics;
+  Eigen::VectorXd rates;  ///< forward dynamics for tau
+};
+
+/// One line of input for `alembert evaluate --json`.
+std::string json_of(const State& state);
+
+/// Runs `executable evaluate file --json`. Throws std::runtime_error with what it said if it fails, or if it
+/// does not answer each state.
+std::vector<Answer> ask_alembert(const std::string& executable, const std::string& file,
+                                 const std::vector<State>& states);
+
+}  // namespace alembert::oracles

@@ -1,0 +1,32 @@
+// Worst errors of one mechanism over random states, against every oracle there is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracles/alembert_process.hpp"
+#include "oracles/engines/engine.hpp"
+
+namespace alembert::oracles {
+
+/// One line of the oracle table.
+struct Comparison {
+  enum class Verdict { pass, fail, not_expressible, not_installed };
+  std::string mechanism, function, oracle;
+  double error = 0, tolerance = 0;
+  Verdict verdict = Verdict::pass;
+  std::string note;  ///< why it failed to run, or is not expressible
+};
+
+/// States at which M, scaled to a unit diagonal, is well enough conditioned (below 1e5) for accelerations to
+/// be compared; throws if there are none.
+std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
+
+/// Compares `alembert evaluate` (or, if `executable` is empty, the numeric Lagrangian) with all oracles.
+std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
+                                std::uint64_t seed, bool with_engines);
+
+/// Prints lines as a table.
+void print_table(const std::vector<Comparison>& lines);
+
+}  // namespace alembert::oracles

@@ -1,0 +1,246 @@
+// YAML in, Description out (see the header). Files are taken to be well formed: judging bad ones is not an
+// oracle's work.
+#include "oracles/description/description.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace alembert::oracles {
+
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const YAML::Node& root) : root_(root) {}
+
+  Description read() {
+    result_.name = root_["name"].as<std::string>();
+    read_parameters();
+    if (root_["gravity"]) result_.gravity = constants(root_["gravity"]);
+    for (const YAML::Node& node : root_["coordinates"]) read_coordinate(node);
+    for (const auto& definition : root_["definitions"]) {
+      names_[definition.first.as<std::string>()] = expression(definition.second);
+    }
+    read_bodies();
+    return result_;
+  }
+
+ private:
+  Expression expression(const YAML::Node& node) {
+    return parse(node.as<std::string>(), [this](const std::string& name) -> Expression {
+      const auto found = names_.find(name);
+      return found == names_.end() ? nullptr : found->second;
+    });
+  }
+  double constant(const YAML::Node& node) { return constant_value(expression(node)); }
+  Expression3 expressions(const YAML::Node& node) {
+    return {expression(node[0]), expression(node[1]), expression(node[2])};
+  }
+  std::array<double, 3> constants(const YAML::Node& node) {
+    return {constant(node[0]), constant(node[1]), constant(node[2])};
+  }
+  std::array<double, 3> axis(const YAML::Node& node) {
+    if (!node) return {0, 0, 1};  // the default axis of a joint
+    if (node.IsScalar()) {
+      const std::string letter = node.as<std::string>();
+      if (letter == "x") return {1, 0, 0};
+      if (letter == "y") return {0, 1, 0};
+      if (letter == "z") return {0, 0, 1};
+      throw std::runtime_error("unknown axis '" + letter + "'");
+    }
+    std::array<double, 3> v = constants(node);
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (double& entry : v) entry /= length;
+    return v;
+  }
+
+  void read_parameters() {
+    for (const auto& entry : root_["parameters"]) {
+      const std::string name = entry.first.as<std::string>();
+      const double value = constant(entry.second.IsMap() ? entry.second["value"] : entry.second);
+      result_.parameters.emplace_back(name, value);
+      names_[name] = number(value);
+    }
+  }
+
+  void read_coordinate(const YAML::Node& node) {
+    Coordinate c;
+    c.name = node.IsScalar() ? node.as<std::string>() : node["name"].as<std::string>();
+    c.quaternion = node.IsMap() && node["type"] && node["type"].as<std::string>() == "quaternion";
+    c.first_q = result_.nq;
+    c.first_speed = result_.nv;
+    c.initial = c.quaternion ? std::vector<double>{0, 0, 0, 1} : std::vector<double>{0};
+    if (node.IsMap() && node["initial"]) {
+      const YAML::Node initial = node["initial"];
+      if (initial.IsSequence()) {
+        for (std::size_t i = 0; i < c.initial.size(); ++i) c.initial[i] = constant(initial[i]);
+      } else {
+        c.initial[0] = constant(initial);
+      }
+    }
+    if (node.IsMap() && node["limits"])
+      c.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
+    if (!c.quaternion) {
+      auto symbol = std::make_shared<ExpressionNode>();
+      symbol->operation = Operation::coordinate;
+      symbol->coordinate = c.first_q;
+      names_[c.name] = symbol;
+    }
+    coordinates_[c.name] = result_.coordinates.size();
+    result_.nq += c.quaternion ? 4 : 1;
+    result_.nv += c.quaternion ? 3 : 1;
+    result_.coordinates.push_back(std::move(c));
+  }
+
+  const Coordinate& coordinate(const YAML::Node& node) const {
+    return result_.coordinates.at(coordinates_.at(node.as<std::string>()));
+  }
+  Expression real_coordinate(const YAML::Node& node) const { return names_.at(node.as<std::string>()); }
+
+  std::vector<Factor> transform(const YAML::Node& list) {
+    std::vector<Factor> factors;
+    for (const YAML::Node& node : list) append_factor(node, factors);
+    return factors;
+  }
+
+  void append_factor(const YAML::Node& node, std::vector<Factor>& out) {
+    if (node["translate"]) {
+      out.push_back({Translation{expressions(node["translate"])}});
+    } else if (const YAML::Node rotate = node["rotate"]) {
+      if (rotate["quaternion"]) {
+        out.push_back({QuaternionRotation{coordinate(rotate["quaternion"]).first_q}});
+      } else {
+        out.push_back({Rotation{axis(rotate["axis"]), expression(rotate["angle"])}});
+      }
+    } else if (const YAML::Node rows = node["matrix"]) {
+      Matrix matrix;
+      for (std::size_t i = 0; i < 12; ++i) matrix.entry[i] = expression(rows[i / 4][i % 4]);
+      out.push_back({std::move(matrix)});
+    } else if (const YAML::Node curve = node["curve"]) {
+      Curve c{expressions(curve["point"]), coordinate(curve["along"]).first_q, std::nullopt};
+      if (curve["frame"] && curve["frame"].IsMap()) c.reference = expressions(curve["frame"]["reference"]);
+      out.push_back({std::move(c)});
+    } else if (node["surface"]) {
+      out.push_back({surface(node["surface"])});
+    } else if (const YAML::Node mate = node["mate"]) {
+      out.push_back({Mate{surface(mate[0]["surface"]), surface(mate[1]["surface"]),
+                          node["spin"] ? expression(node["spin"]) : number(0)}});
+    } else if (node["inverse"]) {
+      out.push_back({Inverse{transform(node["inverse"])}});
+    } else if (node["joint"]) {
+      append_joint(node["joint"], out);
+    } else {
+      throw std::runtime_error("unknown transform factor");
+    }
+  }
+
+  Surface surface(const YAML::Node& node) {
+    return {expressions(node["point"]), coordinate(node["along"][0]).first_q,
+            coordinate(node["along"][1]).first_q, node["flip"] && node["flip"].as<bool>()};
+  }
+
+  static Factor shift_along(const std::array<double, 3>& axis, const Expression& distance) {
+    return {Translation{{product(number(axis[0]), distance), product(number(axis[1]), distance),
+                         product(number(axis[2]), distance)}}};
+  }
+
+  void append_joint(const YAML::Node& joint, std::vector<Factor>& out) {
+    const std::string type = joint["type"].as<std::string>();
+    const YAML::Node names = joint["coordinates"];
+    const auto q = [&](int i) { return real_coordinate(names[i]); };
+    if (type == "revolute") {
+      out.push_back({Rotation{axis(joint["axis"]), q(0)}});
+    } else if (type == "prismatic") {
+      out.push_back(shift_along(axis(joint["axis"]), q(0)));
+    } else if (type == "helical") {
+      out.push_back({Rotation{axis(joint["axis"]), q(0)}});
+      out.push_back(shift_along(axis(joint["axis"]), product(expression(joint["pitch"]), q(0))));
+    } else if (type == "cylindrical") {
+      out.push_back({Rotation{axis(joint["axis"]), q(0)}});
+      out.push_back(shift_along(axis(joint["axis"]), q(1)));
+    } else if (type == "universal") {
+      const bool own = static_cast<bool>(joint["axes"]);
+      out.push_back({Rotation{own ? axis(joint["axes"][0]) : std::array<double, 3>{1, 0, 0}, q(0)}});
+      out.push_back({Rotation{own ? axis(joint["axes"][1]) : std::array<double, 3>{0, 1, 0}, q(1)}});
+    } else if (type == "planar") {
+      out.push_back({Translation{{q(0), q(1), number(0)}}});
+      out.push_back({Rotation{{0, 0, 1}, q(2)}});
+    } else if (type == "spherical") {
+      out.push_back({QuaternionRotation{coordinate(names[0]).first_q}});
+    } else if (type == "free") {
+      out.push_back({Translation{{q(0), q(1), q(2)}}});
+      out.push_back({QuaternionRotation{coordinate(names[3]).first_q}});
+    } else {
+      throw std::runtime_error("unknown joint type '" + type + "'");
+    }
+  }
+
+  Body body(const YAML::Node& node) {
+    Body b;
+    b.name = node["name"].as<std::string>();
+    b.transform = transform(node["transform"]);
+    if (node["mass"]) b.mass = constant(node["mass"]);
+    if (node["com"]) b.com = constants(node["com"]);
+    static const char* const kEntries[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (node["inertia"] && node["inertia"][kEntries[i]])
+        b.inertia[i] = constant(node["inertia"][kEntries[i]]);
+    }
+    b.external_wrench = node["external_wrench"] && node["external_wrench"].as<bool>();
+    return b;
+  }
+
+  /// Files may name a parent before it appears: take, again and again, the first body whose parent is there.
+  void read_bodies() {
+    const YAML::Node bodies = root_["bodies"];
+    std::vector<bool> done(bodies.size(), false);
+    std::map<std::string, int> index = {{"world", -1}};
+    while (result_.bodies.size() < bodies.size()) {
+      bool progress = false;
+      for (std::size_t i = 0; i < bodies.size() && !progress; ++i) {
+        const YAML::Node node = bodies[i];
+        const std::string parent = node["parent"] ? node["parent"].as<std::string>() : "world";
+        if (done[i] || index.count(parent) == 0) continue;
+        Body b = body(node);
+        b.parent = index[parent];
+        index[b.name] = static_cast<int>(result_.bodies.size());
+        result_.bodies.push_back(std::move(b));
+        done[i] = progress = true;
+      }
+      if (!progress) throw std::runtime_error("bodies without a way to the world");
+    }
+  }
+
+  YAML::Node root_;
+  Description result_;
+  std::map<std::string, Expression> names_;
+  std::map<std::string, std::size_t> coordinates_;
+};
+
+}  // namespace
+
+double Description::parameter(const std::string& wanted) const {
+  for (const auto& [key, value] : parameters) {
+    if (key == wanted) return value;
+  }
+  throw std::runtime_error("no parameter '" + wanted + "'");
+}
+
+Description parse_description(const std::string& yaml) {
+  return Reader(YAML::Load(yaml)).read();
+}
+
+Description read_description(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_description(text.str());
+}
+
+}  // namespace alembert::oracles

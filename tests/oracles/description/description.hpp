@@ -1,0 +1,86 @@
+// A mechanism as the oracles read it from its YAML file: numbers for everything that is constant, expression
+// trees for transforms. Joints are spelt out as the translations and rotations that they are.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "oracles/description/expression.hpp"
+
+namespace alembert::oracles {
+
+struct Coordinate {
+  std::string name;
+  bool quaternion = false;  ///< 4 coordinates x y z w and 3 speeds instead of 1 and 1
+  int first_q = 0, first_speed = 0;
+  std::vector<double> initial;
+  std::optional<std::pair<double, double>> limits;
+};
+
+struct Factor;
+struct Translation {
+  Expression3 offset;
+};
+struct Rotation {
+  std::array<double, 3> axis;  ///< of length 1
+  Expression angle;
+};
+struct QuaternionRotation {
+  int first_q;
+};
+struct Matrix {
+  std::array<Expression, 12> entry;  ///< three rows of four
+};
+struct Curve {
+  Expression3 point;
+  int along;  ///< index into q
+  std::optional<Expression3> reference;
+};
+struct Surface {
+  Expression3 point;
+  int u, v;  ///< indices into q
+  bool flip = false;
+};
+struct Mate {
+  Surface first, second;
+  Expression spin;
+};
+struct Inverse {
+  std::vector<Factor> of;
+};
+struct Factor {
+  std::variant<Translation, Rotation, QuaternionRotation, Matrix, Curve, Surface, Mate, Inverse> value;
+};
+
+struct Body {
+  std::string name;
+  int parent = -1;  ///< index of an earlier body; -1: the world
+  std::vector<Factor> transform;
+  double mass = 0;
+  std::array<double, 3> com{};
+  std::array<double, 6> inertia{};  ///< xx yy zz xy xz yz about the centre of mass
+  bool external_wrench = false;
+};
+
+struct Description {
+  std::string name;
+  std::array<double, 3> gravity{0, 0, -9.81};
+  std::vector<std::pair<std::string, double>> parameters;
+  std::vector<Coordinate> coordinates;
+  std::vector<Body> bodies;  ///< parents first
+  int nq = 0, nv = 0;
+
+  double parameter(const std::string& name) const;  ///< throws if there is none
+};
+
+/// Reads a file; throws std::runtime_error at what the oracles do not know.
+Description read_description(const std::string& path);
+/// The same from text.
+Description parse_description(const std::string& yaml);
+
+}  // namespace alembert::oracles

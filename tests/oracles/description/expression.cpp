@@ -1,0 +1,161 @@
+// Recursive descent over the text of an expression (see the header).
+#include "oracles/description/expression.hpp"
+
+#include <cctype>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace alembert::oracles {
+
+namespace {
+
+Expression make(Operation operation, Expression a, Expression b = nullptr) {
+  auto node = std::make_shared<ExpressionNode>();
+  node->operation = operation;
+  node->operand = {std::move(a), std::move(b)};
+  return node;
+}
+
+const std::map<std::string, Operation>& functions() {
+  static const std::map<std::string, Operation> table = {
+      {"sin", Operation::sin},     {"cos", Operation::cos},   {"tan", Operation::tan},
+      {"asin", Operation::asin},   {"acos", Operation::acos}, {"atan", Operation::atan},
+      {"atan2", Operation::atan2}, {"sqrt", Operation::sqrt}, {"exp", Operation::exp},
+      {"log", Operation::log},     {"abs", Operation::abs},   {"sinh", Operation::sinh},
+      {"cosh", Operation::cosh},   {"tanh", Operation::tanh}};
+  return table;
+}
+
+class Parser {
+ public:
+  Parser(const std::string& text, const std::function<Expression(const std::string&)>& lookup)
+      : text_(text), lookup_(lookup) {}
+
+  Expression whole() {
+    Expression result = sum();
+    if (peek() != '\0') fail("unexpected character");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(what + " at " + std::to_string(at_) + " of expression '" + text_ + "'");
+  }
+  char peek() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool accept(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) {
+    if (!accept(c)) fail(std::string("expected ") + c);
+  }
+
+  Expression sum() {
+    Expression left = term();
+    while (true) {
+      if (accept('+'))
+        left = make(Operation::add, left, term());
+      else if (accept('-'))
+        left = make(Operation::subtract, left, term());
+      else
+        return left;
+    }
+  }
+  Expression term() {
+    Expression left = signed_power();
+    while (true) {
+      if (accept('*'))
+        left = make(Operation::multiply, left, signed_power());
+      else if (accept('/'))
+        left = make(Operation::divide, left, signed_power());
+      else
+        return left;
+    }
+  }
+  Expression signed_power() {
+    if (accept('-')) return negated(signed_power());
+    if (accept('+')) return signed_power();
+    Expression base = atom();
+    if (accept('^')) return make(Operation::power, base, signed_power());
+    return base;
+  }
+  Expression atom() {
+    const char c = peek();
+    if (accept('(')) {
+      Expression inner = sum();
+      expect(')');
+      return inner;
+    }
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.') {
+      std::size_t used = 0;
+      const double value = std::stod(text_.substr(at_), &used);
+      at_ += used;
+      return number(value);
+    }
+    std::string name;
+    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 ||
+                                  text_[at_] == '_' || text_[at_] == '.')) {
+      name += text_[at_++];
+    }
+    if (name.empty()) fail("expected a number, a name or a parenthesis");
+    if (peek() == '(') return call(name);
+    if (name == "pi") return number(std::numbers::pi);
+    if (name == "t") return make(Operation::time, nullptr);
+    Expression value = lookup_(name);
+    if (!value) fail("unknown name '" + name + "'");
+    return value;
+  }
+  Expression call(const std::string& name) {
+    const auto found = functions().find(name);
+    if (found == functions().end()) fail("unknown function '" + name + "'");
+    expect('(');
+    Expression first = sum();
+    Expression second;
+    if (found->second == Operation::atan2) {
+      expect(',');
+      second = sum();
+    }
+    expect(')');
+    return make(found->second, first, second);
+  }
+
+  const std::string& text_;
+  const std::function<Expression(const std::string&)>& lookup_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+Expression number(double value) {
+  auto node = std::make_shared<ExpressionNode>();
+  node->number = value;
+  return node;
+}
+
+Expression negated(const Expression& of) {
+  return make(Operation::negate, of);
+}
+
+Expression product(const Expression& a, const Expression& b) {
+  return make(Operation::multiply, a, b);
+}
+
+Expression parse(const std::string& text, const std::function<Expression(const std::string&)>& lookup) {
+  return Parser(text, lookup).whole();
+}
+
+bool is_constant(const Expression& expression) {
+  if (expression->operation == Operation::coordinate || expression->operation == Operation::time)
+    return false;
+  for (const Expression& operand : expression->operand) {
+    if (operand && !is_constant(operand)) return false;
+  }
+  return true;
+}
+
+}  // namespace alembert::oracles

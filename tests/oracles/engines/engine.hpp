@@ -1,0 +1,40 @@
+// What an adapter to a multibody engine offers, and the list of engines this build has.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "oracles/engines/joint_tree.hpp"
+
+namespace alembert::oracles {
+
+/// One mechanism inside one engine.
+class EngineModel {
+ public:
+  virtual ~EngineModel() = default;
+  /// Forces on joints that give this motion under gravity and wrenches (one per link).
+  virtual Eigen::VectorXd inverse_dynamics(const JointMotion& motion,
+                                           const std::vector<LinkWrench>& wrenches) = 0;
+  virtual Eigen::MatrixXd mass_matrix(const JointMotion& motion) = 0;
+};
+
+struct Engine {
+  std::string name;
+  double tolerance;  ///< relative, on tau, M and c
+  /// Throws NotExpressible. Empty: the engine was not there when this was built.
+  std::function<std::unique_ptr<EngineModel>(const JointTree&)> make;
+};
+
+/// KDL, MuJoCo, DART and Simbody, installed or not.
+std::vector<Engine> engines();
+
+std::unique_ptr<EngineModel> make_kdl(const JointTree& tree);
+std::unique_ptr<EngineModel> make_mujoco(const JointTree& tree);
+std::unique_ptr<EngineModel> make_dart(const JointTree& tree);
+std::unique_ptr<EngineModel> make_simbody(const JointTree& tree);
+
+/// The engine's answer, carried from its joints to the mechanism's speeds.
+Dynamics engine_dynamics(EngineModel& model, const JointTree& tree, const State& state);
+
+}  // namespace alembert::oracles

@@ -1,0 +1,42 @@
+// oracle_table EXECUTABLE MECHANISMS [STATES]: every mechanism of a folder against every oracle, at random
+// states. With `-` for the executable, the numeric Lagrangian stands in for it, and oracles are compared with
+// each other. Exit 1 if any line fails, or if an engine is missing that this build requires.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "oracles/comparison.hpp"
+
+int main(int argc, char** argv) {
+  using alembert::oracles::Comparison;
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS [STATES]\n");
+    return 2;
+  }
+  const std::string executable = std::string(argv[1]) == "-" ? "" : argv[1];
+  const int states = argc > 3 ? std::atoi(argv[3]) : 20;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(argv[2])) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Comparison> lines;
+  for (const auto& file : files) {
+    for (Comparison& line : alembert::oracles::compare(executable, file.string(), states, 2024, true)) {
+      lines.push_back(std::move(line));
+    }
+  }
+  alembert::oracles::print_table(lines);
+  bool failed = lines.empty();
+  for (const Comparison& line : lines) {
+    failed = failed || line.verdict == Comparison::Verdict::fail;
+#ifdef ALEMBERT_REQUIRE_ORACLES
+    failed = failed || line.verdict == Comparison::Verdict::not_installed;
+#endif
+  }
+  std::printf("%zu mechanisms, %zu comparisons, %d states each: %s\n", files.size(), lines.size(), states,
+              failed ? "FAIL" : "PASS");
+  return failed ? 1 : 0;
+}

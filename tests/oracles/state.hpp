@@ -1,0 +1,40 @@
+// States at which oracles are asked, and what they answer.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <random>
+#include <string>
+
+#include "oracles/description/description.hpp"
+
+namespace alembert::oracles {
+
+using Wrench = std::array<double, 6>;  ///< world force at the centre of mass, world torque
+
+struct State {
+  std::vector<double> q;              ///< nq; quaternions in the order x y z w, of length 1
+  std::vector<double> speeds, rates;  ///< nv
+  double time = 0;
+  std::map<std::string, Wrench> wrenches;  ///< by body, of those with external_wrench
+};
+
+/// M(q) rates + c(q, speeds, t) = tau.
+struct Dynamics {
+  Eigen::VectorXd tau;
+  Eigen::MatrixXd mass_matrix;
+  Eigen::VectorXd bias;
+};
+
+/// A random state: coordinates within their limits (or 1.5 about their initial value), speeds and rates
+/// within 2, time within 2 s, wrenches within 5 N and 5 N m.
+State random_state(const Description& description, std::mt19937_64& random);
+
+/// The rate of q: N(q) u for real coordinates and quaternions.
+std::vector<double> coordinate_rates(const Description& description, const std::vector<double>& q,
+                                     const std::vector<double>& speeds);
+
+/// max |a - b| / max(1, max |b|); infinite if a shape differs or an entry is no number.
+double relative_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+}  // namespace alembert::oracles
