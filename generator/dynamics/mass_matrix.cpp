@@ -9,11 +9,12 @@ namespace alembert {
 
 namespace {
 
-/// Mass, first moment and inertia of everything that moves with a frame, about its origin.
+/// Mass, first moment h and pseudo-inertia K (integral of r r^T dm) of everything that moves with a frame,
+/// about its origin.
 struct Composite {
   Expr mass;
   Vec3 h;
-  Mat3 J;  ///< symmetric; all nine entries are kept equal in pairs
+  Mat3 K;  ///< symmetric; all nine entries are kept equal in pairs
 };
 
 Composite plus(Composite x, const Composite& y) {
@@ -21,18 +22,43 @@ Composite plus(Composite x, const Composite& y) {
   x.h = x.h + y.h;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      x.J(i, j) += y.J(i, j);
-      x.J(j, i) = x.J(i, j);
+      x.K(i, j) += y.K(i, j);
+      x.K(j, i) = x.K(i, j);
     }
   }
   return x;
 }
 
-/// E J E^T for a plane rotation: with z = s (J_ii - J_jj) + 2 c J_ij, J'_ii = J_ii - s z, J'_jj = J_jj + s z,
-/// J'_ij = c z - J_ij.
-Mat3 turned(const Mat3& J, const Motion& motion) {
+/// K = tr(J)/2 - J.
+Mat3 pseudo_inertia(const Mat3& J, ExprGraph& g) {
+  Expr trace = J(0, 0) + J(1, 1);
+  trace += J(2, 2);
+  const Expr half_trace = g.rational(Rational(1, 2)) * trace;
+  Mat3 K;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) K(i, j) = i == j ? half_trace - J(i, j) : -J(i, j);
+  }
+  return K;
+}
+
+/// J d = tr(K) d - K d.
+Vec3 times_inertia(const Mat3& K, const Vec3& d) {
+  Vec3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
+    Expr sum = (K(j, j) + K(l, l)) * d[i];
+    sum -= K(i, j) * d[j];
+    sum -= K(i, l) * d[l];
+    out[i] = sum;
+  }
+  return out;
+}
+
+/// E K E^T; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z, K'_jj = K_jj + s z,
+/// K'_ij = c z - K_ij.
+Mat3 turned(const Mat3& K, const Motion& motion) {
   if (motion.kind == MotionKind::rotation) {
-    const Mat3 half = motion.matrix * J;
+    const Mat3 half = motion.matrix * K;
     Mat3 out;
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t c = r; c < 3; ++c) {
@@ -48,21 +74,21 @@ Mat3 turned(const Mat3& J, const Motion& motion) {
   const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
   const Expr c = motion.cosine, s = motion.sine;
   const Expr two_c = c + c;
-  Expr z = s * (J(i, i) - J(j, j));
-  z += two_c * J(i, j);
+  Expr z = s * (K(i, i) - K(j, j));
+  z += two_c * K(i, j);
   const Expr sz = s * z;
-  Mat3 out = J;
-  out(i, i) = J(i, i) - sz;
-  out(j, j) = J(j, j) + sz;
+  Mat3 out = K;
+  out(i, i) = K(i, i) - sz;
+  out(j, j) = K(j, j) + sz;
   const Expr cz = c * z;
-  out(i, j) = out(j, i) = cz - J(i, j);
-  const Expr c_i = c * J(i, a), s_j = s * J(j, a), s_i = s * J(i, a), c_j = c * J(j, a);
+  out(i, j) = out(j, i) = cz - K(i, j);
+  const Expr c_i = c * K(i, a), s_j = s * K(j, a), s_i = s * K(i, a), c_j = c * K(j, a);
   out(i, a) = out(a, i) = c_i - s_j;
   out(j, a) = out(a, j) = s_i + c_j;
   return out;
 }
 
-/// Moves the point of reference: h' = h + m t; with k = h + m t/2, J' = J + 2 (k.t) 1 - k t^T - t k^T.
+/// Moves the point of reference: h' = h + m t; with k = h + m t/2, K' = K + k t^T + t k^T.
 Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
   Composite out = x;
   const Expr half = g.rational(Rational(1, 2));
@@ -72,16 +98,11 @@ Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
     out.h[i] = x.h[i] + mt;
     k[i] = x.h[i] + half * mt;
   }
-  Vec3 products;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Expr kt = k[i] * t[i];
-    products[i] = kt + kt;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
-    out.J(i, i) = x.J(i, i) + (products[j] + products[l]);
-    const Expr kt = k[i] * t[j], tk = t[i] * k[j];
-    out.J(i, j) = out.J(j, i) = x.J(i, j) - (kt + tk);
+    for (std::size_t j = i; j < 3; ++j) {
+      const Expr kt = k[i] * t[j], tk = t[i] * k[j];
+      out.K(i, j) = out.K(j, i) = x.K(i, j) + (kt + tk);
+    }
   }
   return out;
 }
@@ -130,7 +151,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     for (const int b : tree.nodes[i].bodies) {
       const std::size_t body = static_cast<std::size_t>(b);
       const NodeMass mass = mass_at_node(mechanism.bodies[body], tree.places[body], graph);
-      composites[i] = plus(composites[i], {mass.mass, mass.moment, mass.inertia});
+      composites[i] = plus(composites[i], {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)});
     }
   }
 
@@ -154,8 +175,8 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     const Composite& body = composites[i];
     for (std::size_t a = 0; a < units[i].size(); ++a) {
       const Vec3& d = units[i][a].direction;
-      Wrench momentum =
-          linear ? Wrench{body.mass * d, cross(body.h, d)} : Wrench{cross(d, body.h), body.J * d};
+      Wrench momentum = linear ? Wrench{body.mass * d, cross(body.h, d)}
+                               : Wrench{cross(d, body.h), times_inertia(body.K, d)};
       for (std::size_t b = 0; b <= a; ++b) {
         add(units[i][a], units[i][b], a == b, dot(units[i][b].direction, linear ? momentum.f : momentum.n));
       }
@@ -179,7 +200,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
       moved = shifted(body, node.motion.offset, graph);
     } else {
       moved.h = node.motion.to_parent(body.h);
-      moved.J = turned(body.J, node.motion);
+      moved.K = turned(body.K, node.motion);
     }
     Composite& up = composites[static_cast<std::size_t>(node.parent)];
     up = plus(up, moved);
