@@ -28,6 +28,7 @@ class Placement {
     for (const auto& output : program.outputs)
       for (const Value v : output.values) ++output_uses_[v.bits];
     collect_users();
+    find_absorbing();
   }
 
   /// Whether each node is computed with its sign reversed.
@@ -58,6 +59,22 @@ class Placement {
     std::vector<std::uint32_t> fill(user_begin_.begin(), user_begin_.end() - 1);
     each_operand(
         [this, &fill](std::uint32_t user, std::uint32_t operand) { users_[fill[operand]++] = user; });
+  }
+
+  // Nodes whose negative costs nothing, if nothing else needs what is below them: differences, constant
+  // factors, and what passes a sign on to one of these.
+  void find_absorbing() {
+    absorbing_.assign(graph_.size(), 0);
+    const auto passes_on = [this](Value v) { return graph_.is_constant(v) || absorbing_[v.node()] != 0; };
+    for (const std::uint32_t id : order_) {
+      const ValueNode& n = graph_.node(id);
+      if (n.op == Operation::add)
+        absorbing_[id] = n.b.negative() || passes_on(n.a) || passes_on(n.b);
+      else if (n.op == Operation::mul || n.op == Operation::div)
+        absorbing_[id] = passes_on(n.a) || passes_on(n.b);
+      else if (operand_count(n.op) == 1 && parity(n.op) == Parity::odd)
+        absorbing_[id] = passes_on(n.a);
+    }
   }
 
   // Sign of the computed value of v relative to v.
@@ -100,7 +117,8 @@ class Placement {
     const int new_above = broken_above(id);
     const int new_here = broken(id);
     const bool fewer = new_above + new_here < above + here;
-    const bool moved = move_down && new_above + new_here == above + here && new_above < above;
+    const bool moved =
+        move_down && absorbing_[id] != 0 && new_above + new_here == above + here && new_above < above;
     if (fewer || moved) return true;
     negative_[id] ^= 1;
     return false;
@@ -111,6 +129,7 @@ class Placement {
   std::vector<std::uint8_t> negative_;
   std::vector<std::uint32_t> output_uses_;  ///< by Value::bits
   std::vector<std::uint32_t> user_begin_, users_;
+  std::vector<std::uint8_t> absorbing_;
 };
 
 class Writer {

@@ -118,8 +118,11 @@ TEST_F(Optimize, NegationsVanish) {
   EXPECT_EQ(arithmetic_of(m.returning({m.neg(m.mul(m.constant(2.5), a))})), (Counts{1, 0, 0, 0}));
   EXPECT_EQ(arithmetic_of(m.returning({m.neg(m.mul(c, m.sub(a, b)))})), (Counts{1, 1, 0, 0}));
   EXPECT_EQ(arithmetic_of(m.returning({m.mul(m.neg(a), m.neg(b))})), (Counts{1, 0, 0, 0}));
-  EXPECT_EQ(arithmetic_of(m.returning({m.sub(m.neg(m.mul(a, m.sub(b, c))), m.mul(x, y))})),
-            (Counts{2, 2, 0, 0}));
+  for (const bool first : {true, false}) {  // -a*(b - c) - x*y with the products in either order
+    const auto early = first ? m.mul(a, m.sub(b, c)) : m.mul(x, y);
+    const auto late = first ? m.mul(x, y) : m.mul(a, m.sub(b, c));
+    EXPECT_EQ(arithmetic_of(m.returning({m.neg(m.add(early, late))})), (Counts{2, 2, 0, 0}));
+  }
 }
 TEST_F(Optimize, ReciprocalsAreShared) {
   EXPECT_EQ(arithmetic_of(m.returning({m.div(a, x), m.div(b, x)})), (Counts{2, 0, 1, 0}));

@@ -30,9 +30,9 @@ class Verify : public ::testing::Test {
       EXPECT_NE(std::string(error.what()).find("damaged_function"), std::string::npos) << error.what();
     }
   }
-  static void swap_operands(Program&, Instruction& c) { std::swap(c.a, c.b); }
+  static void swap_operands(Program&, Instruction& i) { std::swap(i.a, i.b); }
   static auto becomes(Operation op) {
-    return [op](Program&, Instruction& c) { c.op = op; };
+    return [op](Program&, Instruction& i) { i.op = op; };
   }
 
   ExprGraph graph;
