@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "differentiation/modulo.hpp"
 #include "support/error.hpp"
@@ -39,6 +40,22 @@ class BitRows {
   std::size_t words_;
   std::vector<std::uint64_t> bits_;
 };
+
+template <typename Value, typename MultiplyAdd>
+Value sum_over_paths(const LabelledGraph& graph, std::size_t index, std::span<const Value> values, Value one,
+                     MultiplyAdd multiply_add) {
+  const LabelledGraph::Pair& pair = graph.pairs[index];
+  std::unordered_map<std::uint32_t, Value> sums;  // vertex -> sum over the paths that lead to it
+  sums[pair.root] = one;
+  for (const Arc& arc : pair.arcs) {
+    const auto top = sums.find(arc.top);
+    if (top == sums.end()) throw InternalError("D*: an edge hangs in the air");
+    const Value above = top->second;
+    Value& sum = sums[arc.bottom];
+    sum = multiply_add(sum, above, values[arc.edge]);
+  }
+  return sums[pair.variable];
+}
 
 }  // namespace
 
@@ -125,17 +142,15 @@ void prune(LabelledGraph& graph, std::size_t index, std::vector<std::uint8_t>& m
     for (const Arc& arc : *list) marks[arc.top] = marks[arc.bottom] = 0;
 }
 
-Modular path_sum(const LabelledGraph& graph, std::size_t index, std::span<const Modular> values) {
-  const LabelledGraph::Pair& pair = graph.pairs[index];
-  std::map<std::uint32_t, Modular> sums;  // vertex -> sum over the paths that lead to it
-  sums[pair.root] = {1, 0};
-  for (const Arc& arc : pair.arcs) {
-    const auto top = sums.find(arc.top);
-    if (top == sums.end()) throw InternalError("D*: an edge hangs in the air");
-    Modular& sum = sums[arc.bottom];
-    sum = modulo::add(sum, modulo::mul(top->second, values[arc.edge]));
-  }
-  return sums[pair.variable];
+Modular path_sum(const LabelledGraph& graph, std::size_t pair, std::span<const Modular> values) {
+  return sum_over_paths<Modular>(graph, pair, values, {1, 0}, [](Modular sum, Modular x, Modular y) {
+    return modulo::add(sum, modulo::mul(x, y));
+  });
+}
+
+double path_sum(const LabelledGraph& graph, std::size_t pair, std::span<const double> values) {
+  return sum_over_paths<double>(graph, pair, values, 1.0,
+                                [](double sum, double x, double y) { return sum + x * y; });
 }
 
 void check_labels(const LabelledGraph& graph) {

@@ -40,6 +40,7 @@ void prune(LabelledGraph& graph, std::size_t pair, std::vector<std::uint8_t>& ma
 
 /// Sum over the pair's paths of the products of the edges, where `values[e]` is the value of edge e.
 Modular path_sum(const LabelledGraph& graph, std::size_t pair, std::span<const Modular> values);
+double path_sum(const LabelledGraph& graph, std::size_t pair, std::span<const double> values);
 
 /// Throws InternalError unless each pair's list agrees with the labels, is in order, and has no edge that
 /// hangs in the air.
