@@ -87,6 +87,25 @@ bool depends_on_formulation(FunctionKind kind) {
   return false;
 }
 
+/// Programs are lowered with every argument that there is; what a function does not use is no argument of it.
+Program without_unused_inputs(Program program) {
+  std::vector<std::uint32_t> place(program.inputs.size(), 0);
+  for (const Instruction& i : program.code) {
+    if (i.op == Operation::input) place[i.a] = 1;
+  }
+  std::vector<InputSlot> used;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) continue;
+    place[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(program.inputs[i]);
+  }
+  for (Instruction& i : program.code) {
+    if (i.op == Operation::input) i.a = place[i.a];
+  }
+  program.inputs = std::move(used);
+  return program;
+}
+
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     out << fmt::format("{}[{}] = {}\n", title, i, to_string(values[i], 4000));
@@ -207,6 +226,7 @@ CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, co
     best->program = schedule(std::move(best->program));
     if (dumping("schedule")) *options.dump << dump(best->program);
     verify(best->program, best_outputs, bindings);
+    best->program = without_unused_inputs(std::move(best->program));
     log.done("program", fmt::format("{}: {}", to_string(kind), describe(best->count)));
     compiled.functions.push_back(std::move(*best));
   }
