@@ -105,13 +105,13 @@ const char* to_string(Comparison::Verdict verdict) {
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<State> states;
-  for (int trial = 0; trial < 200 * count && static_cast<int>(states.size()) < count; ++trial) {
+  for (int trial = 0; trial < 20 * count && static_cast<int>(states.size()) < count; ++trial) {
     const State state = random_state(description, random);
     if (condition(numeric_lagrangian(description, state).mass_matrix) < kConditionLimit)
       states.push_back(state);
   }
   if (static_cast<int>(states.size()) < count) {
-    throw std::runtime_error(description.name + ": M is badly conditioned at almost all states");
+    throw BadlyConditioned(description.name + ": M is badly conditioned at almost all states");
   }
   return states;
 }

@@ -1,6 +1,8 @@
 // Worst errors of one mechanism over random states, against every oracle there is.
 #pragma once
 
+#include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,13 @@ struct Comparison {
   std::string note;  ///< why it failed to run, or is not expressible
 };
 
+struct BadlyConditioned : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// States at which M, scaled to a unit diagonal, is well enough conditioned (below 1e5) for accelerations to
-/// be compared; throws if there are none.
+/// be compared; throws
+/// BadlyConditioned if they are too few.
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
 
 /// Compares `alembert evaluate` (or, if `executable` is empty, the numeric Lagrangian) with all oracles.

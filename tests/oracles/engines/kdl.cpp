@@ -1,9 +1,9 @@
 // Orocos KDL: recursive Newton-Euler on its trees (chains where the mechanism is one), and its composite-body
 // joint space inertia on chains. Revolute and prismatic joints.
 #include <kdl/chaindynparam.hpp>
+#include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/tree.hpp>
-#include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 
 #include "oracles/engines/engine.hpp"
@@ -56,12 +56,10 @@ class KdlModel : public EngineModel {
 
   Eigen::VectorXd inverse_dynamics(const JointMotion& motion,
                                    const std::vector<LinkWrench>& wrenches) override {
-    KDL::TreeFkSolverPos_recursive forward(tree_);
     const KDL::JntArray q = ordered(motion.position), qd = ordered(motion.speed), qdd = ordered(motion.rate);
     std::map<std::string, KDL::Wrench> forces;
     for (std::size_t i = 0; i < wrenches.size(); ++i) {
-      KDL::Frame pose;
-      if (forward.JntToCart(q, pose, joints_.links[i].name) < 0) throw std::logic_error("KDL: no pose");
+      const KDL::Frame pose = pose_of(i, motion.position);
       const KDL::Vector force = pose.M.Inverse(vector_of(wrenches[i].force));
       const KDL::Vector torque = pose.M.Inverse(vector_of(wrenches[i].torque));
       forces[joints_.links[i].name] = KDL::Wrench(force, torque + vector_of(joints_.links[i].com) * force);
@@ -126,6 +124,25 @@ class KdlModel : public EngineModel {
     parent = own;
   }
 
+  /// Pose of a link in the world, along its own chain: KDL's forward kinematics of trees works on a copy of
+  /// the tree, and copies number their joints anew.
+  KDL::Frame pose_of(std::size_t link, const Eigen::VectorXd& positions) const {
+    std::vector<double> along;
+    for (int i = static_cast<int>(link); i >= 0; i = joints_.links[static_cast<std::size_t>(i)].parent) {
+      const auto& joints = joints_.links[static_cast<std::size_t>(i)].joints;
+      for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
+        along.push_back(positions[joint->first_position]);
+    }
+    KDL::Chain chain;
+    KDL::JntArray q(static_cast<unsigned>(along.size()));
+    for (unsigned k = 0; k < along.size(); ++k) q(k) = along[along.size() - 1 - k];
+    KDL::Frame pose;
+    if (!tree_.getChain("root", joints_.links[link].name, chain) ||
+        KDL::ChainFkSolverPos_recursive(chain).JntToCart(q, pose) < 0) {
+      throw std::logic_error("KDL: no pose");
+    }
+    return pose;
+  }
   KDL::JntArray plain(const Eigen::VectorXd& values) const {
     KDL::JntArray result(static_cast<unsigned>(values.size()));
     result.data = values;

@@ -2,6 +2,7 @@
 // carried to the axes that the body has at zero, because MuJoCo allows no massless bodies that move.
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Eigenvalues>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -33,6 +34,8 @@ struct Deleter {
 class MujocoModel : public EngineModel {
  public:
   explicit MujocoModel(const JointTree& tree) : tree_(tree) {
+    // Joints of one link may be dependent; MuJoCo warns of it, and into a file.
+    mju_user_warning = [](const char*) {};
     std::string xml = "<mujoco><compiler angle='radian' inertiafromgeom='false'/><option gravity='" +
                       text(tree.gravity) +
                       "'><flag constraint='disable' contact='disable'/></option><worldbody>" +
@@ -85,9 +88,14 @@ class MujocoModel : public EngineModel {
       const Eigen::Quaterniond turn(pose.linear());
       xml += "<body name='" + link.name + "' pos='" + text(Eigen::Vector3d(pose.translation())) + "' quat='" +
              text({turn.w(), turn.x(), turn.y(), turn.z()}) + "'>";
-      const Eigen::Matrix3d& I = link.inertia;
-      xml += "<inertial pos='" + text(link.com) + "' mass='" + text({link.mass}) + "' fullinertia='" +
-             text({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}) + "'/>";
+      // Principal axes are found here: MuJoCo's own are good to 1e-7 only.
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(link.inertia);
+      Eigen::Matrix3d axes = principal.eigenvectors();
+      if (axes.determinant() < 0) axes.col(0) *= -1;
+      const Eigen::Quaterniond tilt(axes);
+      xml += "<inertial pos='" + text(link.com) + "' quat='" +
+             text({tilt.w(), tilt.x(), tilt.y(), tilt.z()}) + "' mass='" + text({link.mass}) +
+             "' diaginertia='" + text(Eigen::Vector3d(principal.eigenvalues())) + "'/>";
       for (std::size_t j = 0; j < link.joints.size(); ++j) {
         const Joint& joint = link.joints[j];
         const Eigen::Isometry3d local = pose.inverse() * at[j];
