@@ -206,6 +206,8 @@ void Document::check_text() {
   std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   bool indentation = true;
   std::size_t tab = std::string_view::npos;
+  int opened =
+      0;  // lists and mappings opened in a row; yaml-cpp would read the whole text before the first of them
   const auto fail = [&](std::size_t at, const std::string& message, const std::string& note = {}) {
     return InputError(
         {source_, static_cast<int>(line_starts_.size()), static_cast<int>(at - line_starts_.back()) + 1},
@@ -214,6 +216,12 @@ void Document::check_text() {
   while (i < text.size()) {
     const char c = text[i];
     const std::size_t length = utf8_length(text, i);
+    if (c == '[' || c == '{') {
+      if (++opened > kMaximumDepth)
+        throw fail(i, fmt::format("nested more than {} levels deep", kMaximumDepth));
+    } else if (!is_space(c)) {
+      opened = 0;
+    }
     if (length == 0)
       throw fail(i, fmt::format("byte 0x{:02x} is not UTF-8 text", static_cast<unsigned char>(c)));
     if (c == '\n') {

@@ -352,7 +352,7 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
       make_rough(
           reading, result,
           fmt::format("'{}', whose argument is {:.6g} at the initial state", text_of(reading, result), u));
-  } else if (function == "abs" && moving) {
+  } else if (function == "abs" && moving && result.value.roughness == nullptr) {
     const Interval bounds = graph_.bounds(x.value.expr.ref());
     if (bounds.lower < 0 && bounds.upper > 0)
       make_rough(reading, result,

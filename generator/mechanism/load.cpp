@@ -119,6 +119,7 @@ Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& gr
   if (definitions != nullptr) read_definitions(loading, *definitions);
   read_bodies(loading, bodies);
   if (const YamlNode* frames = root.find("frames")) read_frames(loading, *frames);
+  check_matrices(loading);
   loading.scope.check_used();
   return std::move(loading.mechanism);
 }

@@ -10,6 +10,12 @@
 
 namespace alembert {
 
+/// The rotation of a factor `matrix`, checked with all others once everything is read.
+struct MatrixToCheck {
+  Mat3 rotation;
+  SourceLocation where;
+};
+
 struct Loading {
   Loading(const Document& d, ExprGraph& g) : document(d), graph(g), reader(d, g, scope) {}
 
@@ -22,6 +28,7 @@ struct Loading {
   std::vector<std::pair<Expr, double>> initial_state;
   /// By coordinate: where a quaternion was used, if it was.
   std::vector<std::optional<SourceLocation>> quaternion_use;
+  std::vector<MatrixToCheck> matrices;
 };
 
 /// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
@@ -33,6 +40,10 @@ int expect_coordinate(Loading& loading, const YamlNode& node, CoordinateType typ
 
 /// Reads a list of factors (transforms.cpp). `what` names it: `the transform of body 'arm'`.
 Transform read_transform(Loading& loading, const YamlNode& list, const std::string& what);
+
+/// Throws at the first matrix that is no rotation at the initial state or at random states near it
+/// (transform_checks.cpp).
+void check_matrices(const Loading& loading);
 
 /// Reads bodies and frames into the mechanism, parents first (bodies.cpp).
 void read_bodies(Loading& loading, const YamlNode& list);

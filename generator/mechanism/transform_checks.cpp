@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "mechanism/section.hpp"
 #include "mechanism/transforms.hpp"
@@ -16,10 +17,11 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-9;
 constexpr int kRandomStates = 6;
+constexpr int kAttempts = 30;  // to find them inside the domains of the functions used
 constexpr int kMaximumSpeeds = 6;
 
 /// What is wrong with a numerical rotation, or nothing.
-std::string objection_to_rotation(const std::vector<double>& r) {
+std::string objection_to_rotation(std::span<const double, 9> r) {
   const auto at = [&](int i, int k) { return r[static_cast<std::size_t>(3 * i + k)]; };
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k <= i; ++k) {
@@ -109,32 +111,50 @@ class CoordinateSets {
 
 }  // namespace
 
-void check_rotation(const Loading& loading, const RigidMatrix& matrix, const YamlNode& node) {
+void check_matrices(const Loading& loading) {
+  const std::vector<MatrixToCheck>& matrices = loading.matrices;
+  if (matrices.empty()) return;
+  std::vector<Expr> entries;
+  for (const MatrixToCheck& matrix : matrices)
+    entries.insert(entries.end(), matrix.rotation.entries.begin(), matrix.rotation.entries.end());
   const std::vector<double> initial = symbol_values(loading);
   std::mt19937_64 random(1);
   const auto uniform = [&] { return 2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0; };
+
+  std::vector<int> checked(matrices.size(), 0);  // states at which each matrix had values
+  std::size_t wrong = matrices.size();           // first in the file
+  std::string objection;
   double reach = 0.5;
-  for (int state = 0, attempts = 0; state <= kRandomStates && attempts < 10 * kRandomStates; ++attempts) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<double> values = initial;
-    if (state > 0) {
+    if (attempt > 0) {
       // Coordinates and time move; runtime parameters stay, since a matrix may need them to fit together.
       for (const Coordinate& coordinate : loading.mechanism.coordinates)
         for (const Expr& symbol : coordinate.symbols)
           values[loading.graph.symbol_index(symbol.ref().node())] += reach * uniform();
       values[loading.graph.symbol_index(loading.mechanism.time.ref().node())] += reach * uniform();
     }
-    const std::vector<double> r = evaluate(matrix.rotation.entries, values);
-    if (!std::all_of(r.begin(), r.end(), [](double x) { return std::isfinite(x); })) {
-      reach *= 0.7;  // outside the domain of some function
-      continue;
+    const std::vector<double> all = evaluate(entries, values);
+    bool undefined = false, enough = true;
+    for (std::size_t i = 0; i < wrong; ++i) {
+      const std::span<const double, 9> r(all.data() + 9 * i, 9);
+      if (!std::all_of(r.begin(), r.end(), [](double x) { return std::isfinite(x); })) {
+        undefined = true;
+      } else if (const std::string found = objection_to_rotation(r); !found.empty()) {
+        wrong = i;
+        objection = fmt::format(
+            "{}: {}", attempt == 0 ? "at the initial state" : "at a state near the initial one", found);
+      } else {
+        ++checked[i];
+      }
+      enough = enough && checked[i] > kRandomStates;
     }
-    if (const std::string objection = objection_to_rotation(r); !objection.empty())
-      throw InputError(
-          loading.document.where(node),
-          fmt::format("the left 3x3 part of the matrix is not a rotation {}: {}",
-                      state == 0 ? "at the initial state" : "at a state near the initial one", objection));
-    ++state;
+    if (enough) break;
+    if (undefined) reach *= 0.7;  // outside the domain of some function
   }
+  if (wrong < matrices.size())
+    throw InputError(matrices[wrong].where,
+                     fmt::format("the left 3x3 part of the matrix is not a rotation {}", objection));
 }
 
 bool depends_on(const Vec3& point, const Expr& symbol) {

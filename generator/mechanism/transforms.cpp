@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "mechanism/section.hpp"
 
@@ -51,7 +52,7 @@ Factor read_matrix(Loading& loading, const YamlNode& node, const std::string& wh
         matrix.translation[r] = entry;
     }
   }
-  check_rotation(loading, matrix, node);
+  loading.matrices.push_back({matrix.rotation, loading.document.where(node)});
   return {matrix, loading.document.where(node)};
 }
 
@@ -214,10 +215,14 @@ Axis read_axis(Loading& loading, const YamlNode& node, const std::string& what) 
     if (axis.negative) axis.direction[i] = -axis.direction[i];
     return axis;
   }
-  const Expr length = sqrt(dot(v, v));
-  Axis axis{-1, false, {}};
-  for (std::size_t i = 0; i < 3; ++i) axis.direction[i] = v[i] / length;
-  return axis;
+  try {
+    const Expr length = sqrt(dot(v, v));
+    Axis axis{-1, false, {}};
+    for (std::size_t i = 0; i < 3; ++i) axis.direction[i] = v[i] / length;
+    return axis;
+  } catch (const std::domain_error&) {
+    throw InputError(document.where(node), fmt::format("the length of {} is out of range", what));
+  }
 }
 
 Factor rotation_about(const Axis& axis, const Expr& angle, const SourceLocation& where) {

@@ -25,9 +25,6 @@ Factor rotation_by_quaternion(Loading& loading, const YamlNode& name, const std:
 /// Appends the factors that a joint stands for (joints.cpp).
 void append_joint(Loading& loading, const YamlNode& node, const std::string& what, Transform& transform);
 
-/// Throws unless the matrix is a rotation at the initial state and at random states near it
-/// (transform_checks.cpp).
-void check_rotation(const Loading& loading, const RigidMatrix& matrix, const YamlNode& node);
 /// Whether an expression has a symbol below it.
 bool depends_on(const Vec3& point, const Expr& symbol);
 /// Throws where a body's transform moves with more than six speeds, and at a coordinate that moves no body.

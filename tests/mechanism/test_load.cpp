@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "mechanism/loaded.hpp"
 
@@ -247,6 +248,31 @@ TEST(Load, GivesTheSameModelForTheSameText) {
   Loaded one(kRollingCam), two(kRollingCam);
   ASSERT_EQ(one.graph.size(), two.graph.size());
   for (std::uint32_t id = 0; id < one.graph.size(); ++id) EXPECT_EQ(one.graph.key(id), two.graph.key(id));
+}
+
+TEST(Load, AcceptsTheSeedsOfTheFuzzer) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ALEMBERT_SOURCE_DIR) /
+                                                               "tests/fuzz/corpus")) {
+    ExprGraph graph;
+    EXPECT_NO_THROW(load_mechanism(read_source(entry.path()), graph)) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
+TEST(Load, ChecksManyMatricesTogether) {
+  std::string text = "alembert: 1\nname: one\ncoordinates: [q]\ndefinitions:\n  d0: q\n";
+  for (int i = 1; i < 2000; ++i)
+    text += "  d" + std::to_string(i) + ": sin(d" + std::to_string(i - 1) + ") + q\n";
+  text += "bodies:\n";
+  for (int i = 0; i < 2000; ++i)
+    text += "  - {name: b" + std::to_string(i) +
+            ", transform: [{matrix: [[cos(d1999), -sin(d1999), 0, 0], [sin(d1999), cos(d1999), 0, 0], [0, 0, "
+            "1, 0]]}]}\n";
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(error_of(text), "");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(Load, IsFast) {
