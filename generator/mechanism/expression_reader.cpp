@@ -73,7 +73,9 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
   try {
     postfix = parse_expression(node.text);
   } catch (const SyntaxError& syntax) {
-    throw error(reading, syntax.offset, syntax.message, syntax.note);
+    const bool cut = syntax.message.find("','") != std::string::npos && syntax.offset == node.text.size() &&
+                     is_cut_at_comma(node);
+    throw error(reading, syntax.offset, syntax.message, cut ? std::string(kCutNote) : syntax.note);
   }
   std::vector<Operand> stack;
   for (const PostfixToken& token : postfix) {

@@ -26,12 +26,21 @@ void fail_expected(const Document& document, const YamlNode& node, std::string_v
                    fmt::format("expected {}, found {}", expected, description_of(node)));
 }
 
+bool is_cut_at_comma(const YamlNode& node) {
+  return node.plain && std::count(node.text.begin(), node.text.end(), '(') >
+                           std::count(node.text.begin(), node.text.end(), ')');
+}
+
 const std::vector<const YamlNode*>& expect_list(const Document& document, const YamlNode& node,
                                                 std::string_view what, int count) {
   if (node.kind != YamlNode::Kind::sequence) fail_expected(document, node, fmt::format("a list as {}", what));
-  if (count >= 0 && node.items.size() != static_cast<std::size_t>(count))
+  if (count >= 0 && node.items.size() != static_cast<std::size_t>(count)) {
+    const bool cut = std::any_of(node.items.begin(), node.items.end(),
+                                 [](const YamlNode* item) { return is_cut_at_comma(*item); });
     throw InputError(document.where(node),
-                     fmt::format("expected {} values as {}, found {}", count, what, node.items.size()));
+                     fmt::format("expected {} values as {}, found {}", count, what, node.items.size()),
+                     cut ? std::string(kCutNote) : std::string());
+  }
   return node.items;
 }
 
@@ -57,9 +66,10 @@ Section::Section(const Document& document, const YamlNode& node, std::string wha
     const std::string& key = node.items[i]->text;
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     const std::vector<std::string> known(keys.begin(), keys.end());
+    const bool cut = i >= 2 && is_cut_at_comma(*node.items[i - 1]);
     throw InputError(document.where(*node.items[i]),
                      fmt::format("unknown key '{}' in {}{}", printable(key), what_, did_you_mean(key, known)),
-                     fmt::format("its keys are {}", fmt::join(known, ", ")));
+                     cut ? std::string(kCutNote) : fmt::format("its keys are {}", fmt::join(known, ", ")));
   }
 }
 

@@ -18,6 +18,11 @@ std::string description_of(const YamlNode& node);
 /// Throws `expected EXPECTED, found ...` at the node.
 [[noreturn]] void fail_expected(const Document& document, const YamlNode& node, std::string_view expected);
 
+/// Whether an unquoted expression lacks a closing parenthesis, as when a list or mapping in brackets cut it
+/// at its comma.
+bool is_cut_at_comma(const YamlNode& node);
+inline constexpr std::string_view kCutNote = "inside [ ] and { } an expression with a comma needs quotes";
+
 /// The items of a list; `what` names the place (`transform of body 'arm'`), `count` is its length, or -1 for
 /// any.
 const std::vector<const YamlNode*>& expect_list(const Document& document, const YamlNode& node,

@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "mechanism/loaded.hpp"
 
@@ -248,6 +250,18 @@ TEST(Load, GivesTheSameModelForTheSameText) {
   Loaded one(kRollingCam), two(kRollingCam);
   ASSERT_EQ(one.graph.size(), two.graph.size());
   for (std::uint32_t id = 0; id < one.graph.size(); ++id) EXPECT_EQ(one.graph.key(id), two.graph.key(id));
+}
+
+TEST(Load, AcceptsTheExampleOfTheReference) {
+  std::ifstream file(std::filesystem::path(ALEMBERT_SOURCE_DIR) / "mechanisms/README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string fence = "```yaml\n";
+  const std::size_t begin = text.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  Loaded loaded(
+      text.substr(begin + fence.size(), text.find("```", begin + fence.size()) - begin - fence.size()));
+  EXPECT_EQ(loaded.mechanism.bodies.size(), 2u);
+  EXPECT_EQ(loaded.mechanism.nv, 5);
 }
 
 TEST(Load, AcceptsTheSeedsOfTheFuzzer) {
