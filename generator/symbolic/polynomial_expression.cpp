@@ -80,9 +80,13 @@ Ref Algebra::factored(Polynomial x) {
   if (!common.powers.empty() || common.number != kOne) {
     const PolynomialTerm divisor = inverse(common);
     Polynomial rest = reduce(multiply(x, divisor));
-    const Ref inside = factored(std::move(rest));
-    const Ref outside = expression(common);
-    return build_.product(outside, inside);
+    // Reduction may bring a factor back (the circle identities with constant angles do): it is taken out only if that ends.
+    const PolynomialTerm left = common_factor(rest);
+    if (left.powers.empty() && left.number == kOne) {
+      const Ref inside = factored(std::move(rest));
+      const Ref outside = expression(common);
+      return build_.product(outside, inside);
+    }
   }
   // The factor that most terms have; numbers count as factors, after the others.
   struct Choice {
@@ -116,7 +120,8 @@ Ref Algebra::factored(Polynomial x) {
     return build_.before(p.base, q.base);
   });
   for (const Choice& choice : seen) consider(choice);
-  if (best.count < 2) {
+  // A base of all terms was a common factor that would come back: nothing is gained by splitting then.
+  if (best.count < 2 || best.count >= x.size()) {
     Ref sum = kZero;
     for (const PolynomialTerm& term : x) {
       const Ref next = expression(term);
