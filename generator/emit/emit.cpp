@@ -1,0 +1,336 @@
+// Assembles the files of a mechanism from programs and templates.
+#include "emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "emit/function_signature.hpp"
+#include "emit/literals.hpp"
+#include "emit/names.hpp"
+#include "emit/statements.hpp"
+#include "emit/text_template.hpp"
+#include "program/passes.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+// With the number of parts left open: statements in one file, which a compiler takes a few seconds for.
+constexpr std::size_t kStatementsPerPart = 6000;
+
+/// One function with all its texts.
+struct Function {
+  const FunctionSignature* signature;
+  std::string counts;
+  FunctionBody body;
+};
+
+/// What goes into one of the parts: a function, a block of one, or the function that calls its blocks.
+struct Unit {
+  std::string definition;
+  std::string instantiations;
+  std::size_t statements;
+};
+
+std::string plural(std::size_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string counts_text(const Program& program) {
+  const OperationCount n = count(program);
+  std::string text = fmt::format("{}, {}", plural(n.mul, "multiplication", "multiplications"),
+                                 plural(n.add, "addition", "additions"));
+  if (n.div > 0) text += ", " + plural(n.div, "division", "divisions");
+  if (n.trig > 0) text += fmt::format(", {} sin/cos/tan", n.trig);
+  if (n.other > 0) text += ", " + plural(n.other, "other function", "other functions");
+  if (!program.formulation.empty())
+    text += fmt::format(" ({} formulation)", comment_text(program.formulation));
+  return text;
+}
+
+/// dq/dt = qd where there are no quaternions.
+Program identity_rates(const Mechanism& mechanism) {
+  Program program;
+  program.function = "coordinate_rates";
+  program.outputs.push_back({"qdot", static_cast<std::uint32_t>(mechanism.nq), 1, {}});
+  for (const Coordinate& c : mechanism.coordinates) {
+    const auto i = static_cast<std::uint32_t>(c.first_q), speed = static_cast<std::uint32_t>(c.first_speed);
+    program.inputs.push_back({ArgumentKind::qd, speed, "d(" + c.name + ")"});
+    program.code.push_back({Operation::input, static_cast<std::uint32_t>(program.inputs.size() - 1), 0});
+    program.outputs[0].values.resize(static_cast<std::size_t>(mechanism.nq));
+    program.outputs[0].values[i] = static_cast<std::uint32_t>(program.code.size() - 1);
+  }
+  return program;
+}
+
+void check_options(const Mechanism& mechanism, const EmitOptions& options) {
+  const auto fail = [&](const std::string& message) { throw InputError(mechanism.where, message); };
+  if (!options.expected_name.empty() && mechanism.name != options.expected_name)
+    fail(fmt::format("the mechanism is called '{}' where the build expects '{}': configure the build again",
+                     printable(mechanism.name), printable(options.expected_name)));
+  check_mechanism_name(mechanism);
+  if (mechanism.nq < 1 || mechanism.nv < 1)
+    fail("a mechanism without coordinates has no equations of motion");
+  if (!is_namespace(options.outer_namespace))
+    fail(fmt::format("'{}' is no namespace: expected identifiers joined by ::",
+                     printable(options.outer_namespace)));
+  if (options.scalars.empty()) fail("no scalar type: expected double, float or both");
+  for (const std::string& scalar : options.scalars) {
+    if (scalar != "double" && scalar != "float")
+      fail(fmt::format("'{}' is no scalar type to compile for: expected double or float", printable(scalar)));
+    if (std::ranges::count(options.scalars, scalar) > 1)
+      fail(fmt::format("the scalar type {} is given twice", scalar));
+  }
+  if (options.parts < 0 || options.parts > kMaxParts)
+    fail(fmt::format("the number of parts must be 1 to {}", kMaxParts));
+}
+
+std::vector<Function> functions_of(const Mechanism& mechanism, std::span<const Program> programs) {
+  std::vector<Function> functions;
+  const auto add = [&](const Program& program, const FunctionSignature& signature) {
+    check_program(program, signature, mechanism);
+    functions.push_back({&signature, counts_text(program), function_body(program, signature)});
+  };
+  for (const Program& program : programs) {
+    if (find_signature(program.function) == nullptr)
+      throw InternalError(fmt::format("emit: there is no function {}", printable(program.function)));
+    if (std::ranges::count(programs, program.function, &Program::function) > 1)
+      throw InternalError(fmt::format("emit: two programs for {}", program.function));
+  }
+  const bool all_real = std::ranges::all_of(
+      mechanism.coordinates, [](const Coordinate& c) { return c.type == CoordinateType::real; });
+  for (const FunctionSignature& signature : function_signatures()) {
+    const auto program = std::ranges::find(programs, signature.name, &Program::function);
+    if (program != programs.end())
+      add(*program, signature);
+    else if (signature.name == "coordinate_rates" && all_real)
+      add(identity_rates(mechanism), signature);
+  }
+  return functions;
+}
+
+std::string wrapped_after(std::string_view start, const std::string& list) {
+  return wrap_list(list, start.size(), std::min<std::size_t>(start.size(), 40));
+}
+
+std::string instantiation(std::string_view keyword, std::string_view function,
+                          const FunctionSignature& signature, const std::vector<std::string>& scalars,
+                          bool block) {
+  std::string out;
+  for (const std::string& scalar : scalars)
+    out += fmt::format("{} void {}<{}>({}{});\n", keyword, function, scalar,
+                       cpp_parameter_types(signature, scalar), block ? fmt::format(", {}*", scalar) : "");
+  return out;
+}
+
+std::vector<Unit> units_of(const Function& function, const EmitOptions& options, const Slots& common) {
+  const FunctionSignature& signature = *function.signature;
+  const std::string name(signature.name);
+  const std::string parameters = wrapped_after("void " + name + "(", cpp_parameters(signature, true));
+  const std::string instantiations = instantiation("template", name, signature, options.scalars, false);
+  const std::vector<CodeBlock>& blocks = function.body.blocks;
+  if (blocks.size() == 1) {
+    const Slots slots{{"function", name},
+                      {"counts", function.counts},
+                      {"arguments", parameters},
+                      {"using", blocks[0].using_lines},
+                      {"statements", blocks[0].statement_lines}};
+    return {{fill_template("function_definition.hpp", slots, common), instantiations, blocks[0].statements}};
+  }
+  std::vector<Unit> units;
+  std::string declarations, calls;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::string block = fmt::format("{}_block{}", name, i + 1);
+    const Slots slots{{"block", block},
+                      {"arguments", wrapped_after("ALEMBERT_NOINLINE void " + block + "(",
+                                                  cpp_parameters(signature, true))},
+                      {"using", blocks[i].using_lines},
+                      {"statements", blocks[i].statement_lines}};
+    units.push_back({fill_template("function_block.hpp", slots, common),
+                     instantiation("template", "detail::" + block, signature, options.scalars, true),
+                     blocks[i].statements});
+    declarations += fmt::format("template <class S>\nvoid {}({}, S* w);\n", block,
+                                wrapped_after("void " + block + "(", cpp_parameters(signature, false)));
+    calls += fmt::format("detail::{}<S>({}, w);\n", block, cpp_arguments(signature));
+  }
+  const Slots slots{{"function", name},
+                    {"counts", function.counts},
+                    {"arguments", parameters},
+                    {"block_count", std::to_string(blocks.size())},
+                    {"block_declarations", declarations},
+                    {"crossing_count", std::to_string(std::max<std::size_t>(function.body.crossing, 1))},
+                    {"block_calls", calls}};
+  units.push_back({fill_template("function_driver.hpp", slots, common), instantiations, blocks.size()});
+  return units;
+}
+
+/// All units in order, cut where the running number of statements passes a multiple of its mean.
+std::vector<std::vector<Unit>> spread(std::vector<Unit> units, int parts) {
+  std::size_t total = 0;
+  for (const Unit& unit : units) total += unit.statements;
+  const std::size_t count =
+      parts > 0
+          ? static_cast<std::size_t>(parts)
+          : std::clamp<std::size_t>((total + kStatementsPerPart - 1) / kStatementsPerPart, 1, kMaxParts);
+  std::vector<std::vector<Unit>> out(count);
+  std::size_t before = 0;
+  for (Unit& unit : units) {
+    const std::size_t middle = before + unit.statements / 2;
+    before += unit.statements;
+    out[std::min(count - 1, total == 0 ? 0 : middle * count / total)].push_back(std::move(unit));
+  }
+  return out;
+}
+
+std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std::string_view separator) {
+  std::string out;
+  for (const Unit& unit : units) out += (out.empty() ? "" : std::string(separator)) + unit.*text;
+  return out;
+}
+
+std::string documented(const Function& function, const Slots& common, std::string_view prefix) {
+  return prefix_lines(fill_template(fmt::format("doc_{}.txt", function.signature->name),
+                                    {{"counts", function.counts}}, common),
+                      prefix);
+}
+
+std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& functions,
+                       const EmitOptions& options, const Slots& common) {
+  std::string declarations, externs, sign;
+  for (const Function& function : functions) {
+    const std::string name(function.signature->name);
+    declarations += fill_template(
+        "function_declaration.hpp",
+        {{"doc", documented(function, common, "/// ")},
+         {"function", name},
+         {"arguments", wrapped_after("void " + name + "(", cpp_parameters(*function.signature, false))}});
+    declarations += '\n';
+    externs += instantiation("extern template", name, *function.signature, options.scalars, false);
+    for (const CodeBlock& block : function.body.blocks)
+      if (block.calls_sign && sign.empty()) sign = fill_template("sign.hpp", {}) + "\n";
+  }
+  if (declarations.ends_with("\n\n")) declarations.pop_back();
+  std::string description;
+  if (!mechanism.description.empty())
+    description = "//\n" + prefix_lines(wrap_list(comment_text(mechanism.description), 3, 0), "// ");
+  Slots slots = cpp_constant_slots(mechanism);
+  slots["description"] = description;
+  slots["declarations"] = sign + declarations;
+  slots["extern_templates"] = externs;
+  return fill_template("mechanism_raw.hpp", slots, common);
+}
+
+std::string eigen_header(const std::vector<Function>& functions, const Slots& common) {
+  std::string members;
+  for (const Function& function : functions)
+    members += (members.empty() ? "" : "\n") +
+               fill_template(fmt::format("eigen_{}.hpp", function.signature->name), {}, common);
+  const std::string_view version = generator_version();
+  const std::string major(version.substr(0, version.find('.')));
+  return fill_template("mechanism.hpp", {{"members", prefix_lines(members, "  ")}, {"version_major", major}},
+                       common);
+}
+
+std::string c_header(const std::vector<Function>& functions, const Slots& common) {
+  std::string declarations;
+  for (const Function& function : functions) {
+    const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
+    const std::string doc = "/* " + prefix_lines(documented(function, common, ""), "   ").substr(3) + " */";
+    declarations += (declarations.empty() ? "" : "\n") +
+                    fill_template("c_declaration.h",
+                                  {{"doc", doc},
+                                   {"function", std::string(function.signature->name)},
+                                   {"arguments", wrapped_after(start, c_parameters(*function.signature))}},
+                                  common);
+  }
+  return fill_template("mechanism.h", {{"declarations", declarations}}, common);
+}
+
+std::string c_source(const Mechanism& mechanism, const std::vector<Function>& functions,
+                     const EmitOptions& options, const Slots& common) {
+  std::string definitions;
+  for (const Function& function : functions) {
+    const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
+    definitions += (definitions.empty() ? "" : "\n") +
+                   fill_template("c_definition.cpp",
+                                 {{"function", std::string(function.signature->name)},
+                                  {"arguments", wrapped_after(start, c_parameters(*function.signature))},
+                                  {"null_check", c_null_check(*function.signature)},
+                                  {"call", c_arguments(*function.signature)}},
+                                 common);
+  }
+  // Without code compiled for double, this file compiles its own.
+  const bool has_double = std::ranges::count(options.scalars, "double") > 0;
+  Slots slots = c_constant_slots(mechanism);
+  slots["definitions"] = definitions;
+  slots["header"] = mechanism.name + (has_double ? "_raw" : "_impl");
+  return fill_template("mechanism_c.cpp", slots, common);
+}
+
+}  // namespace
+
+std::string_view generator_version() {
+  return ALEMBERT_VERSION;
+}
+
+std::vector<std::string> emitted_paths(const std::string& name, int parts) {
+  const std::string include = fmt::format("include/{0}/{0}", name), source = fmt::format("src/{}", name);
+  std::vector<std::string> paths{include + ".hpp", include + "_raw.hpp", include + "_impl.hpp"};
+  for (int k = 1; k <= parts; ++k) paths.push_back(fmt::format("{}_part{}.hpp", include, k));
+  paths.push_back(include + ".h");
+  for (int k = 1; k <= parts; ++k) paths.push_back(fmt::format("{}_part{}.cpp", source, k));
+  paths.push_back(source + "_c.cpp");
+  return paths;
+}
+
+std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
+                                        const EmitOptions& options) {
+  check_options(mechanism, options);
+  const std::vector<Function> functions = functions_of(mechanism, programs);
+  Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);
+  common["scalar_list"] = fmt::format("{}", fmt::join(options.scalars, " and "));
+  const std::string banner =
+      fill_template("banner.txt", {{"name", mechanism.name}, {"version", std::string(generator_version())}});
+  common["banner"] = prefix_lines(banner, "// ");
+
+  std::vector<Unit> units;
+  for (const Function& function : functions) {
+    std::vector<Unit> more = units_of(function, options, common);
+    std::ranges::move(more, std::back_inserter(units));
+  }
+  const std::vector<std::vector<Unit>> parts = spread(std::move(units), options.parts);
+  const auto part_slots = [&](std::size_t k) {
+    return Slots{{"part", std::to_string(k + 1)}, {"parts", std::to_string(parts.size())}};
+  };
+
+  std::vector<std::string> texts;
+  texts.push_back(eigen_header(functions, common));
+  texts.push_back(raw_header(mechanism, functions, options, common));
+  std::string includes;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    includes += fmt::format("#include \"{}_part{}.hpp\"\n", mechanism.name, k + 1);
+  texts.push_back(fill_template("mechanism_impl.hpp", {{"includes", includes}}, common));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Slots slots = part_slots(k);
+    slots["definitions"] = joined(parts[k], &Unit::definition, "\n");
+    texts.push_back(fill_template("mechanism_part.hpp", slots, common));
+  }
+  Slots c_common = common;
+  c_common["banner"] = banner;
+  texts.push_back(c_header(functions, c_common));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Slots slots = part_slots(k);
+    slots["instantiations"] = joined(parts[k], &Unit::instantiations, "");
+    texts.push_back(fill_template("mechanism_part.cpp", slots, common));
+  }
+  texts.push_back(c_source(mechanism, functions, options, common));
+
+  const std::vector<std::string> paths = emitted_paths(mechanism.name, static_cast<int>(parts.size()));
+  std::vector<EmittedFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i], std::move(texts[i])});
+  return files;
+}
+
+}  // namespace alembert

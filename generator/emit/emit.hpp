@@ -1,0 +1,53 @@
+// Stage `emit`: programs and the names of a mechanism in, the text of all files out. Nothing is written here.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanism/model.hpp"
+#include "program/program.hpp"
+
+namespace alembert {
+
+struct EmittedFile {
+  std::string path;  ///< relative, with `/`
+  std::string text;
+};
+
+struct EmitOptions {
+  std::string outer_namespace = "alembert::mechanisms";    ///< the mechanism's own namespace lies in it
+  std::vector<std::string> scalars = {"double", "float"};  ///< types compiled; of these two
+  int parts = 0;              ///< number of files over which definitions are spread; 0: by size
+  std::string expected_name;  ///< if given, the mechanism must have this name (builds know file names by it)
+};
+
+inline constexpr int kMaxParts = 64;
+
+/// Version of this generator, as in the banner of every file.
+std::string_view generator_version();
+
+/// Writes out a mechanism `name` as
+///
+///     include/name/name.hpp         interface with Eigen, type Mechanism<S> for the runtime library
+///     include/name/name_raw.hpp     sizes, names, Inputs, functions over plain arrays
+///     include/name/name_impl.hpp    definitions for other scalar types: includes the parts
+///     include/name/name_partK.hpp   definitions, K = 1 ... parts
+///     include/name/name.h           C interface
+///     src/name_partK.cpp            definitions compiled for the scalars
+///     src/name_c.cpp                C interface
+///
+/// in this order. The same input gives the same bytes. Functions of more than kBlockThreshold statements
+/// (statements.hpp) are cut into blocks. If all coordinates are real and no program gives coordinate_rates,
+/// it is added.
+///
+/// Throws InputError for options that cannot be (unknown scalar, no namespace, name not as expected, name
+/// that cannot be compiled), InternalError for a program that does not fit its function.
+std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
+                                        const EmitOptions& options);
+
+/// Paths that emit_mechanism gives for a mechanism of this name and number of parts, in its order.
+std::vector<std::string> emitted_paths(const std::string& name, int parts);
+
+}  // namespace alembert

@@ -1,0 +1,201 @@
+// Writes names and constants of a mechanism.
+#include "emit/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "emit/literals.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::size_t kWidth = 110;
+
+struct Names {
+  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies;
+};
+
+Names names_of(const Mechanism& mechanism) {
+  Names names;
+  for (const Coordinate& c : mechanism.coordinates) switch (c.type) {
+      case CoordinateType::real:
+        names.coordinates.push_back(c.name);
+        names.speeds.push_back("d(" + c.name + ")");
+        break;
+      case CoordinateType::quaternion:
+        for (const char* axis : {".x", ".y", ".z", ".w"}) names.coordinates.push_back(c.name + axis);
+        for (const char* axis : {".x", ".y", ".z"}) names.speeds.push_back("d(" + c.name + ")" + axis);
+        break;
+    }
+  for (const Body& body : mechanism.bodies) {
+    names.bodies.push_back(body.name);
+    if (body.external_wrench) names.wrench_bodies.push_back(body.name);
+  }
+  for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) names.parameters.push_back(parameter.name);
+  return names;
+}
+
+std::string wrapped(const std::vector<std::string>& items) {
+  const std::string list = fmt::format("{}", fmt::join(items, ", "));
+  return list.size() < 60 ? list : "\n    " + wrap_list(list, 4, 4, kWidth);
+}
+
+/// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
+std::string cpp_array(const std::vector<std::string>& items) {
+  return items.empty() ? "{}" : "{{" + wrapped(items) + "}}";
+}
+
+std::string c_array(std::vector<std::string> items, const std::string& last) {
+  if (!last.empty()) items.push_back(last);
+  return "{" + wrapped(items) + "}";
+}
+
+std::vector<std::string> literals(const std::vector<std::string>& names) {
+  std::vector<std::string> out;
+  for (const std::string& name : names) out.push_back(string_literal(name));
+  return out;
+}
+
+std::vector<std::string> initial_coordinates(const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial) out.push_back(number_literal(value));
+  return out;
+}
+
+std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
+  std::vector<std::string> out;
+  const auto text = [lower](double value) {
+    if (value == std::numeric_limits<double>::infinity() || value == -std::numeric_limits<double>::infinity())
+      return std::string(lower ? "-" : "") + "::std::numeric_limits<double>::infinity()";
+    return number_literal(value);
+  };
+  for (const Coordinate& c : mechanism.coordinates)
+    for (int i = 0; i < c.nq(); ++i) {
+      const double none = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
+      out.push_back(text(!c.limits ? none : lower ? c.limits->first : c.limits->second));
+    }
+  return out;
+}
+
+std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const std::string& format) {
+  std::vector<std::string> out;
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) out.push_back(fmt::format(fmt::runtime(format), number_literal(parameter.value)));
+  return out;
+}
+
+constexpr std::array<std::string_view, 92> kKeywords = {
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+    "xor_eq"};
+
+// Names that common headers or GNU modes of compilers define as macros.
+constexpr std::array<std::string_view, 14> kMacros = {"NULL",  "EOF",    "NAN",   "INFINITY", "HUGE_VAL",
+                                                      "errno", "assert", "stdin", "stdout",   "stderr",
+                                                      "linux", "unix",   "i386",  "offsetof"};
+
+bool is_identifier(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !text.empty() && letter(text[0]) &&
+         std::ranges::all_of(text, [&](char c) { return letter(c) || digit(c); }) &&
+         std::ranges::find(kKeywords, text) == kKeywords.end() &&
+         std::ranges::find(kMacros, text) == kMacros.end();
+}
+
+}  // namespace
+
+Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
+  const Names names = names_of(mechanism);
+  std::size_t quaternions = 0;
+  for (const Coordinate& c : mechanism.coordinates)
+    quaternions += c.type == CoordinateType::quaternion ? 1 : 0;
+  return {
+      {"name", mechanism.name},
+      {"namespace", full_namespace},
+      {"nq", std::to_string(mechanism.nq)},
+      {"nv", std::to_string(mechanism.nv)},
+      {"body_count", std::to_string(names.bodies.size())},
+      {"frame_count", std::to_string(names.frames.size())},
+      {"parameter_count", std::to_string(names.parameters.size())},
+      {"wrench_count", std::to_string(names.wrench_bodies.size())},
+      {"quaternion_count", std::to_string(quaternions)},
+      {"coordinate_list", name_list(names.coordinates)},
+      {"speed_list", name_list(names.speeds)},
+  };
+}
+
+Slots cpp_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  std::vector<std::string> quaternions;
+  for (const Coordinate& c : mechanism.coordinates)
+    if (c.type == CoordinateType::quaternion) quaternions.push_back(std::to_string(c.first_q));
+  return {
+      {"name_literal", string_literal(mechanism.name)},
+      {"coordinate_names", cpp_array(literals(names.coordinates))},
+      {"speed_names", cpp_array(literals(names.speeds))},
+      {"body_names", cpp_array(literals(names.bodies))},
+      {"frame_names", cpp_array(literals(names.frames))},
+      {"parameter_names", cpp_array(literals(names.parameters))},
+      {"wrench_names", cpp_array(literals(names.wrench_bodies))},
+      {"initial", cpp_array(initial_coordinates(mechanism))},
+      {"lower_limits", cpp_array(limits(mechanism, true))},
+      {"upper_limits", cpp_array(limits(mechanism, false))},
+      {"quaternion_offsets", cpp_array(quaternions)},
+      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})"))},
+  };
+}
+
+Slots c_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  return {
+      {"coordinate_names", c_array(literals(names.coordinates), "nullptr")},
+      {"speed_names", c_array(literals(names.speeds), "nullptr")},
+      {"body_names", c_array(literals(names.bodies), "nullptr")},
+      {"frame_names", c_array(literals(names.frames), "nullptr")},
+      {"parameter_names", c_array(literals(names.parameters), "nullptr")},
+      {"wrench_names", c_array(literals(names.wrench_bodies), "nullptr")},
+      {"initial", c_array(initial_coordinates(mechanism), "")},
+      {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
+  };
+}
+
+void check_mechanism_name(const Mechanism& mechanism) {
+  if (!is_identifier(mechanism.name))
+    throw InputError(mechanism.where,
+                     fmt::format("'{}' cannot name a mechanism: it names files, a namespace and functions, "
+                                 "so it must be an identifier that is no keyword and no usual macro",
+                                 printable(mechanism.name)));
+}
+
+bool is_namespace(const std::string& text) {
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t end = rest.find("::");
+    if (!is_identifier(rest.substr(0, end))) return false;
+    if (end == std::string_view::npos) return true;
+    rest.remove_prefix(end + 2);
+  }
+}
+
+}  // namespace alembert

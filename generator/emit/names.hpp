@@ -1,0 +1,24 @@
+// Names and constants of a mechanism as text of C++ and C: what both interfaces show of it besides functions.
+#pragma once
+
+#include <string>
+
+#include "emit/text_template.hpp"
+#include "mechanism/model.hpp"
+
+namespace alembert {
+
+/// Slots that are the same in every template: name, namespace, sizes and lists for comments.
+Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace);
+
+/// Initialisers of the constants in C++ and in C.
+Slots cpp_constant_slots(const Mechanism& mechanism);
+Slots c_constant_slots(const Mechanism& mechanism);
+
+/// InputError unless `name` can name files, a namespace and C functions: no macro of the usual headers.
+void check_mechanism_name(const Mechanism& mechanism);
+
+/// True for `a`, `a::b`, ... of identifiers that are no keywords.
+bool is_namespace(const std::string& text);
+
+}  // namespace alembert

@@ -1,0 +1,41 @@
+// A program as statements: which values get a name, which are written into the expression that uses them, and
+// how a long function is cut into blocks. In: Program. Out: lines of C++ over a scalar type S.
+//
+// A value is written into its user if it has one use only and the expression stays small; the operations and
+// their association stay those of the program, so that compiled code gives the interpreter's results bit for
+// bit. Results of function calls always get a name: that keeps the sine and cosine of an angle next to each
+// other.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "emit/function_signature.hpp"
+#include "program/program.hpp"
+
+namespace alembert {
+
+/// Functions of more statements are cut into blocks of about kBlockSize.
+inline constexpr std::size_t kBlockThreshold = 2000;
+inline constexpr std::size_t kBlockSize = 1000;
+
+/// Body of a function or of a block: using-declarations for the functions it calls, then statements, a line
+/// each.
+struct CodeBlock {
+  std::string using_lines;
+  std::string statement_lines;
+  std::size_t statements = 0;
+  bool calls_sign = false;
+};
+
+/// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an
+/// array w.
+struct FunctionBody {
+  std::vector<CodeBlock> blocks;
+  std::size_t crossing = 0;
+};
+
+FunctionBody function_body(const Program& program, const FunctionSignature& signature);
+
+}  // namespace alembert

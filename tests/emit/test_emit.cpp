@@ -1,0 +1,166 @@
+// The set of files, their banners, what is refused, and that nothing of the user's text escapes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "emit/emit.hpp"
+#include "emit/sample.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string& text_of(const std::vector<EmittedFile>& files, const std::string& path) {
+  for (const EmittedFile& file : files)
+    if (file.path == path) return file.text;
+  throw std::out_of_range(path);
+}
+
+TEST(Emit, FilesAreKnownFromNameAndParts) {
+  const sample::Sample s = sample::big();
+  for (const int parts : {1, 4, 64}) {
+    EmitOptions options;
+    options.parts = parts;
+    const std::vector<EmittedFile> files = emit_mechanism(s.mechanism, s.programs, options);
+    std::vector<std::string> paths;
+    for (const EmittedFile& file : files) paths.push_back(file.path);
+    EXPECT_EQ(paths, emitted_paths("sample_big", parts));
+  }
+  EXPECT_THAT(
+      emitted_paths("arm", 2),
+      testing::ElementsAre("include/arm/arm.hpp", "include/arm/arm_raw.hpp", "include/arm/arm_impl.hpp",
+                           "include/arm/arm_part1.hpp", "include/arm/arm_part2.hpp", "include/arm/arm.h",
+                           "src/arm_part1.cpp", "src/arm_part2.cpp", "src/arm_c.cpp"));
+}
+
+TEST(Emit, PartsBySizeUnlessGiven) {
+  const sample::Sample small = sample::every_function(), big = sample::big();
+  EXPECT_EQ(emit_mechanism(small.mechanism, small.programs, {}).size(), emitted_paths("", 1).size());
+  EXPECT_GT(emit_mechanism(big.mechanism, big.programs, {}).size(), emitted_paths("", 1).size());
+}
+
+TEST(Emit, PartsShareTheWork) {
+  const sample::Sample s = sample::big();
+  EmitOptions options;
+  options.parts = 3;
+  const std::vector<EmittedFile> files = emit_mechanism(s.mechanism, s.programs, options);
+  std::size_t smallest = std::string::npos, largest = 0;
+  for (int k = 1; k <= 3; ++k) {
+    const std::size_t size =
+        text_of(files, "include/sample_big/sample_big_part" + std::to_string(k) + ".hpp").size();
+    smallest = std::min(smallest, size);
+    largest = std::max(largest, size);
+  }
+  EXPECT_LT(largest, 2 * smallest);
+}
+
+TEST(Emit, SameInputSameBytes) {
+  const sample::Sample first = sample::every_function(), second = sample::every_function();
+  const std::vector<EmittedFile> a = emit_mechanism(first.mechanism, first.programs, {});
+  std::vector<Program> reversed(second.programs.rbegin(), second.programs.rend());
+  const std::vector<EmittedFile> b = emit_mechanism(second.mechanism, reversed, {});
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].text, b[i].text) << a[i].path;
+}
+
+TEST(Emit, EveryFileBearsTheBannerAndEndsInOneLineBreak) {
+  const sample::Sample s = sample::every_function();
+  for (const EmittedFile& file : emit_mechanism(s.mechanism, s.programs, {})) {
+    EXPECT_THAT(file.text, HasSubstr("Do not edit")) << file.path;
+    EXPECT_THAT(file.text, HasSubstr("alembert " + std::string(generator_version()))) << file.path;
+    EXPECT_THAT(file.text, HasSubstr("belongs to its user")) << file.path;
+    EXPECT_TRUE(file.text.ends_with("\n") && !file.text.ends_with("\n\n")) << file.path;
+    EXPECT_THAT(file.text, Not(HasSubstr("@"))) << file.path;
+    EXPECT_THAT(file.text, Not(HasSubstr(" \n"))) << file.path;
+    EXPECT_THAT(file.text, Not(HasSubstr("\n\n\n"))) << file.path;
+  }
+}
+
+TEST(Emit, HeaderSaysWhatThereIs) {
+  const sample::Sample s = sample::every_function();
+  const std::string raw =
+      text_of(emit_mechanism(s.mechanism, s.programs, {}), "include/sample_all/sample_all_raw.hpp");
+  EXPECT_THAT(raw, HasSubstr("[7] coordinates: shoulder, base.x, base.y, base.z, base.w, slide, wrist"));
+  EXPECT_THAT(raw, HasSubstr("tau = M(q) qdd + c(q, qd)"));
+  EXPECT_THAT(raw, HasSubstr("multiplications"));
+  EXPECT_THAT(raw, HasSubstr("reduced formulation"));
+}
+
+TEST(Emit, NamespaceAndScalars) {
+  const sample::Sample s = sample::big();
+  EmitOptions options;
+  options.outer_namespace = "acme::robots";
+  options.scalars = {"float"};
+  const std::vector<EmittedFile> files = emit_mechanism(s.mechanism, s.programs, options);
+  const std::string raw = text_of(files, "include/sample_big/sample_big_raw.hpp");
+  EXPECT_THAT(raw, HasSubstr("namespace acme::robots::sample_big {"));
+  EXPECT_THAT(raw, Not(HasSubstr("alembert::mechanisms")));
+  EXPECT_THAT(raw, HasSubstr("<float>"));
+  EXPECT_THAT(raw, Not(HasSubstr("void mass_matrix<double>")));
+  // The C interface is for double all the same: its file compiles that itself.
+  EXPECT_THAT(text_of(files, "src/sample_big_c.cpp"), HasSubstr("sample_big_impl.hpp"));
+}
+
+std::string refused(const sample::Sample& s, const EmitOptions& options) {
+  try {
+    emit_mechanism(s.mechanism, s.programs, options);
+  } catch (const InputError& error) {
+    return error.message();
+  }
+  return "";
+}
+
+TEST(Emit, OptionsThatCannotBeAreRefused) {
+  sample::Sample s = sample::every_function();
+  EmitOptions options;
+  options.outer_namespace = "a::b c";
+  EXPECT_THAT(refused(s, options), HasSubstr("'a::b c' is no namespace"));
+  for (const char* bad : {"", "::a", "a::", "a:b", "class", "a::int", "1a", "a\nb"}) {
+    options.outer_namespace = bad;
+    EXPECT_THAT(refused(s, options), HasSubstr("is no namespace")) << bad;
+  }
+  options = {};
+  options.scalars = {"quad"};
+  EXPECT_THAT(refused(s, options), HasSubstr("'quad' is no scalar type"));
+  options.scalars = {};
+  EXPECT_THAT(refused(s, options), HasSubstr("no scalar type"));
+  options.scalars = {"float", "float"};
+  EXPECT_THAT(refused(s, options), HasSubstr("given twice"));
+  options = {};
+  options.parts = 65;
+  EXPECT_THAT(refused(s, options), HasSubstr("1 to 64"));
+  options = {};
+  options.expected_name = "other";
+  EXPECT_THAT(refused(s, options), HasSubstr("'sample_all' where the build expects 'other'"));
+  options = {};
+  for (const char* bad : {"while", "errno", "linux", "a b", "a/b", "../a", "", "a\"b"}) {
+    s.mechanism.name = bad;
+    EXPECT_THAT(refused(s, options), HasSubstr("cannot name a mechanism")) << bad;
+  }
+}
+
+TEST(Emit, ProgramsThatDoNotFitAreDefects) {
+  const sample::Sample s = sample::big();
+  using Programs = std::vector<Program>;
+  const auto emit = [&](const std::function<void(Programs&)>& change) {
+    Programs programs = s.programs;
+    change(programs);
+    return emit_mechanism(s.mechanism, programs, EmitOptions());
+  };
+  EXPECT_THROW(emit([](Programs& p) { p[0].function = "nonsense"; }), InternalError);
+  EXPECT_THROW(emit([](Programs& p) { p[1].function = p[0].function; }), InternalError);
+  EXPECT_THROW(emit([](Programs& p) { p[0].outputs[0].values.pop_back(); }), InternalError);
+  EXPECT_THROW(emit([](Programs& p) { p[0].outputs.clear(); }), InternalError);
+  EXPECT_THROW(emit([](Programs& p) { p[1].inputs[0].kind = ArgumentKind::qdd; }), InternalError);
+  EXPECT_THROW(emit([](Programs& p) { p[0].inputs[0].index = 6; }), InternalError);
+  EXPECT_NO_THROW(emit([](Programs&) {}));
+}
+
+// That the output of sample::evil() compiles, and names come through it, is in test_compiled.cpp.
+
+}  // namespace
+}  // namespace alembert
