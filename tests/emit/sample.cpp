@@ -95,14 +95,14 @@ Program random_program(std::string function, std::vector<InputSlot> inputs, std:
   for (OutputArray& output : program.outputs = std::move(outputs)) {
     const std::size_t entries = static_cast<std::size_t>(output.rows) * output.columns;
     for (std::size_t k = 0; k < entries; ++k) {
-      const std::uint32_t kind = random.below(10);
+      const std::uint32_t kind = smooth ? 9 : random.below(10);
       if (kind == 0)
         output.values.push_back(random.below(small_constants));  // an input or a constant
       else if (kind == 1 && k > 0)
         output.values.push_back(output.values[random.below(static_cast<std::uint32_t>(k))]);  // one twice
       else
         output.values.push_back(size - 1 -
-                                random.below(std::min<std::uint32_t>(size - first_constant - 8, 400)));
+                                random.below(std::min<std::uint32_t>(size - first_constant - 8, smooth ? 20 : 400)));
     }
   }
   return program;
