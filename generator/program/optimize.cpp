@@ -2,17 +2,20 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "program/operation.hpp"
 #include "program/passes.hpp"
 #include "program/rewrites.hpp"
+#include "program/to_expressions.hpp"
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
+#include "symbolic/passes.hpp"
 
 namespace alembert {
 namespace {
 
-// Rounds of all rewrites; each round that gains nothing ends the work, which in practice the third does.
+// Rounds of all rewrites; the first that gains nothing ends the work, in practice the third to fifth.
 constexpr int kRounds = 8;
 
 // Operations weighted by their time: a division counts as four, a negation only between equals.
@@ -30,25 +33,46 @@ Cost cost(const Program& program) {
   return out;
 }
 
-}  // namespace
-
-Program optimize(Program program) {
-  const Cost given = cost(program);
-  ValueProgram values = to_values(program);
-  Program best = place_signs(values);
-  Cost least = cost(best);
-  if (given < least) {
-    best = std::move(program);
-    least = given;
+// The program with equal values merged, as probabilistic value numbering of its expressions finds them:
+// rewriting brings forth values that are there already in another form.
+std::optional<ValueProgram> merge_equal_values(const Program& program) {
+  ExprGraph graph;
+  const std::optional<std::vector<Expr>> given = to_expressions(program, graph);
+  if (!given) return std::nullopt;
+  const std::vector<Expr> numbered = value_number(*given);
+  std::vector<SymbolBinding> bindings;
+  const std::vector<Expr> symbols = input_symbols(program, graph);
+  for (std::size_t i = 0; i < symbols.size(); ++i) bindings.push_back({symbols[i], program.inputs[i]});
+  std::vector<OutputExpressions> outputs;
+  auto next = numbered.begin();
+  for (const OutputArray& output : program.outputs) {
+    const auto size = static_cast<std::ptrdiff_t>(output.values.size());
+    outputs.push_back({output.name, output.rows, output.columns, {next, next + size}});
+    next += size;
   }
-  const auto accept = [&](const std::optional<ValueProgram>& candidate) {
-    if (!candidate) return false;
-    Program placed = place_signs(*candidate);
-    const Cost reached = cost(placed);
-    if (!(reached < least)) return false;
-    best = std::move(placed);
-    least = reached;
-    values = to_values(best);
+  Program merged = lower(program.function, outputs, bindings);
+  merged.formulation = program.formulation;
+  return to_values(merged);
+}
+
+/// A program and what it costs.
+struct Candidate {
+  Program program;
+  Cost cost;
+};
+
+// The local rewrites, each kept if it gains, until none does.
+Candidate rewrite(ValueProgram values) {
+  Candidate best;
+  best.program = place_signs(values);
+  best.cost = cost(best.program);
+  const auto accept = [&](const std::optional<ValueProgram>& rewritten) {
+    if (!rewritten) return false;
+    Candidate next{place_signs(*rewritten), {}};
+    next.cost = cost(next.program);
+    if (!(next.cost < best.cost)) return false;
+    best = std::move(next);
+    values = to_values(best.program);
     return true;
   };
   for (int round = 0; round < kRounds; ++round) {
@@ -56,8 +80,25 @@ Program optimize(Program program) {
     const bool divided = accept(share_divisions(values));
     if (!factored && !divided) break;
   }
-  if (given < cost(best)) throw InternalError("optimise: " + best.function + " costs more than before");
   return best;
+}
+
+}  // namespace
+
+Program optimize(Program program) {
+  const Cost given = cost(program);
+  Candidate best = rewrite(to_values(program));
+  for (int round = 0; round < kRounds; ++round) {
+    const std::optional<ValueProgram> merged = merge_equal_values(best.program);
+    if (!merged) break;
+    Candidate next = rewrite(*merged);
+    if (!(next.cost < best.cost)) break;
+    best = std::move(next);
+  }
+  if (given < best.cost) best = {std::move(program), given};
+  if (given < cost(best.program))
+    throw InternalError("optimise: " + best.program.function + " costs more than before");
+  return std::move(best.program);
 }
 
 }  // namespace alembert

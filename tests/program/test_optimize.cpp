@@ -139,6 +139,17 @@ TEST_F(Optimize, QuotientsMerge) {
   EXPECT_EQ(arithmetic_of(m.returning({m.div(m.mul(m.mul(a, b), c), b)})), (Counts{1, 0, 0, 0}));
   EXPECT_EQ(arithmetic_of(m.returning({m.div(a, m.constant(4))})), (Counts{1, 0, 0, 0}));
 }
+TEST_F(Optimize, EqualValuesInOtherFormsMerge) {
+  const auto s = m.sin(x), co = m.cos(x);
+  const auto circle = m.add(m.mul(s, s), m.mul(co, co));
+  EXPECT_EQ(arithmetic_of(m.returning({circle, m.mul(a, circle)})), (Counts{0, 0, 0, 0}));
+  const auto root = m.append(Operation::sqrt, a);
+  EXPECT_EQ(arithmetic_of(m.returning({m.mul(root, root)})), (Counts{0, 0, 0, 0}));
+  // a*(b - c) beside c*a - b*a + d: the first is there once the second is factored
+  const auto bracket = m.mul(a, m.sub(b, c));
+  const auto sum = m.add(m.sub(m.mul(c, a), m.mul(b, a)), d);
+  EXPECT_EQ(arithmetic_of(m.returning({bracket, sum})), (Counts{1, 2, 0, 0}));
+}
 TEST_F(Optimize, DeadInstructionsGo) {
   m.mul(a, b);
   const auto kept = m.add(a, b);
