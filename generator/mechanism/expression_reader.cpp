@@ -117,8 +117,8 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
   }
   Value value = std::move(stack.back().value);
   if (allowed == Allowed::transform && value.roughness != nullptr)
-    throw InputError(value.roughness->where,
-                     fmt::format("{} is not twice differentiable: {}", what, value.roughness->reason));
+    throw error(reading, value.roughness->offset,
+                fmt::format("{} is not twice differentiable: {}", what, value.roughness->reason));
   return value;
 }
 
@@ -188,9 +188,12 @@ Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) 
     if (coordinate_here) out.dependence = Dependence::coordinate;
     kind = noun(entry->kind);
     if (out.roughness != nullptr)
-      out.roughness = std::make_shared<const Roughness>(
-          Roughness{document_.where(reading.node, token.begin),
-                    fmt::format("'{}' (line {}) has {}", text, entry->where.line, out.roughness->reason)});
+      out.roughness = std::make_shared<const Roughness>(Roughness{
+          token.begin,
+          out.roughness->in_definition
+              ? out.roughness->reason
+              : fmt::format("'{}' (line {}) has {}", text, entry->where.line, out.roughness->reason),
+          true});
   }
   const auto refuse = [&](std::string_view why) {
     return error(reading, token.begin,
@@ -276,8 +279,7 @@ void ExpressionReader::check_power(const Reading& reading, const Operand& base, 
         reading, base.begin,
         fmt::format("'{}' is 0{}; a base of 0 needs a constant exponent", text_of(reading, base), when));
   if (u == 0 && !integer && v < 2 && moves(base.value.dependence))
-    make_rough(reading, result,
-               fmt::format("'{}', whose base is 0 at the initial state", text_of(reading, result)));
+    make_rough(result, fmt::format("'{}', whose base is 0 at the initial state", text_of(reading, result)));
 }
 
 ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const PostfixToken& token,
@@ -343,7 +345,7 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
   if (function == "sqrt") {
     if (u < 0) throw refuse("sqrt of a negative number");
     if (u == 0 && moving)
-      make_rough(reading, result,
+      make_rough(result,
                  fmt::format("'{}', whose argument is 0 at the initial state", text_of(reading, result)));
   } else if (function == "log") {
     if (u == 0) throw refuse("log of zero");
@@ -357,8 +359,7 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
   } else if (function == "abs" && moving && result.value.roughness == nullptr) {
     const Interval bounds = graph_.bounds(x.value.expr.ref());
     if (bounds.lower < 0 && bounds.upper > 0)
-      make_rough(reading, result,
-                 fmt::format("'{}', whose argument may change its sign", text_of(reading, result)));
+      make_rough(result, fmt::format("'{}', whose argument may change its sign", text_of(reading, result)));
   }
 }
 
@@ -367,10 +368,9 @@ InputError ExpressionReader::error(const Reading& reading, std::size_t offset, c
   return {document_.where(reading.node, offset), message, note};
 }
 
-void ExpressionReader::make_rough(const Reading& reading, Operand& result, const std::string& reason) const {
+void ExpressionReader::make_rough(Operand& result, const std::string& reason) {
   if (result.value.roughness == nullptr)
-    result.value.roughness =
-        std::make_shared<const Roughness>(Roughness{document_.where(reading.node, result.begin), reason});
+    result.value.roughness = std::make_shared<const Roughness>(Roughness{result.begin, reason, false});
 }
 
 std::string ExpressionReader::text_of(const Reading& reading, const Operand& operand) const {

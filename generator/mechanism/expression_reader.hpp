@@ -57,7 +57,7 @@ class ExpressionReader {
   void check_call(const Reading& reading, std::string_view function, const Operand& x, Operand& result) const;
   InputError error(const Reading& reading, std::size_t offset, const std::string& message,
                    const std::string& note = {}) const;
-  void make_rough(const Reading& reading, Operand& result, const std::string& reason) const;
+  static void make_rough(Operand& result, const std::string& reason);
   std::string text_of(const Reading& reading, const Operand& operand) const;
 
   const Document& document_;

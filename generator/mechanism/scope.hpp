@@ -26,10 +26,12 @@ constexpr bool moves(Dependence d) {
   return includes(d, Dependence::coordinate) || includes(d, Dependence::time);
 }
 
-/// Why a value is not twice differentiable, and the place of the function that is to blame.
+/// Why a value is not twice differentiable.
 struct Roughness {
-  SourceLocation where;
+  std::size_t
+      offset;  ///< in the expression's text: of the function to blame, or of the definition that holds it
   std::string reason;
+  bool in_definition;  ///< the reason names the definition already
 };
 
 /// An expression with its value at the initial state (t = 0, coordinates at their initial values, runtime
