@@ -88,15 +88,20 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
     return std::nullopt;
   }
   if (numeric(a) && numeric(b)) return fold_product(a, b);
-  const Term ta = term(a), tb = term(b);
+  const Term tb = term(b);
+  if (numeric(a)) {
+    if (tb.coefficient != kOne) {
+      const auto gathered = fold_product(a, tb.coefficient);
+      if (gathered) return product(*gathered, tb.rest);
+    }
+    if (nb.op == Op::div && nb.a == kOne) return intern(Op::div, a, nb.b);
+    return std::nullopt;
+  }
+  const Term ta = term(a);
   if (ta.coefficient != kOne || tb.coefficient != kOne) {
     const Ref coefficient = product(ta.coefficient, tb.coefficient);
     const Ref rest = product(ta.rest, tb.rest);
     return product(coefficient, rest);
-  }
-  if (numeric(a)) {
-    if (nb.op == Op::div && nb.a == kOne) return intern(Op::div, a, nb.b);
-    return std::nullopt;
   }
   const Node na = node(a);
   if (na.op == Op::sqrt && nb.op == Op::sqrt && a != b && rational(na.a) && rational(nb.a)) {

@@ -164,8 +164,8 @@ std::optional<Ref> Builder::sum_of_sums(Ref a, Ref b) {
 // f sin^2 + f cos^2 = f,  f cosh^2 - f sinh^2 = f, and, for a constant f, f - f sin^2 = f cos^2, f - f cos^2
 // = f sin^2.
 std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
-  const bool lone = constant(a);
-  if (!lone && op(a) != Op::mul) return std::nullopt;
+  const bool lone = constant(a), multiplied = op(a) == Op::mul;
+  if (!lone && !multiplied) return std::nullopt;
   Factors fb = factors(graph, b);
   if (!fb.complete || fb.size < 2) return std::nullopt;
   // A squared function among the factors of b.
@@ -193,13 +193,12 @@ std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
                           : o == Op::sinh ? Op::cosh
                                           : Op::sinh;
     const Ref argument = node(squared).a;
-    if (lone) {
-      if (hyperbolic || a.negative() == b.negative() || !same(rest, fa)) continue;
+    if (lone && !hyperbolic && a.negative() != b.negative() && same(rest, fa)) {
       const Ref partner = function(partner_op, argument);
       const Ref square = product(partner, partner);
       return product(a, square);
     }
-    if ((a.negative() != b.negative()) != hyperbolic) continue;
+    if (!multiplied || (a.negative() != b.negative()) != hyperbolic) continue;
     for (std::size_t i = 0; i < fa.size; ++i) {
       if (op(fa.at[i]) != partner_op || node(fa.at[i]).a != argument) continue;
       Factors remaining = fa;

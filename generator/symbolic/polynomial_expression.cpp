@@ -80,7 +80,8 @@ Ref Algebra::factored(Polynomial x) {
   if (!common.powers.empty() || common.number != kOne) {
     const PolynomialTerm divisor = inverse(common);
     Polynomial rest = reduce(multiply(x, divisor));
-    // Reduction may bring a factor back (the circle identities with constant angles do): it is taken out only if that ends.
+    // Reduction may bring a factor back (the circle identities with constant angles do): it is taken out only
+    // if that ends.
     const PolynomialTerm left = common_factor(rest);
     if (left.powers.empty() && left.number == kOne) {
       const Ref inside = factored(std::move(rest));

@@ -1,0 +1,91 @@
+// Simplification of small sets.
+#include "symbolic/random_dag.hpp"
+#include "symbolic/same.hpp"
+
+namespace alembert {
+namespace {
+
+class Simplify : public testing::Test {
+ protected:
+  // Equal to `expected` with as few operations, whatever the association of products.
+  void becomes(Expr root, Expr expected) {
+    const Expr found = of(root);
+    EXPECT_TRUE(same(value_number(std::vector<Expr>{found - expected})[0], g.zero())) << to_string(found);
+    EXPECT_EQ(count_operations(std::vector<Expr>{found}).total(),
+              count_operations(std::vector<Expr>{expected}).total())
+        << to_string(found);
+  }
+  Expr of(Expr root) { return simplify(std::vector<Expr>{root})[0]; }
+  ExprGraph g;
+  Expr x = g.symbol("x"), y = g.symbol("y"), z = g.symbol("z"), one = g.one(), two = g.integer(2);
+  Expr s = sin(x), c = cos(x), t = sin(y), d = cos(y);
+};
+
+TEST_F(Simplify, CommonFactors) {
+  EXPECT_TRUE(same(of(x * y + x * z), x * (y + z)));
+  EXPECT_TRUE(same(of(x * y * s + z * x * s + x * s), x * s * (y + z + one)));
+  EXPECT_TRUE(same(of(g.rational({3, 10}) * x + g.rational({3, 10}) * y), g.rational({3, 10}) * (x + y)));
+  EXPECT_EQ(count_operations(std::vector<Expr>{of(x * y + x * z + t * y + t * z)}).total(), 3u);
+}
+
+TEST_F(Simplify, LikeTerms) {
+  EXPECT_TRUE(same(of((x + y) + (x - y)), two * x));
+  EXPECT_TRUE(same(of(((x + y) + z) - ((z + x) + t)), y - t));
+  EXPECT_TRUE(same(of((x + y) * (x + y) - x * x - y * y), two * (x * y)));
+}
+
+TEST_F(Simplify, CircleWithCommonFactors) {
+  becomes(((x + y) * s) * ((x + y) * s) * z + (x + y) * (c * (z * c) * (y + x)), (x + y) * (x + y) * z);
+  EXPECT_TRUE(same(of(s * s * t * t + s * s * d * d + c * c), one));
+  EXPECT_TRUE(same(of(x * x * x - x * x * x * d * d), x * x * x * (t * t)));
+  EXPECT_TRUE(same(of((s * t - c * d) * (s * t - c * d) + (s * d + c * t) * (s * d + c * t)), one));
+  EXPECT_TRUE(same(of(cosh(x) * cosh(x) * y - y * z - sinh(x) * (sinh(x) * y)), y * (one - z)));
+}
+
+TEST_F(Simplify, RootsOfSquares) {
+  EXPECT_TRUE(same(of(sqrt(x * x + two * x * y + y * y)), abs(x + y)));
+  EXPECT_TRUE(same(of(sqrt((x + y) * (x + y) * s * s + (x + y) * c * c * (x + y))), abs(x + y)));
+  g.assume(x, {1, 2});
+  g.assume(y, {0, 1});
+  EXPECT_TRUE(same(of(sqrt(x * x + two * x * y + y * y)), x + y));
+  EXPECT_TRUE(same(of(sqrt(x * x * z + x * x)), x * sqrt(z + one)));
+}
+
+TEST_F(Simplify, Quotients) {
+  EXPECT_TRUE(same(of((x * x - y * y) / (x - y)), x + y));
+  EXPECT_TRUE(same(of((x * s + y * s) / (y + x)), s));
+  EXPECT_TRUE(same(of(one / (x + y) + z / (x + y)), (one + z) / (x + y)));
+  EXPECT_TRUE(same(of((one - s * s * t * t - c * c * t * t) / d), d));
+}
+
+TEST_F(Simplify, ConstantsStayExact) {
+  const Expr a = sin(g.rational({3, 10})), b = cos(g.rational({3, 10}));
+  EXPECT_TRUE(same(of((a * x) * (a * y) + (b * y) * (b * x)), x * y));
+  EXPECT_TRUE(same(of(sqrt(two) * x * (sqrt(two) * y) - two * x * y), g.zero()));
+  EXPECT_TRUE(same(of(a * x + a * y), a * (x + y)));
+}
+
+TEST_F(Simplify, LeavesSmallThingsAlone) {
+  for (const Expr e : {x, -x, x + y, sin(x), g.zero(), x * y - z, sqrt(x)}) EXPECT_TRUE(same(of(e), e));
+  EXPECT_TRUE(simplify({}).empty());
+}
+
+TEST_F(Simplify, HiddenZeroDivisorIsAnError) {
+  const Expr nothing = (x + y) * (x - y) - x * x + y * y;
+  EXPECT_THROW(of(z / nothing), std::domain_error);
+}
+
+TEST_F(Simplify, NeverMoreOperations) {
+  RandomDagOptions options;
+  options.square_roots = true;
+  options.steps = 16;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    ExprGraph graph;
+    const RandomDag dag = random_dag(graph, seed, options);
+    const ExprCount before = count_operations(dag.roots), after = count_operations(simplify(dag.roots));
+    EXPECT_LE(after.total() + after.trig, before.total() + before.trig) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace alembert
