@@ -214,7 +214,7 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
   if (declarations.ends_with("\n\n")) declarations.pop_back();
   std::string description;
   if (!mechanism.description.empty())
-    description = "//\n" + prefix_lines(wrap_list(comment_text(mechanism.description), 3, 0), "// ");
+    description = "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   Slots slots = cpp_constant_slots(mechanism);
   slots["description"] = description;
   slots["declarations"] = sign + declarations;

@@ -120,23 +120,37 @@ std::string prefix_lines(std::string_view text, std::string_view prefix) {
   return out;
 }
 
-std::string wrap_list(std::string_view list, std::size_t column, std::size_t indent, std::size_t width) {
+namespace {
+
+std::string wrap_after(std::string_view separator, std::string_view text, std::size_t column, std::size_t indent,
+                       std::size_t width) {
   std::string out;
-  while (!list.empty()) {
-    std::size_t end = list.find(", ");
-    end = end == std::string_view::npos ? list.size() : end + 2;
-    const std::string_view item = list.substr(0, end);
-    const std::size_t shown = item.ends_with(", ") ? item.size() - 1 : item.size();
+  while (!text.empty()) {
+    const std::size_t found = text.find(separator);
+    const std::size_t end = found == std::string_view::npos ? text.size() : found + separator.size();
+    const std::string_view item = text.substr(0, end);
+    const std::size_t shown = item.size() - (item.ends_with(' ') ? 1 : 0);
     if (column + shown > width && column > indent && !out.empty()) {
       out.erase(out.find_last_not_of(' ') + 1);
-      out += '\n' + std::string(indent, ' ');
+      out += '\n';
+      out.append(indent, ' ');
       column = indent;
     }
     out += item;
     column += item.size();
-    list.remove_prefix(end);
+    text.remove_prefix(end);
   }
   return out;
+}
+
+}  // namespace
+
+std::string wrap_words(std::string_view text, std::size_t column, std::size_t indent, std::size_t width) {
+  return wrap_after(" ", text, column, indent, width);
+}
+
+std::string wrap_list(std::string_view list, std::size_t column, std::size_t indent, std::size_t width) {
+  return wrap_after(", ", list, column, indent, width);
 }
 
 }  // namespace alembert

@@ -50,12 +50,12 @@ std::string wrapped(const std::vector<std::string>& items) {
 
 /// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
 std::string cpp_array(const std::vector<std::string>& items) {
-  return items.empty() ? "{}" : "{{" + wrapped(items) + "}}";
+  return items.empty() ? "{}" : fmt::format("{{{{{}}}}}", wrapped(items));
 }
 
 std::string c_array(std::vector<std::string> items, const std::string& last) {
   if (!last.empty()) items.push_back(last);
-  return "{" + wrapped(items) + "}";
+  return fmt::format("{{{}}}", wrapped(items));
 }
 
 std::vector<std::string> literals(const std::vector<std::string>& names) {

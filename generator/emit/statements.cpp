@@ -315,7 +315,7 @@ class Writer {
     }
     std::string text = std::move(text_[v]);
     text_[v].clear();
-    return binding_[v] < least ? "(" + text + ")" : text;
+    return binding_[v] < least ? fmt::format("({})", text) : text;
   }
 
   std::string binary(const Instruction& c, std::uint32_t block, std::string_view sign, Binding left,
@@ -361,7 +361,7 @@ class Writer {
         binding = Binding::product;
         break;
       case Operation::neg:
-        text = "-" + operand(c.a, block, Binding::primary);
+        text = fmt::format("-{}", operand(c.a, block, Binding::primary));
         binding = Binding::sign;
         break;
       case Operation::sqrt:

@@ -78,6 +78,8 @@ TEST(Lists, AreShortenedAndWrapped) {
   EXPECT_EQ(name_list({}), "none");
   EXPECT_EQ(wrap_list("aaa, bbb, ccc", 2, 4, 10), "aaa,\n    bbb,\n    ccc");
   EXPECT_EQ(wrap_list("aaa, bbb, ccc", 0, 0, 10), "aaa, bbb,\nccc");
+  EXPECT_EQ(wrap_words("a bb, ccc dddd", 0, 2, 8), "a bb,\n  ccc\n  dddd");
+  EXPECT_EQ(wrap_words("unbreakable", 0, 2, 8), "unbreakable");
   EXPECT_EQ(prefix_lines("a\n\nb\n", "// "), "// a\n//\n// b\n");
 }
 

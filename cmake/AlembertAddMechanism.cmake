@@ -1,0 +1,148 @@
+# alembert_add_mechanism(): a mechanism's description becomes a library.
+#
+#   alembert_add_mechanism(TARGET target MECHANISM file.yaml
+#                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
+#                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
+#                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics
+#                          [SCALARS double float]  types to compile for; default both
+#                          [FORMULATION auto|factored|reduced]
+#                          [PARTS n]               source files to spread large functions over; default 4
+#                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
+#                          [STATIC | SHARED | OBJECT])
+#
+# The target carries its include folder, the runtime library and its own optimisation flags, and its headers are a file set,
+# so that install(TARGETS target FILE_SET HEADERS) works. It is also known as alembert::mechanisms::target. Sources include
+# <name/name.hpp>. When the description or the generator changes, the code is written anew, and only files whose text
+# changes are compiled again.
+include_guard(GLOBAL)
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.23...3.25)
+
+# What to run and what to depend on, into the two variables named.
+function(_alembert_generator command_variable depends_variable)
+  set(executable "${ALEMBERT_GENERATOR_EXECUTABLE}")
+  if(NOT executable AND DEFINED ENV{ALEMBERT_GENERATOR_EXECUTABLE})
+    set(executable "$ENV{ALEMBERT_GENERATOR_EXECUTABLE}")
+  endif()
+  if(executable)
+    set(${command_variable} "${executable}" PARENT_SCOPE)
+    set(${depends_variable} "${executable}" PARENT_SCOPE)
+  elseif(TARGET alembert::alembert)
+    set(${command_variable} alembert::alembert PARENT_SCOPE)
+    set(${depends_variable} "$<TARGET_FILE:alembert::alembert>" PARENT_SCOPE)
+  elseif(TARGET alembert)
+    set(${command_variable} alembert PARENT_SCOPE)
+    set(${depends_variable} alembert "$<TARGET_FILE:alembert>" PARENT_SCOPE)
+  else()
+    message(FATAL_ERROR "alembert_add_mechanism: the command alembert is missing. Ask for it with find_package(alembert "
+                        "COMPONENTS generator), or set ALEMBERT_GENERATOR_EXECUTABLE to it, or ALEMBERT_HOST_PREFIX to where "
+                        "it is installed for this machine.")
+  endif()
+endfunction()
+
+# The name of the mechanism in a description, read without knowing YAML: the file names follow from it.
+function(_alembert_mechanism_name file variable)
+  file(STRINGS "${file}" lines REGEX "^name[ \t]*:" LIMIT_COUNT 1)
+  if(NOT lines MATCHES "^name[ \t]*:[ \t]*[\"']?([A-Za-z_][A-Za-z0-9_]*)[\"']?[ \t]*(#.*)?$")
+    message(FATAL_ERROR "alembert_add_mechanism: ${file} has no line `name: ...` with the mechanism's name. Give it with NAME.")
+  endif()
+  set(${variable} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+endfunction()
+
+function(alembert_add_mechanism)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT" "FUNCTIONS;SCALARS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "alembert_add_mechanism: no value for ${arg_KEYWORDS_MISSING_VALUES}")
+  endif()
+  if(NOT arg_TARGET OR NOT arg_MECHANISM)
+    message(FATAL_ERROR "alembert_add_mechanism: TARGET and MECHANISM must be given")
+  endif()
+  get_filename_component(description "${arg_MECHANISM}" ABSOLUTE)
+  if(NOT EXISTS "${description}" OR IS_DIRECTORY "${description}")
+    message(FATAL_ERROR "alembert_add_mechanism: there is no file ${description}")
+  endif()
+  set(type STATIC)
+  set(types ${arg_STATIC} ${arg_SHARED} ${arg_OBJECT})
+  list(REMOVE_ITEM types FALSE)
+  list(LENGTH types type_count)
+  if(type_count GREATER 1)
+    message(FATAL_ERROR "alembert_add_mechanism: only one of STATIC, SHARED and OBJECT can be given")
+  endif()
+  foreach(candidate STATIC SHARED OBJECT)
+    if(arg_${candidate})
+      set(type ${candidate})
+    endif()
+  endforeach()
+  if(NOT arg_PARTS)
+    set(arg_PARTS 4)
+  endif()
+  if(NOT arg_PARTS MATCHES "^[1-9][0-9]?$" OR arg_PARTS GREATER 64)
+    message(FATAL_ERROR "alembert_add_mechanism: PARTS must be 1 to 64, not ${arg_PARTS}")
+  endif()
+  set(name "${arg_NAME}")
+  if(NOT name)
+    _alembert_mechanism_name("${description}" name)
+  endif()
+  _alembert_generator(generator generator_depends)
+
+  # One folder a target: two targets may be made from one description.
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/alembert/${arg_TARGET}")
+  set(include "${folder}/include/${name}")
+  set(headers "${include}/${name}.hpp" "${include}/${name}_raw.hpp" "${include}/${name}_impl.hpp" "${include}/${name}.h")
+  set(sources "${folder}/src/${name}_c.cpp")
+  foreach(part RANGE 1 ${arg_PARTS})
+    list(APPEND headers "${include}/${name}_part${part}.hpp")
+    list(APPEND sources "${folder}/src/${name}_part${part}.cpp")
+  endforeach()
+
+  set(options --expected-name ${name} --parts ${arg_PARTS})
+  if(arg_FUNCTIONS)
+    list(JOIN arg_FUNCTIONS "," functions)
+    list(APPEND options --functions ${functions})
+  endif()
+  if(arg_SCALARS)
+    list(JOIN arg_SCALARS "," scalars)
+    list(APPEND options --scalars ${scalars})
+  endif()
+  if(arg_NAMESPACE)
+    list(APPEND options --namespace ${arg_NAMESPACE})
+  endif()
+  if(arg_FORMULATION)
+    list(APPEND options --formulation ${arg_FORMULATION})
+  endif()
+
+  # The stamp is the only OUTPUT: it is touched by every run, while the files themselves are written only if they change.
+  # Were they outputs, Makefiles would see them older than the description, and generate for ever.
+  set(stamp "${folder}/${name}.stamp")
+  file(MAKE_DIRECTORY "${folder}")
+  add_custom_command(
+    OUTPUT "${stamp}"
+    BYPRODUCTS ${sources} ${headers}
+    COMMAND ${generator} generate "${description}" --out-dir "${folder}" --depfile "${stamp}.d" --stamp "${stamp}" ${options}
+    DEPENDS "${description}" ${generator_depends}
+    DEPFILE "${stamp}.d"
+    COMMENT "Generating the equations of motion of ${name}"
+    VERBATIM)
+
+  add_library(${arg_TARGET} ${type} ${sources} "${stamp}")
+  add_library(alembert::mechanisms::${arg_TARGET} ALIAS ${arg_TARGET})
+  target_sources(${arg_TARGET} PUBLIC FILE_SET HEADERS BASE_DIRS "${folder}/include" FILES ${headers})
+  target_link_libraries(${arg_TARGET} PUBLIC alembert::runtime)
+  target_compile_features(${arg_TARGET} PUBLIC cxx_std_17)
+  # A target called m must not become libm.a; symbols of a shared library are for its users.
+  set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON
+                        CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF WINDOWS_EXPORT_ALL_SYMBOLS ON
+                        CXX_CLANG_TIDY "" CXX_CPPCHECK "" CXX_INCLUDE_WHAT_YOU_USE "")
+  # Unoptimised, straight-line code of this length is many times slower: its flags do not wait for the build type.
+  set(gnu_like "$<CXX_COMPILER_ID:GNU,Clang,AppleClang>")
+  target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-O2;-fno-math-errno>")
+  if(arg_FP_CONTRACT)
+    target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-ffp-contract=${arg_FP_CONTRACT}>")
+  endif()
+endfunction()
+
+cmake_policy(POP)
