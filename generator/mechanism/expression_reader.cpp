@@ -353,9 +353,8 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
   } else if (function == "asin" || function == "acos") {
     if (std::abs(u) > 1) throw refuse(fmt::format("{} of a number outside [-1, 1]", function));
     if (std::abs(u) == 1 && moving)
-      make_rough(
-          reading, result,
-          fmt::format("'{}', whose argument is {:.6g} at the initial state", text_of(reading, result), u));
+      make_rough(result, fmt::format("'{}', whose argument is {:.6g} at the initial state",
+                                     text_of(reading, result), u));
   } else if (function == "abs" && moving && result.value.roughness == nullptr) {
     const Interval bounds = graph_.bounds(x.value.expr.ref());
     if (bounds.lower < 0 && bounds.upper > 0)
