@@ -86,10 +86,11 @@ if(heavier_torque STREQUAL torque)
 endif()
 expect_nothing_to_do()
 
-# A file that was deleted comes back.
+# A file that was deleted comes back (make knows outputs only, and the stamp is the output).
 if(GENERATOR STREQUAL "Ninja")
   file(REMOVE "${build}/alembert/arm/include/arm/arm.hpp")
-  build_and_expect(1 FALSE)
+  build_and_expect(1 TRUE)
+  expect_nothing_to_do()
 endif()
 
 # Called otherwise now: the build says what to do.
