@@ -1,4 +1,5 @@
-// Stages on programs: lower, optimise, schedule, interpret, count, verify, dump. Each is a loop over instructions.
+// Stages on programs: lower, optimise, schedule, interpret, count, verify, dump. Each is a loop over
+// instructions.
 #pragma once
 
 #include <cstdint>
@@ -24,35 +25,40 @@ struct OutputExpressions {
   std::vector<Expr> values;
 };
 
-/// Stage `lower`: expressions to binary operations, depth first from the outputs in their order; the same for the same
-/// expressions in whatever order they were built. Constant subexpressions become one double each, folded in extended precision; 2x is
-/// x + x; signs are placed so that few negations remain. Input i of the program is binding i, also where nothing needs it.
-/// Throws InternalError if an output depends on a symbol that is not bound, has not rows x columns elements, or holds a
-/// constant without a finite value.
-Program lower(std::string function, std::span<const OutputExpressions> outputs, std::span<const SymbolBinding> bindings);
+/// Stage `lower`: expressions to binary operations, depth first from the outputs in their order; the same for
+/// the same expressions in whatever order they were built. Constant subexpressions become one double each,
+/// folded in extended precision; 2x is x + x; signs are placed so that few negations remain. Input i of the
+/// program is binding i, also where nothing needs it. Throws InternalError if an output depends on a symbol
+/// that is not bound, has not rows x columns elements, or holds a constant without a finite value.
+Program lower(std::string function, std::span<const OutputExpressions> outputs,
+              std::span<const SymbolBinding> bindings);
 
-/// Stage `optimise`: value numbering, constant folding and sign placement, a*b + a*c -> a*(b + c) with single-use products, shared
-/// reciprocals and merged quotients (rewrites.hpp); each kept only if it lowers mul + add + 4 div + trig + other, so that the
-/// result never costs more. Values change by rounding only, except that 0*x and x - x are 0 whatever x is.
+/// Stage `optimise`: value numbering, constant folding and sign placement, a*b + a*c -> a*(b + c) with
+/// single-use products, shared reciprocals and merged quotients (rewrites.hpp); each kept only if it lowers
+/// mul + add + 4 div + trig + other, so that the result never costs more. Values change by rounding only,
+/// except that 0*x and x - x are 0 whatever x is.
 Program optimize(Program program);
 
-/// Stage `schedule`: orders instructions depth first from the outputs, sin and cos of one argument adjacent, and drops those
-/// that no output needs. Same values, bit for bit.
+/// Stage `schedule`: orders instructions depth first from the outputs, sin and cos of one argument adjacent,
+/// and drops those that no output needs. Same values, bit for bit.
 Program schedule(Program program);
 
 /// Stage `count`: operations by the convention at `OperationCount`.
 OperationCount count(const Program& program);
 
 /// Values of all inputs, in the order of program.inputs, to values of all outputs, concatenated in order.
-/// Each instruction is one rounding to double, as in code compiled with -ffp-contract=off. Scratch is resized on first use and
-/// holds the values of all instructions after. Throws InternalError if a span has the wrong size.
-void interpret(const Program& program, std::span<const double> inputs, std::span<double> outputs, std::vector<double>& scratch);
+/// Each instruction is one rounding to double, as in code compiled with -ffp-contract=off. Scratch is resized
+/// on first use and holds the values of all instructions after. Throws InternalError if a span has the wrong
+/// size.
+void interpret(const Program& program, std::span<const double> inputs, std::span<double> outputs,
+               std::vector<double>& scratch);
 
-/// Stage `verify`: throws InternalError, with function, output, element and both values, unless the program is well formed and agrees
-/// with the expressions it came from: at eight or more random points inside the symbols' ranges, within running error bounds,
-/// and modulo a large prime where both sides are exact. An element whose expression has no finite value at any point tried is
-/// not compared.
-void verify(const Program& program, std::span<const OutputExpressions> outputs, std::span<const SymbolBinding> bindings);
+/// Stage `verify`: throws InternalError, with function, output, element and both values, unless the program
+/// is well formed and agrees with the expressions it came from: at eight or more random points inside the
+/// symbols' ranges, within running error bounds, and modulo a large prime where both sides are exact. An
+/// element whose expression has no finite value at any point tried is not compared.
+void verify(const Program& program, std::span<const OutputExpressions> outputs,
+            std::span<const SymbolBinding> bindings);
 
 /// One instruction a line, for --dump.
 std::string dump(const Program& program);

@@ -1,5 +1,5 @@
-// Straight-line programs: what is counted, interpreted, verified and emitted. One flat array of operations; value i is
-// the result of instruction i, and operands are smaller indices.
+// Straight-line programs: what is counted, interpreted, verified and emitted. One flat array of operations;
+// value i is the result of instruction i, and operands are smaller indices.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,27 @@ namespace alembert {
 enum class Operation : std::uint8_t {
   constant,  ///< constants[a]
   input,     ///< inputs[a]
-  add, sub, mul, div,
+  add,
+  sub,
+  mul,
+  div,
   neg,
-  sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, log, abs, sign, sinh, cosh, tanh, pow,
+  sqrt,
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  exp,
+  log,
+  abs,
+  sign,
+  sinh,
+  cosh,
+  tanh,
+  pow,
 };
 
 struct Instruction {
@@ -29,7 +47,8 @@ enum class ArgumentKind : std::uint8_t {
   qdd,        ///< rates of the speeds, size nv
   time,       ///< scalar t, index 0
   parameter,  ///< runtime parameters, in file order
-  wrench,     ///< 6 per body with external_wrench: force x y z (world, at the centre of mass), torque x y z (world)
+  wrench,     ///< 6 per body with external_wrench: force x y z (world, at the centre of mass), torque x y z
+              ///< (world)
   tau,        ///< generalized forces, size nv
 };
 struct InputSlot {
@@ -54,9 +73,10 @@ struct Program {
   std::vector<OutputArray> outputs;
 };
 
-/// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add; divisions and sin/cos/tan
-/// are listed apart (a constant offset inside a sin/cos argument belongs to that call and counts nowhere else: sin(q + c) is one trig);
-/// everything that is computed from constants alone is folded. `other`: sqrt, exp, pow, ...
+/// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add;
+/// divisions and sin/cos/tan are listed apart (a constant offset inside a sin/cos argument belongs to that
+/// call and counts nowhere else: sin(q + c) is one trig); everything that is computed from constants alone is
+/// folded. `other`: sqrt, exp, pow, ...
 struct OperationCount {
   std::size_t mul = 0, add = 0, div = 0, trig = 0, other = 0;
   std::size_t arithmetic() const { return mul + add; }
