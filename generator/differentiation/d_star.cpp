@@ -13,7 +13,7 @@ namespace alembert {
 
 namespace {
 
-constexpr std::uint64_t kMaxLabels = 8'000'000;
+constexpr std::uint64_t kMaxLabels = 4'000'000;  // pairs of all edges together; about 100 MB
 
 Jacobian give_up(std::span<const Expr> roots, std::span<const Expr> variables) {
   Jacobian result = jacobian_reverse(roots, variables);

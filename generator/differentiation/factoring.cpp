@@ -73,7 +73,9 @@ bool Factoring::run() {
   return true;
 }
 
-/// Each candidate of a pair costs about one more sweep over the pair's edges, which grow fewer meanwhile.
+/// Each candidate of a pair costs about one more refresh, which visits the pair's edges some seven times, and
+/// they grow fewer meanwhile. (Measured: 12 to 16 quarters a candidate and edge, on random functions of all
+/// sizes.)
 std::uint64_t Factoring::expected_work() {
   std::uint64_t expected = 0;
   for (const LabelledGraph::Pair& pair : graph_.pairs) {
@@ -90,42 +92,67 @@ std::uint64_t Factoring::expected_work() {
       meet(marks_[arc.top], kDown, kDownCounted);
     }
     for (const Arc& arc : pair.arcs) marks_[arc.top] = marks_[arc.bottom] = 0;
-    expected += candidates * pair.arcs.size() / 4;
+    expected += candidates * pair.arcs.size() * 7 / 2;
   }
   return expected;
 }
 
 /// Brings a pair's list, candidates and stakes up to date after its edges have changed.
 void Factoring::refresh(std::size_t p) {
-  for (const Stake& stake : stakes_[p]) groups_.leave(stake.group, p, stake.kind);
-  stakes_[p].clear();
   work_ += graph_.pairs[p].arcs.size();
   prune(graph_, p, marks_);
   find_candidates(p);
-  if (candidates_.empty()) return;
-  work_ += 4 * candidates_.size();
+  renew_stakes(p);
+}
 
-  // One inversion serves all denominators.
-  std::vector<std::uint64_t> prefix;
-  prefix.reserve(candidates_.size());
+/// The fingerprint of each candidate; one inversion serves all denominators.
+std::vector<std::uint64_t> Factoring::fingerprints() const {
+  std::vector<std::uint64_t> result;
+  result.reserve(candidates_.size());
   std::uint64_t product = 1;
   for (const Candidate& candidate : candidates_) {
-    prefix.push_back(product);
+    result.push_back(product);
     product = modulo::mul(product, candidate.denominator);
   }
   std::uint64_t inverse = modulo::inverse(product);
-  std::vector<std::uint64_t> fingerprints(candidates_.size());
   for (std::size_t k = candidates_.size(); k-- > 0;) {
     const Candidate& candidate = candidates_[k];
-    fingerprints[k] = modulo::mul(candidate.numerator, modulo::mul(inverse, prefix[k]));
+    result[k] = modulo::mul(candidate.numerator, modulo::mul(inverse, result[k]));
     inverse = modulo::mul(inverse, candidate.denominator);
   }
+  return result;
+}
+
+/// Leaves the groups of candidates that are gone or changed, joins those of new ones. Most stay as they are,
+/// and both lists run from the root down, so that they are merged.
+void Factoring::renew_stakes(std::size_t p) {
+  const std::vector<std::uint64_t> prints = fingerprints();
+  work_ += 2 * candidates_.size();
+  std::vector<Stake> renewed;
+  renewed.reserve(candidates_.size());
+  const std::vector<Stake>& old = stakes_[p];
+  const auto earlier = [](const auto& x, const auto& y) {
+    return x.vertex() != y.vertex() ? x.vertex() > y.vertex() : x.kind < y.kind;
+  };
+  std::size_t next = 0;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     const Candidate& candidate = candidates_[k];
+    for (; next < old.size() && earlier(old[next], candidate); ++next)
+      groups_.leave(old[next].group, p, old[next].kind);
+    if (next < old.size() && !earlier(candidate, old[next])) {
+      const Stake stake = old[next++];
+      if (stake.a == candidate.a && stake.b == candidate.b && stake.fingerprint == prints[k]) {
+        renewed.push_back(stake);
+        continue;
+      }
+      groups_.leave(stake.group, p, stake.kind);
+    }
     const std::uint32_t group =
-        groups_.join(candidate.a, candidate.b, fingerprints[k], candidate.least_size, p, candidate.kind);
-    stakes_[p].push_back({group, candidate.kind});
+        groups_.join(candidate.a, candidate.b, prints[k], candidate.least_size, p, candidate.kind);
+    renewed.push_back({candidate.a, candidate.b, candidate.kind, prints[k], group});
   }
+  for (; next < old.size(); ++next) groups_.leave(old[next].group, p, old[next].kind);
+  stakes_[p] = std::move(renewed);
 }
 
 void Factoring::find_candidates(std::size_t p) {

@@ -30,16 +30,21 @@ class Factoring {
   std::uint64_t work() const { return work_ + dominators_.work(); }
 
  private:
-  /// A pair's stake in a group.
-  struct Stake {
-    std::uint32_t group;
-    FactorKind kind;
-  };
-  /// A factor subgraph of one pair; its fingerprint is numerator / denominator.
+  /// A factor subgraph of one pair.
   struct Candidate {
     std::uint32_t a, b, least_size;
     FactorKind kind;
-    std::uint64_t numerator, denominator;
+    std::uint64_t numerator, denominator;  ///< the fingerprint is their quotient
+    /// The vertex that makes it one.
+    std::uint32_t vertex() const { return kind == FactorKind::dominator ? b : a; }
+  };
+  /// The group that a pair's candidate belongs to.
+  struct Stake {
+    std::uint32_t a, b;
+    FactorKind kind;
+    std::uint64_t fingerprint;
+    std::uint32_t group;
+    std::uint32_t vertex() const { return kind == FactorKind::dominator ? b : a; }
   };
   /// Sums over the paths from the root down to a vertex and from it down to the variable, and their greatest
   /// numbers of edges.
@@ -51,6 +56,8 @@ class Factoring {
   std::uint64_t expected_work();
   void refresh(std::size_t pair);
   void find_candidates(std::size_t pair);
+  std::vector<std::uint64_t> fingerprints() const;
+  void renew_stakes(std::size_t pair);
   void measure_paths(const LabelledGraph::Pair& pair);
   std::vector<std::uint32_t> collect(const FactorGroup& group);
   Expr sum_of_paths(const FactorGroup& group);

@@ -14,6 +14,12 @@
 
 namespace alembert::test {
 
+/// The symbol x0, x1, ...
+inline Expr numbered_symbol(ExprGraph& graph, std::string name, int number) {
+  name += std::to_string(number);
+  return graph.symbol(name);
+}
+
 struct RandomFunction {
   std::vector<Expr> roots, variables;
 };
@@ -35,7 +41,7 @@ class RandomFunctions {
     pool_.clear();
     corners_ = options.corners;
     for (int i = 0; i < options.variables; ++i) {
-      result.variables.push_back(graph_.symbol("x" + std::to_string(i)));
+      result.variables.push_back(numbered_symbol(graph_, "x", i));
       // About one variable in eight does not occur.
       if (below(8) != 0) pool_.push_back(result.variables.back());
     }

@@ -119,7 +119,7 @@ TEST(Agreement, InDoubleOnFunctionsWithCorners) {
 }
 
 TEST(Agreement, ComplexStepOnSmoothFunctions) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     ExprGraph graph;
     test::RandomFunctions make(graph, seed);
     const test::RandomFunction f = make({.nodes = 25, .variables = 4, .roots = 3, .smooth = true});

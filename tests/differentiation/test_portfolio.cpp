@@ -47,8 +47,12 @@ TEST(Portfolio, TotalsOver400RandomFunctions) {
       forward_total, reverse_total, d_star_total, portfolio_total);
   std::printf("alone the cheapest: forward %zu times, reverse %zu, D* %zu\n", forward_alone, reverse_alone,
               d_star_alone);
-  EXPECT_LT(d_star_total, forward_total);
-  EXPECT_LT(d_star_total, reverse_total);
+  // What was reached. More is a loss; where it becomes less, so do these numbers.
+  EXPECT_LE(forward_total, 10204u);
+  EXPECT_LE(reverse_total, 10296u);
+  EXPECT_LE(d_star_total, 9523u);
+  EXPECT_LE(portfolio_total, 9307u);
+  EXPECT_GE(d_star_alone, 60u);
 }
 
 TEST(Portfolio, PrefersForwardThenReverseWhereTheyAreEqual) {
@@ -65,7 +69,7 @@ TEST(Portfolio, DoesNotDependOnTheOrderInWhichNodesWereMade) {
       if (disturbed) {
         // The same nodes and others, made beforehand in another order.
         for (int i = 6; i-- > 0;) {
-          const Expr x = graph.symbol("x" + std::to_string(i));
+          const Expr x = test::numbered_symbol(graph, "x", i);
           static_cast<void>(sin(x) * cos(x) + graph.symbol("parameter") * x);
         }
         test::RandomFunctions other(graph, seed + 999);
