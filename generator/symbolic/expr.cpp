@@ -37,6 +37,9 @@ void push(std::vector<T>& to, T value) {
 }
 
 constexpr std::size_t kFirstSlots = 1024;
+constexpr std::uint8_t tag(std::uint64_t key) {
+  return static_cast<std::uint8_t>(key >> 48 | 0x80);
+}
 constexpr std::uint32_t kMostNodes = 0x7fffffffu;
 
 ExprGraph& common_graph(const Expr& a, const Expr& b) {
@@ -132,7 +135,7 @@ Expr pow(Expr x, int n) {
   return {graph, Builder(graph).integer_power(x.ref(), n)};
 }
 
-ExprGraph::ExprGraph() : table_(kFirstSlots, 0) {
+ExprGraph::ExprGraph() : tags_(kFirstSlots, 0), table_(kFirstSlots, 0) {
   // Nodes 0 and 1 are the numbers 0 and 1: every rule knows them by their handle.
   rationals_.push_back(Rational(0));
   nodes_.push_back({Op::rational, true, Ref(), Ref()});
@@ -186,8 +189,9 @@ std::size_t ExprGraph::memory_bytes() const {
   for (const Symbol& symbol : symbols_) names += 2 * symbol.name.capacity();
   constexpr std::size_t kMapEntry = 2 * sizeof(void*);  // what a node of a hash map costs beside its value
   return sizeof *this + nodes_.capacity() * sizeof(Node) + keys_.capacity() * sizeof(std::uint64_t) +
-         table_.capacity() * sizeof(std::uint32_t) + rationals_.capacity() * sizeof(Rational) +
-         reals_.capacity() * sizeof(double) + symbols_.capacity() * sizeof(Symbol) + names +
+         tags_.capacity() + table_.capacity() * sizeof(std::uint32_t) +
+         rationals_.capacity() * sizeof(Rational) + reals_.capacity() * sizeof(double) +
+         symbols_.capacity() * sizeof(Symbol) + names +
          symbol_ids_.size() * (sizeof(std::pair<std::string, std::uint32_t>) + kMapEntry) +
          bounds_.size() * (sizeof(std::pair<std::uint32_t, Interval>) + kMapEntry);
 }
@@ -198,21 +202,31 @@ std::uint32_t ExprGraph::append(Node node, std::uint64_t key) {
   const std::uint32_t id = size();
   push(nodes_, node);
   push(keys_, key);
-  const std::size_t mask = table_.size() - 1;
-  std::size_t slot = key & mask;
-  while (table_[slot] != 0) slot = (slot + 1) & mask;
-  table_[slot] = id;
+  place(key, id);
   return id;
 }
 
-void ExprGraph::rehash(std::size_t slots) {
-  table_.assign(slots, 0);
-  const std::size_t mask = slots - 1;
-  for (std::uint32_t id = 1; id < size(); ++id) {
-    std::size_t slot = keys_[id] & mask;
-    while (table_[slot] != 0) slot = (slot + 1) & mask;
-    table_[slot] = id;
+template <class Same>
+std::uint32_t ExprGraph::find(std::uint64_t key, Same same) const {
+  const std::size_t mask = tags_.size() - 1;
+  for (std::size_t slot = key & mask; tags_[slot] != 0; slot = (slot + 1) & mask) {
+    if (tags_[slot] == tag(key) && same(table_[slot])) return table_[slot];
   }
+  return 0;
+}
+
+void ExprGraph::place(std::uint64_t key, std::uint32_t id) {
+  const std::size_t mask = tags_.size() - 1;
+  std::size_t slot = key & mask;
+  while (tags_[slot] != 0) slot = (slot + 1) & mask;
+  tags_[slot] = tag(key);
+  table_[slot] = id;
+}
+
+void ExprGraph::rehash(std::size_t slots) {
+  tags_.assign(slots, 0);
+  table_.assign(slots, 0);
+  for (std::uint32_t id = 1; id < size(); ++id) place(keys_[id], id);
 }
 
 Ref ExprGraph::intern_number(Op op, Rational value) {
@@ -221,11 +235,9 @@ Ref ExprGraph::intern_number(Op op, Rational value) {
   const std::uint64_t hash = mix(mix(seed(op), static_cast<std::uint64_t>(value.numerator)),
                                  static_cast<std::uint64_t>(value.denominator));
   const std::uint64_t key = ranked(Rank::number, hash);
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t slot = key & mask; table_[slot] != 0; slot = (slot + 1) & mask) {
-    const std::uint32_t id = table_[slot];
-    if (nodes_[id].op == op && rational_value(id) == value) return {id, negative};
-  }
+  const std::uint32_t known =
+      find(key, [&](std::uint32_t id) { return nodes_[id].op == op && rational_value(id) == value; });
+  if (known != 0) return {known, negative};
   Node node{op, true, Ref(), Ref()};
   node.a.bits = static_cast<std::uint32_t>(rationals_.size());
   push(rationals_, value);
@@ -236,11 +248,9 @@ Ref ExprGraph::intern_real(double value) {
   const bool negative = value < 0;
   if (negative) value = -value;
   const std::uint64_t key = ranked(Rank::number, mix(seed(Op::real), std::bit_cast<std::uint64_t>(value)));
-  const std::size_t mask = table_.size() - 1;
-  for (std::size_t slot = key & mask; table_[slot] != 0; slot = (slot + 1) & mask) {
-    const std::uint32_t id = table_[slot];
-    if (nodes_[id].op == Op::real && real_value(id) == value) return {id, negative};
-  }
+  const std::uint32_t known =
+      find(key, [&](std::uint32_t id) { return nodes_[id].op == Op::real && real_value(id) == value; });
+  if (known != 0) return {known, negative};
   Node node{Op::real, true, Ref(), Ref()};
   node.a.bits = static_cast<std::uint32_t>(reals_.size());
   push(reals_, value);
@@ -257,12 +267,11 @@ Ref Builder::intern(Op op, Ref a, Ref b) {
     is_constant = is_constant && g.nodes_[b.node()].constant;
   }
   const std::uint64_t key = ranked(is_constant ? Rank::constant : Rank::other, hash);
-  const std::size_t mask = g.table_.size() - 1;
-  for (std::size_t slot = key & mask; g.table_[slot] != 0; slot = (slot + 1) & mask) {
-    const std::uint32_t id = g.table_[slot];
+  const std::uint32_t known = g.find(key, [&](std::uint32_t id) {
     const Node& found = g.nodes_[id];
-    if (found.op == op && found.a == a && found.b == b) return {id, false};
-  }
+    return found.op == op && found.a == a && found.b == b;
+  });
+  if (known != 0) return {known, false};
   return {g.append({op, is_constant, a, b}, key), false};
 }
 

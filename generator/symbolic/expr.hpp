@@ -208,14 +208,20 @@ class ExprGraph {
     Interval interval;
   };
   std::uint32_t append(Node node, std::uint64_t key);
+  template <class Same>
+  std::uint32_t find(std::uint64_t key,
+                     Same same) const;  ///< 0 if there is none: the zero node is never looked up
+  void place(std::uint64_t key, std::uint32_t id);
   void rehash(std::size_t slots);
   Ref intern_number(Op op, Rational value);
   Ref intern_real(double value);
 
   std::vector<Node> nodes_;
   std::vector<std::uint64_t> keys_;
-  std::vector<std::uint32_t>
-      table_;  ///< open addressing by key; node ids, 0 (the zero node, never looked up) if free
+  // Open addressing by key. Tags are a few more bits of it: looking for a new node reads one line of tags and
+  // no node.
+  std::vector<std::uint8_t> tags_;    ///< 0 if free
+  std::vector<std::uint32_t> table_;  ///< node ids
   std::vector<Rational> rationals_;
   std::vector<double> reals_;
   std::vector<Symbol> symbols_;
