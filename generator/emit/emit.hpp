@@ -39,8 +39,8 @@ std::string_view generator_version();
 ///     src/name_c.cpp                C interface
 ///
 /// in this order. The same input gives the same bytes. Functions of more than kBlockThreshold statements
-/// (statements.hpp) are cut into blocks. If all coordinates are real and no program gives coordinate_rates,
-/// it is added.
+/// (statement_layout.hpp) are cut into blocks. If all coordinates are real and no program gives
+/// coordinate_rates, it is added.
 ///
 /// Throws InputError for options that cannot be (unknown scalar, no namespace, name not as expected, name
 /// that cannot be compiled), InternalError for a program that does not fit its function.

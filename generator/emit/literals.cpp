@@ -122,8 +122,8 @@ std::string prefix_lines(std::string_view text, std::string_view prefix) {
 
 namespace {
 
-std::string wrap_after(std::string_view separator, std::string_view text, std::size_t column, std::size_t indent,
-                       std::size_t width) {
+std::string wrap_after(std::string_view separator, std::string_view text, std::size_t column,
+                       std::size_t indent, std::size_t width) {
   std::string out;
   while (!text.empty()) {
     const std::size_t found = text.find(separator);

@@ -26,9 +26,10 @@ std::string name_list(std::span<const std::string> names, std::size_t limit = 12
 /// Each line of `text` behind `prefix`, without blanks at the ends of lines.
 std::string prefix_lines(std::string_view text, std::string_view prefix);
 
-/// Breaks a text at blanks so that no line passes `width` if it can be helped, given that it starts at `column` and goes on
-/// at `indent`.
-std::string wrap_words(std::string_view text, std::size_t column, std::size_t indent, std::size_t width = 118);
+/// Breaks a text at blanks so that no line passes `width` if it can be helped, given that it starts at
+/// `column` and goes on at `indent`.
+std::string wrap_words(std::string_view text, std::size_t column, std::size_t indent,
+                       std::size_t width = 118);
 
 /// The same for a list, broken after `, ` only.
 std::string wrap_list(std::string_view list, std::size_t column, std::size_t indent, std::size_t width = 118);

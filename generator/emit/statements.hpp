@@ -16,10 +16,6 @@
 
 namespace alembert {
 
-/// Functions of more statements are cut into blocks of about kBlockSize.
-inline constexpr std::size_t kBlockThreshold = 2000;
-inline constexpr std::size_t kBlockSize = 1000;
-
 /// Body of a function or of a block: using-declarations for the functions it calls, then statements, a line
 /// each.
 struct CodeBlock {

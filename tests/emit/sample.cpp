@@ -101,8 +101,8 @@ Program random_program(std::string function, std::vector<InputSlot> inputs, std:
       else if (kind == 1 && k > 0)
         output.values.push_back(output.values[random.below(static_cast<std::uint32_t>(k))]);  // one twice
       else
-        output.values.push_back(size - 1 -
-                                random.below(std::min<std::uint32_t>(size - first_constant - 8, smooth ? 20 : 400)));
+        output.values.push_back(
+            size - 1 - random.below(std::min<std::uint32_t>(size - first_constant - 8, smooth ? 20 : 400)));
     }
   }
   return program;

@@ -9,6 +9,7 @@
 
 #include "emit/literals.hpp"
 #include "emit/sample.hpp"
+#include "emit/statement_layout.hpp"
 #include "emit/statements.hpp"
 #include "emit/text_template.hpp"
 #include "support/error.hpp"

@@ -78,4 +78,10 @@ struct Dense {
   static Vector coordinate_rates(const Vector&, const Vector& qd) { return qd; }
 };
 
+/// Has sizes and nothing else.
+struct NotAMechanism {
+  using Scalar = double;
+  static constexpr int kNq = 1, kNv = 1;
+};
+
 }  // namespace models

@@ -1,0 +1,122 @@
+// Lays out statements, see the header.
+#include "emit/statement_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <queue>
+
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+// Bounds of an expression written in one statement: nesting and number of operations. Deep enough for a
+// compiler that contracts a*b + c only inside one expression, small enough to read.
+constexpr int kMaxDepth = 12;
+constexpr int kMaxOperations = 16;
+
+}  // namespace
+
+StatementLayout::StatementLayout(const Program& program) : program_(program), size_(program.code.size()) {
+  collect_uses();
+  choose_names();
+  assign_blocks();
+  assign_crossings();
+}
+
+void StatementLayout::collect_uses() {
+  uses_.assign(size_, 0);
+  results_.resize(size_);
+  for (std::uint32_t array = 0; array < program_.outputs.size(); ++array) {
+    const auto& values = program_.outputs[array].values;
+    for (std::uint32_t k = 0; k < values.size(); ++k) {
+      results_[values[k]].emplace_back(array, k);
+      ++uses_[values[k]];
+    }
+  }
+  for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {
+    const Instruction& instruction = program_.code[v];
+    if ((operands(v) > 0 && instruction.a >= v) || (operands(v) > 1 && instruction.b >= v))
+      throw InternalError("emit: a value of " + program_.function + " is used before it is computed");
+    if (!live(v)) continue;
+    if (operands(v) > 0) ++uses_[instruction.a];
+    if (operands(v) > 1) ++uses_[instruction.b];
+  }
+}
+
+void StatementLayout::choose_names() {
+  named_.assign(size_, false);
+  std::vector<int> depth(size_, 0), operations(size_, 0);
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    const Instruction& instruction = program_.code[v];
+    if (!live(v) || is_leaf(instruction.op)) continue;
+    depth[v] = 1;
+    operations[v] = 1;
+    const std::array<std::uint32_t, 2> operand{instruction.a, instruction.b};
+    for (int k = 0; k < operands(v); ++k) {
+      const std::uint32_t child = operand[static_cast<std::size_t>(k)];
+      if (named_[child] || is_leaf(program_.code[child].op)) continue;
+      if (operations[v] + operations[child] > kMaxOperations || depth[child] + 1 > kMaxDepth) {
+        named_[child] = true;  // too much for one line: the child gets a name after all
+        continue;
+      }
+      depth[v] = std::max(depth[v], depth[child] + 1);
+      operations[v] += operations[child];
+    }
+    named_[v] = uses_[v] > 1 || !results_[v].empty() || is_call(instruction.op);
+  }
+}
+
+void StatementLayout::assign_blocks() {
+  std::size_t statements = 0;
+  for (std::uint32_t v = 0; v < size_; ++v) statements += live(v) && named_[v] ? 1 : 0;
+  const std::size_t count = statements > kBlockThreshold ? (statements + kBlockSize - 1) / kBlockSize : 1;
+  blocks_ = static_cast<std::uint32_t>(count);
+  block_.assign(size_, kNoPlace);
+  number_.assign(size_, kNoPlace);
+  std::uint32_t number = 0;
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    if (!live(v) || !named_[v]) continue;
+    block_[v] = static_cast<std::uint32_t>(number * count / statements);
+    number_[v] = number++;
+  }
+  // What is written into its user belongs to the user's block; users have larger indices.
+  for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {
+    if (!live(v) || is_leaf(program_.code[v].op)) continue;
+    const std::array<std::uint32_t, 2> operand{program_.code[v].a, program_.code[v].b};
+    for (int k = 0; k < operands(v); ++k) {
+      const std::uint32_t child = operand[static_cast<std::size_t>(k)];
+      if (!named_[child] && !is_leaf(program_.code[child].op)) block_[child] = block_[v];
+    }
+  }
+}
+
+void StatementLayout::assign_crossings() {
+  std::vector<std::uint32_t> last(size_, 0);  // block of the last use
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    if (!live(v) || is_leaf(program_.code[v].op)) continue;
+    const std::array<std::uint32_t, 2> operand{program_.code[v].a, program_.code[v].b};
+    for (int k = 0; k < operands(v); ++k) {
+      const std::uint32_t child = operand[static_cast<std::size_t>(k)];
+      last[child] = std::max(last[child], block_[v]);
+    }
+  }
+  // A place is free again for blocks after that of its last use; the lowest free place is taken.
+  place_.assign(size_, kNoPlace);
+  std::vector<std::vector<std::uint32_t>> expiring(blocks_ + 1);
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_places;
+  std::uint32_t current = 0;
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    if (!live(v) || !named_[v]) continue;
+    for (; current < block_[v]; ++current)
+      for (const std::uint32_t place : expiring[current]) free_places.push(place);
+    if (last[v] <= block_[v]) continue;
+    if (free_places.empty()) free_places.push(static_cast<std::uint32_t>(crossing_++));
+    place_[v] = free_places.top();
+    free_places.pop();
+    expiring[last[v]].push_back(place_[v]);
+  }
+}
+
+}  // namespace alembert

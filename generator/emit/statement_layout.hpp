@@ -1,0 +1,73 @@
+// Which values of a program get a statement of their own, and in which block of a long function each is
+// computed. In: Program. Out: for every value whether it is live and named, its block, and its place among
+// the values that cross blocks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "program/operation.hpp"
+#include "program/program.hpp"
+
+namespace alembert {
+
+/// Functions of more statements are cut into blocks of about kBlockSize.
+inline constexpr std::size_t kBlockThreshold = 2000;
+inline constexpr std::size_t kBlockSize = 1000;
+
+inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
+
+/// True for constants and inputs, which never have a statement.
+constexpr bool is_leaf(Operation op) {
+  return op == Operation::constant || op == Operation::input;
+}
+
+/// True for what is written as a call: sin(x), not a + b.
+constexpr bool is_call(Operation op) {
+  const bool has_operator = op == Operation::add || op == Operation::sub || op == Operation::mul ||
+                            op == Operation::div || op == Operation::neg;
+  return !is_leaf(op) && !has_operator;
+}
+
+/// Layout of one program: what is live, named, in which block, and where values cross.
+class StatementLayout {
+ public:
+  explicit StatementLayout(const Program& program);
+
+  bool live(std::uint32_t v) const { return uses_[v] > 0; }
+  /// Has a statement of its own. Leaves have none.
+  bool named(std::uint32_t v) const { return named_[v]; }
+  /// Number of a named value, in the order of the code.
+  std::uint32_t number(std::uint32_t v) const { return number_[v]; }
+  std::uint32_t block(std::uint32_t v) const { return block_[v]; }
+  std::uint32_t blocks() const { return blocks_; }
+  /// Place in w, or kNoPlace.
+  std::uint32_t place(std::uint32_t v) const { return place_[v]; }
+  std::size_t crossing() const { return crossing_; }
+  /// Results that value v is, in order: pairs of output array and index.
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& results(std::uint32_t v) const {
+    return results_[v];
+  }
+  /// A single result and nothing else: `tau[0] = ...` without a name.
+  bool result_only(std::uint32_t v) const { return results_[v].size() == 1 && uses_[v] == 1; }
+
+ private:
+  int operands(std::uint32_t v) const { return operand_count(program_.code[v].op); }
+  void collect_uses();
+  void choose_names();
+  void assign_blocks();
+  void assign_crossings();
+
+  const Program& program_;
+  std::size_t size_;
+  std::vector<std::uint32_t> uses_, number_, block_, place_;
+  std::vector<bool> named_;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
+  std::uint32_t blocks_ = 1;
+  std::size_t crossing_ = 0;
+};
+
+}  // namespace alembert
