@@ -90,7 +90,9 @@ std::vector<Answer> ask_alembert(const std::string& executable, const std::strin
   int status = 0;
   waitpid(child, &status, 0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("alembert evaluate " + file + " failed: " + contents(folder.path / "err"));
+    const std::string how = WIFSIGNALED(status) ? "killed by signal " + std::to_string(WTERMSIG(status))
+                                                : "exit " + std::to_string(WEXITSTATUS(status));
+    throw std::runtime_error("alembert evaluate " + file + ": " + how + ": " + contents(folder.path / "err"));
   }
   std::vector<Answer> answers;
   std::ifstream output(folder.path / "out");

@@ -117,7 +117,7 @@ std::vector<State> comparable_states(const Description& description, int count, 
 }
 
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int count,
-                                std::uint64_t seed, bool with_engines) {
+                                std::uint64_t seed, const std::string& equivalent) {
   Comparison base;
   base.mechanism = file;
   base.oracle = "Taylor";
@@ -136,9 +136,14 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
       append(lines, base, subject, taylor);
       append_forward(lines, base, answers, states);
     }
-    if (with_engines) {
-      for (const Engine& engine : engines()) append_engine(lines, base, engine, description, states, subject);
+    const Description for_engines = equivalent.empty() ? description : read_description(equivalent);
+    if (!equivalent.empty() && executable.empty()) {
+      base.oracle = "Taylor";
+      std::vector<Dynamics> other;
+      for (const State& state : states) other.push_back(numeric_lagrangian(for_engines, state));
+      append(lines, base, subject, other);
     }
+    for (const Engine& engine : engines()) append_engine(lines, base, engine, for_engines, states, subject);
   } catch (const std::exception& failure) {
     base.function = "all";
     base.verdict = Comparison::Verdict::fail;

@@ -30,8 +30,10 @@ struct BadlyConditioned : std::runtime_error {
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
 
 /// Compares `alembert evaluate` (or, if `executable` is empty, the numeric Lagrangian) with all oracles.
+/// Engines are given `equivalent` instead, if it is not empty: a description of the same mechanism in their
+/// words.
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
-                                std::uint64_t seed, bool with_engines);
+                                std::uint64_t seed, const std::string& equivalent = "");
 
 /// Prints lines as a table.
 void print_table(const std::vector<Comparison>& lines);

@@ -11,12 +11,12 @@
 
 int main(int argc, char** argv) {
   using alembert::oracles::Comparison;
-  if (argc < 3) {
-    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS [STATES]\n");
+  if (argc < 4) {
+    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS EQUIVALENTS [STATES]\n");
     return 2;
   }
   const std::string executable = std::string(argv[1]) == "-" ? "" : argv[1];
-  const int states = argc > 3 ? std::atoi(argv[3]) : 20;
+  const int states = argc > 4 ? std::atoi(argv[4]) : 20;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(argv[2])) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
@@ -24,7 +24,10 @@ int main(int argc, char** argv) {
   std::sort(files.begin(), files.end());
   std::vector<Comparison> lines;
   for (const auto& file : files) {
-    for (Comparison& line : alembert::oracles::compare(executable, file.string(), states, 2024, true)) {
+    const std::filesystem::path equivalent = std::filesystem::path(argv[3]) / file.filename();
+    for (Comparison& line :
+         alembert::oracles::compare(executable, file.string(), states, 2024,
+                                    std::filesystem::exists(equivalent) ? equivalent.string() : "")) {
       lines.push_back(std::move(line));
     }
   }

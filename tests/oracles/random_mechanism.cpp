@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <random>
+#include <regex>
 #include <stdexcept>
 #include <vector>
 
@@ -38,17 +40,24 @@ class Writer {
     const int bodies = 1 + below(5);
     for (int i = 0; i < bodies; ++i) write_body(i);
     if (chance(0.3)) std::reverse(bodies_.begin(), bodies_.end());  // children before parents
-    std::string text = "alembert: 1\nname: random_mechanism\ngravity: " +
-                       list({gravity(), decimal(between(-3, 3)), gravity()}) + "\n";
-    if (!parameters_.empty()) text += "parameters:\n" + parameters_;
+    std::string text = "gravity: " + list({gravity(), decimal(between(-3, 3)), gravity()}) + "\n";
     text += "coordinates:\n" + coordinates_;
     if (!definitions_.empty()) text += "definitions:\n" + definitions_;
     text += "bodies:\n";
     for (const std::string& body : bodies_) text += body;
-    return text;
+    return "alembert: 1\nname: random_mechanism\n" + parameters_in(text) + text;
   }
 
  private:
+  /// Declarations of the parameters that the text mentions: some are drawn in vain.
+  std::string parameters_in(const std::string& text) const {
+    std::string declarations;
+    for (const auto& [name, line] : parameters_) {
+      if (std::regex_search(text, std::regex("\\b" + name + "\\b"))) declarations += line;
+    }
+    return declarations.empty() ? "" : "parameters:\n" + declarations;
+  }
+
   // Numbers are taken from the generator one by one and in a fixed order, so that a seed means one text.
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
@@ -60,7 +69,8 @@ class Writer {
     if (!chance(0.25)) return value;
     const std::string name = "p" + std::to_string(parameter_count_++);
     const bool runtime = chance(0.5);
-    parameters_ += "  " + name + ": " + (runtime ? "{value: " + value + ", runtime: true}" : value) + "\n";
+    parameters_[name] =
+        "  " + name + ": " + (runtime ? "{value: " + value + ", runtime: true}" : value) + "\n";
     return name;
   }
   std::string gravity() { return chance(0.7) ? constant(-9, 9) : "0"; }
@@ -393,8 +403,9 @@ class Writer {
   }
 
   std::mt19937_64 random_;
-  bool joints_only_;  // nothing that multibody engines have no words for
-  std::string parameters_, coordinates_, definitions_;
+  bool joints_only_;                               // nothing that multibody engines have no words for
+  std::map<std::string, std::string> parameters_;  // the line of each
+  std::string coordinates_, definitions_;
   std::vector<std::string> bodies_;
   std::vector<std::string> reals_;
   std::vector<std::string> used_;       // real coordinates in the transform being written
