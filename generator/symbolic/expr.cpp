@@ -37,6 +37,14 @@ void push(std::vector<T>& to, T value) {
 }
 
 constexpr std::size_t kFirstSlots = 1024;
+// The low half of a key, scaled to the number of slots, which need not be a power of two: the table grows by
+// a half.
+constexpr std::size_t home(std::uint64_t key, std::size_t slots) {
+  return (key & 0xffffffffu) * slots >> 32;
+}
+constexpr std::size_t next(std::size_t slot, std::size_t slots) {
+  return slot + 1 == slots ? 0 : slot + 1;
+}
 constexpr std::uint8_t tag(std::uint64_t key) {
   return static_cast<std::uint8_t>(key >> 48 | 0x80);
 }
@@ -164,7 +172,7 @@ Expr ExprGraph::symbol(std::string_view name) {
     Node node{Op::symbol, false, Ref(), Ref()};
     node.a.bits = symbol_count();
     const std::uint32_t id = append(node, ranked(Rank::symbol, mix(hash, name.size())));
-    symbols_.push_back({std::string(name), id, {-HUGE_VAL, HUGE_VAL}});
+    push(symbols_, Symbol{&found->first, id, {-HUGE_VAL, HUGE_VAL}});
   }
   return symbol_at(found->second);
 }
@@ -186,7 +194,7 @@ double ExprGraph::real_value(std::uint32_t id) const {
 
 std::size_t ExprGraph::memory_bytes() const {
   std::size_t names = 0;
-  for (const Symbol& symbol : symbols_) names += 2 * symbol.name.capacity();
+  for (const Symbol& symbol : symbols_) names += symbol.name->capacity();
   constexpr std::size_t kMapEntry = 2 * sizeof(void*);  // what a node of a hash map costs beside its value
   return sizeof *this + nodes_.capacity() * sizeof(Node) + keys_.capacity() * sizeof(std::uint64_t) +
          tags_.capacity() + table_.capacity() * sizeof(std::uint32_t) +
@@ -198,7 +206,7 @@ std::size_t ExprGraph::memory_bytes() const {
 
 std::uint32_t ExprGraph::append(Node node, std::uint64_t key) {
   if (size() >= kMostNodes) throw std::length_error("expression graph is full");
-  if ((nodes_.size() + 1) * 4 > table_.size() * 3) rehash(table_.size() * 2);
+  if ((nodes_.size() + 1) * 4 > table_.size() * 3) rehash(table_.size() + table_.size() / 2);
   const std::uint32_t id = size();
   push(nodes_, node);
   push(keys_, key);
@@ -208,17 +216,15 @@ std::uint32_t ExprGraph::append(Node node, std::uint64_t key) {
 
 template <class Same>
 std::uint32_t ExprGraph::find(std::uint64_t key, Same same) const {
-  const std::size_t mask = tags_.size() - 1;
-  for (std::size_t slot = key & mask; tags_[slot] != 0; slot = (slot + 1) & mask) {
+  for (std::size_t slot = home(key, tags_.size()); tags_[slot] != 0; slot = next(slot, tags_.size())) {
     if (tags_[slot] == tag(key) && same(table_[slot])) return table_[slot];
   }
   return 0;
 }
 
 void ExprGraph::place(std::uint64_t key, std::uint32_t id) {
-  const std::size_t mask = tags_.size() - 1;
-  std::size_t slot = key & mask;
-  while (tags_[slot] != 0) slot = (slot + 1) & mask;
+  std::size_t slot = home(key, tags_.size());
+  while (tags_[slot] != 0) slot = next(slot, tags_.size());
   tags_[slot] = tag(key);
   table_[slot] = id;
 }

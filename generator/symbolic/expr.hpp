@@ -192,7 +192,7 @@ class ExprGraph {
   double real_value(std::uint32_t id) const;        ///< of a real node
   std::uint32_t symbol_count() const { return static_cast<std::uint32_t>(symbols_.size()); }
   std::uint32_t symbol_index(std::uint32_t id) const { return nodes_[id].a.bits; }
-  const std::string& symbol_name(std::uint32_t index) const { return symbols_[index].name; }
+  const std::string& symbol_name(std::uint32_t index) const { return *symbols_[index].name; }
   Expr symbol_at(std::uint32_t index) { return {*this, Ref(symbols_[index].node, false)}; }
   Interval bounds(Ref x) const;  ///< interval bound of a value, by interval arithmetic over its operands
   std::size_t memory_bytes() const;
@@ -203,7 +203,8 @@ class ExprGraph {
  private:
   friend struct Builder;
   struct Symbol {
-    std::string name;
+    const std::string* name;  ///< the key in symbol_ids_, which does not move
+
     std::uint32_t node;
     Interval interval;
   };

@@ -53,11 +53,13 @@ std::vector<Modular> random_modular_point(std::uint32_t symbol_count, std::uint6
 std::string to_string(Expr x, std::size_t limit = 400);
 
 /// Equal roots, smaller: sin^2+cos^2 with common factors, common factors of sums, like terms, sqrt of squares
-/// under proven sign, cancellation of quotients. Never returns a root with more operations than it was given.
+/// under proven sign, cancellation of quotients. The set never needs more operations than it was given.
+/// Throws std::domain_error if a divisor turns out to be zero everywhere.
 std::vector<Expr> simplify(std::span<const Expr> roots);
 
 /// Merges nodes that have equal values (up to sign, or to a constant factor 0) at two random points of the
-/// modular field, confirmed at two fresh points: probabilistic value numbering.
+/// modular field, confirmed at two fresh points: probabilistic value numbering. Throws std::domain_error as
+/// `simplify` does.
 std::vector<Expr> value_number(std::span<const Expr> roots);
 
 /// Operations of a set of roots, each node counted once: adds, muls, divs, trig, other; signs and 2x as in

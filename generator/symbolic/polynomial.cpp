@@ -2,6 +2,7 @@
 #include "symbolic/polynomial.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace alembert {
 namespace {
@@ -49,10 +50,13 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
     int halves;
   };
   std::vector<Factor> open{{base, halves}};
+  constexpr int kMostHalves = 1 << 20;
   while (!open.empty()) {
     const Factor next = open.back();
     open.pop_back();
     if (next.halves == 0) continue;
+    if (std::abs(next.halves) > kMostHalves) throw TooLarge();
+    spend(1);
     Ref of = next.base;
     if (next.halves % 2 == 0) {
       if (of.negative()) {
@@ -71,6 +75,10 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
         open.push_back({build_.pi(Rational(1)), next.halves});
         continue;
       }
+      if (node.op == Op::mul && node.a == node.b) {
+        open.push_back({node.a, 2 * next.halves});
+        continue;
+      }
       if (node.op == Op::mul || node.op == Op::div) {
         open.push_back({node.a, next.halves});
         open.push_back({node.b, node.op == Op::mul ? next.halves : -next.halves});
@@ -87,6 +95,7 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
     }
     const int before = exponent_of(x.powers, of);
     const int after = before + next.halves;
+    if (std::abs(after) > kMostHalves) throw TooLarge();
     // A root or an absolute value that became whole is taken apart again.
     const Op op = build_.op(of);
     const bool composite = op == Op::rational || op == Op::mul || op == Op::div || op == Op::sqrt;
@@ -106,7 +115,7 @@ PolynomialTerm Algebra::monomial(Ref x) {
 }
 
 PolynomialTerm Algebra::multiply(const PolynomialTerm& x, const PolynomialTerm& y) {
-  ++work_;
+  spend(1);
   PolynomialTerm out{build_.product(x.number, y.number), x.powers};
   for (const Power& power : y.powers) multiply_into(out, power.base, power.halves);
   return out;

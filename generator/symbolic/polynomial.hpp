@@ -31,9 +31,13 @@ struct CirclePair {
   bool hyperbolic;
 };
 
+/// Thrown where a polynomial would grow beyond what is worth its time; whoever simplifies keeps what it had.
+struct TooLarge {};
+
 class Algebra {
  public:
-  explicit Algebra(ExprGraph& graph) : build_(graph) {}
+  /// Throws TooLarge once `budget` steps (about one for each term touched) are done.
+  Algebra(ExprGraph& graph, std::size_t budget) : build_(graph), budget_(budget) {}
 
   /// x as one term, without multiplying out sums: products, quotients and roots are taken apart.
   PolynomialTerm monomial(Ref x);
@@ -66,7 +70,7 @@ class Algebra {
   Ref expression(const Polynomial& x);
 
   Builder& builder() { return build_; }
-  /// Products of terms made so far: work is bounded by looking at it.
+  /// Steps done so far.
   std::size_t work() const { return work_; }
 
   bool less(const Monomial& x, const Monomial& y) const;  ///< lexicographic, compatible with products
@@ -81,8 +85,13 @@ class Algebra {
   Polynomial with_gathered_constants(const Polynomial& x);
   Ref factored(Polynomial x);
 
+  void spend(std::size_t steps) {
+    work_ += steps;
+    if (work_ > budget_) throw TooLarge();
+  }
+
   Builder build_;
-  std::size_t work_ = 0;
+  std::size_t work_ = 0, budget_;
 };
 
 }  // namespace alembert

@@ -54,6 +54,9 @@ std::vector<CirclePair> Algebra::circle_pairs(const Polynomial& x) {
 }
 
 Polynomial Algebra::eliminated(Polynomial x, const std::vector<CirclePair>& pairs, unsigned second) {
+  // A term with squares of k pairs becomes 2^k terms.
+  const Polynomial original = x;
+  const std::size_t most = 4 * x.size() + 64;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const CirclePair& pair = pairs[k];
     // first^2 = 1 - s second^2 and second^2 = s (1 - first^2), with s = 1 on the circle and -1 on the
@@ -82,6 +85,7 @@ Polynomial Algebra::eliminated(Polynomial x, const std::vector<CirclePair>& pair
         open.push_back(std::move(term));
       }
       x = found ? add(done, multiply(open, by)) : std::move(done);
+      if (x.size() > most) return original;
     }
   }
   return x;
@@ -97,6 +101,7 @@ Polynomial Algebra::paired(Polynomial x, const std::vector<CirclePair>& pairs) {
   };
   for (bool again = true; again;) {
     again = false;
+    spend(x.size());
     for (const CirclePair& pair : pairs) {
       for (std::size_t i = 0; i < x.size() && !again; ++i) {
         for (const Ref base : {pair.first, pair.second}) {

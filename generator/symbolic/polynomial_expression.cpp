@@ -76,6 +76,7 @@ Ref Algebra::expression(const Polynomial& x) {
 Ref Algebra::factored(Polynomial x) {
   if (x.empty()) return kZero;
   if (x.size() == 1) return expression(x.front());
+  spend(x.size());
   const PolynomialTerm common = common_factor(x);
   if (!common.powers.empty() || common.number != kOne) {
     const PolynomialTerm divisor = inverse(common);

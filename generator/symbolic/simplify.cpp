@@ -5,6 +5,7 @@
 // numbering runs between them. A candidate is taken only if it needs fewer operations.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "symbolic/node_index.hpp"
 #include "symbolic/passes.hpp"
@@ -27,8 +28,8 @@ enum class Sums {
 
 class Rewriter {
  public:
-  Rewriter(ExprGraph& graph, std::span<const Expr> roots, Sums sums)
-      : graph_(graph), algebra_(graph), order_(indexed_postorder(roots)), sums_(sums) {}
+  Rewriter(ExprGraph& graph, std::span<const Expr> roots, Sums sums, std::size_t budget)
+      : graph_(graph), algebra_(graph, budget), order_(indexed_postorder(roots)), sums_(sums) {}
 
   std::vector<Expr> run(std::span<const Expr> roots) {
     const std::size_t count = order_.ids.size();
@@ -47,6 +48,7 @@ class Rewriter {
     for (const Expr& root : roots) out.emplace_back(graph_, collected(order_.local(root.ref())));
     return out;
   }
+  std::size_t work() const { return algebra_.work(); }
 
  private:
   Polynomial operand(std::uint32_t local) {
@@ -67,7 +69,7 @@ class Rewriter {
   Polynomial whole(std::uint32_t local) { return algebra_.polynomial(collected(local)); }
 
   bool may_multiply(const Polynomial& x, const Polynomial& y) const {
-    return sums_ == Sums::multiply_out && x.size() * y.size() <= kMostTerms && algebra_.work() < kMostWork;
+    return sums_ == Sums::multiply_out && x.size() * y.size() <= kMostTerms;
   }
 
   Polynomial form(std::size_t i) {
@@ -126,8 +128,7 @@ class Rewriter {
       const bool large = forms_[position].size() > kMostTerms;
       parts[k] = forms_[position].size() > 1 && (shared || large) ? whole(local) : operand(local);
     }
-    const Polynomial all = algebra_.add(parts[0], parts[1]);
-    return algebra_.work() < kMostWork ? algebra_.reduce(all) : all;
+    return algebra_.reduce(algebra_.add(parts[0], parts[1]));
   }
 
   Polynomial quotient(LocalOperands operands) {
@@ -135,7 +136,7 @@ class Rewriter {
     if (y.size() == 1) {
       if (x.size() <= 1 || sums_ == Sums::multiply_out)
         return algebra_.multiply(x, algebra_.inverse(y.front()));
-    } else if (x.size() > 1 && algebra_.work() < kMostWork) {
+    } else if (x.size() > 1) {
       if (const auto exact = divided(x, y)) return *exact;
     }
     // Sums kept whole: factors in common cancel.
@@ -247,6 +248,19 @@ bool improve(std::vector<Expr>& best, Cost& cost, const std::vector<Expr>& candi
   return improved;
 }
 
+// The rewritten roots, or nothing if that takes more than the budget, which shrinks.
+std::optional<std::vector<Expr>> rewritten(ExprGraph& graph, std::span<const Expr> roots, Sums sums,
+                                           std::size_t& budget) {
+  Rewriter rewriter(graph, roots, sums, budget);
+  std::optional<std::vector<Expr>> out;
+  try {
+    out = rewriter.run(roots);
+  } catch (const TooLarge&) {
+  }
+  budget -= std::min(budget, rewriter.work());
+  return out;
+}
+
 }  // namespace
 
 std::vector<Expr> simplify(std::span<const Expr> roots) {
@@ -256,18 +270,21 @@ std::vector<Expr> simplify(std::span<const Expr> roots) {
   Cost cost = cost_of(best);
   if (cost.operations == 0) return best;
   improve(best, cost, value_number(best));
+  std::size_t budget = kMostWork;
   for (int round = 0; round < kRounds && cost.operations > 1; ++round) {
     if (postorder(best).size() > kMostNodes) break;
     bool improved = false;
     for (const Sums sums : {Sums::keep_shared, Sums::join, Sums::multiply_out}) {
-      std::vector<Expr> candidate = Rewriter(*graph, best, sums).run(best);
-      improved = improve(best, cost, candidate) || improved;
-      if (sums == Sums::multiply_out) {
-        // Factors that are sums only show once the terms are factored.
-        candidate = Rewriter(*graph, candidate, Sums::join).run(candidate);
-        improved = improve(best, cost, candidate) || improved;
-      }
-      improved = improve(best, cost, value_number(candidate)) || improved;
+      const auto candidate = rewritten(*graph, best, sums, budget);
+      if (!candidate) continue;
+      improved = improve(best, cost, *candidate) || improved;
+      improved = improve(best, cost, value_number(*candidate)) || improved;
+      if (sums != Sums::multiply_out) continue;
+      // Factors that are sums only show once the terms are factored.
+      const auto again = rewritten(*graph, *candidate, Sums::join, budget);
+      if (!again) continue;
+      improved = improve(best, cost, *again) || improved;
+      improved = improve(best, cost, value_number(*again)) || improved;
     }
     if (!improved) break;
   }

@@ -75,6 +75,36 @@ TEST_F(Simplify, HiddenZeroDivisorIsAnError) {
   EXPECT_THROW(of(z / nothing), std::domain_error);
 }
 
+// Shapes whose full expansion is astronomic: it gives up on them, and the values stay.
+TEST_F(Simplify, GivesUpInTime) {
+  Expr fibonacci = x, last = y;
+  for (int i = 0; i < 80; ++i) {
+    const Expr next = fibonacci * last;
+    last = fibonacci;
+    fibonacci = next;
+  }
+  Expr tower = x;
+  for (int i = 0; i < 80; ++i) tower = tower * tower;
+  Expr sums = z;
+  for (int i = 0; i < 60; ++i) sums = (sums + x * y) * (sums - z) * sums + t;
+  Expr circles = one;
+  for (int i = 0; i < 40; ++i) {
+    const Expr angle = g.symbol("a" + std::to_string(i));
+    circles = circles * (x * cos(angle) * cos(angle) + y * sin(angle) * sin(angle) + z);
+  }
+  Expr mixed = z;
+  for (int i = 0; i < 300; ++i) {
+    const Expr q = g.symbol("a" + std::to_string(i % 40));
+    mixed = mixed * cos(q) + (mixed - x) * (sin(q) * mixed) + sqrt(mixed * mixed + y) / (mixed + one);
+  }
+  const std::vector<Expr> roots{fibonacci, tower + y, sums, circles, mixed};
+  const std::vector<Modular> point = random_modular_point(g.symbol_count(), 3);
+  for (const Expr& root : roots) {
+    const std::vector<Expr> alone{root};
+    EXPECT_EQ(evaluate_modular(simplify(alone), point), evaluate_modular(alone, point));
+  }
+}
+
 TEST_F(Simplify, NeverMoreOperations) {
   RandomDagOptions options;
   options.square_roots = true;
