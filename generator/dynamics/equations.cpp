@@ -4,6 +4,7 @@
 #include <array>
 
 #include "dynamics/formulations.hpp"
+#include "dynamics/rigid_links.hpp"
 #include "dynamics/state_checks.hpp"
 #include "symbolic/passes.hpp"
 
@@ -11,9 +12,36 @@ namespace alembert {
 
 namespace {
 
-/// Of two lists of equal values, the one with fewer operations; the first where they are equal.
-std::vector<Expr> cheaper(std::vector<Expr> x, std::vector<Expr> y) {
-  return count_operations(y).total() < count_operations(x).total() ? y : x;
+/// Keeps the list of equal values with fewer operations; the first where they are equal.
+void keep_cheaper(std::vector<Expr>& kept, std::vector<Expr> other) {
+  if (kept.empty() || count_operations(other).total() < count_operations(kept).total())
+    kept = std::move(other);
+}
+
+/// Trees of motions that describe the same dynamics, to be tried for Q and for M: as given, and with placed
+/// frames and regrouped inertias.
+struct ReducedTrees {
+  std::vector<MotionTree> force, mass;
+};
+
+ReducedTrees reduced_trees(const Kinematics& kinematics) {
+  ReducedTrees trees;
+  const auto add_both_forms = [&](MotionTree tree) {
+    trees.force.push_back(tree);
+    for (NodeMass& mass : tree.masses) mass.forms.fill(MomentForm::inertia);
+    trees.force.push_back(std::move(tree));
+  };
+  add_both_forms(kinematics.tree);
+  trees.mass.push_back(kinematics.tree);
+  const std::optional<RigidLinks> links =
+      RigidLinks::of(kinematics.mechanism, kinematics.tree, kinematics.graph);
+  if (!links) return trees;
+  const std::vector<Regrouping> as_given(links->links().size());
+  add_both_forms(links->link_tree(as_given, kinematics.graph));
+  trees.force.push_back(links->link_tree(choose_regroupings(*links), kinematics.graph));
+  trees.mass.push_back(links->link_tree(as_given, kinematics.graph));
+  trees.mass.push_back(links->link_tree(minimal_regroupings(*links), kinematics.graph));
+  return trees;
 }
 
 Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
@@ -98,19 +126,17 @@ EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation 
       equations.M = coefficient_mass_matrix(mechanism, equations.Q);
       break;
     case Formulation::reduced: {
-      const auto by = [&](MomentForm form) {
-        return value_number(
-            reduced_inverse_dynamics(mechanism, kinematics.tree, kinematics.derivatives, form, graph));
-      };
-      std::vector<Expr> pseudo = by(MomentForm::pseudo_inertia);
-      std::vector<Expr> inertia = by(MomentForm::inertia);
-      equations.Q = cheaper(std::move(pseudo), std::move(inertia));
-      // A column of M by `coefficient` is as long as the chain, so the whole is only tried where there are
-      // few speeds for the bodies.
-      equations.M = value_number(composite_mass_matrix(mechanism, kinematics.tree, graph));
+      const ReducedTrees trees = reduced_trees(kinematics);
+      for (const MotionTree& tree : trees.force) {
+        keep_cheaper(equations.Q, value_number(reduced_inverse_dynamics(mechanism, tree, graph)));
+      }
+      for (const MotionTree& tree : trees.mass) {
+        keep_cheaper(equations.M, value_number(composite_mass_matrix(mechanism, tree, graph)));
+      }
+      // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
+      // speeds for the bodies.
       if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
-        equations.M =
-            cheaper(std::move(equations.M), value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+        keep_cheaper(equations.M, value_number(coefficient_mass_matrix(mechanism, equations.Q)));
       }
       break;
     }

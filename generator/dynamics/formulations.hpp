@@ -14,12 +14,6 @@
 
 namespace alembert {
 
-/// How the moment of a body's inertia is written: both are equal, which is shorter depends on the mechanism.
-enum class MomentForm {
-  pseudo_inertia,  ///< antisymmetric part of U K with K = tr(J)/2 - J: shares U with everything else
-  inertia,         ///< diagonal part as J_xx al_x + (J_zz - J_yy) om_y om_z
-};
-
 /// World force at the centre of mass and world torque of a body with external_wrench; symbols
 /// `wrench(body).fx` ... `.tz`.
 struct WrenchSymbols {
@@ -30,7 +24,6 @@ std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph&
 
 /// Q by the reduced form: outward twists and accelerations, inward forces (method.md section 3).
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
-                                           const SpeedDerivatives& derivatives, MomentForm form,
                                            ExprGraph& graph);
 
 /// Q by eq. (13), literally: 4x4 transforms, their first and second derivatives, phi recursion.

@@ -148,11 +148,8 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
   std::vector<std::vector<UnitMotion>> units;
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
   for (std::size_t i = 0; i < count; ++i) {
-    for (const int b : tree.nodes[i].bodies) {
-      const std::size_t body = static_cast<std::size_t>(b);
-      const NodeMass mass = mass_at_node(mechanism.bodies[body], tree.places[body], graph);
-      composites[i] = plus(composites[i], {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)});
-    }
+    const NodeMass& mass = tree.masses[i];
+    composites[i] = {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)};
   }
 
   std::vector<Expr> M(nv * nv, graph.zero());

@@ -134,7 +134,24 @@ MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& deriv
     }
     tree.places.push_back(std::move(place));
   }
+  for (const MotionNode& node : tree.nodes) {
+    NodeMass sum{graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)};
+    for (const int body : node.bodies) {
+      const NodeMass mass = mass_at_node(mechanism.bodies[static_cast<std::size_t>(body)],
+                                         tree.places[static_cast<std::size_t>(body)], graph);
+      sum.mass += mass.mass;
+      sum.moment = sum.moment + mass.moment;
+      sum.inertia = sum.inertia + mass.inertia;
+    }
+    tree.masses.push_back(std::move(sum));
+  }
   return tree;
+}
+
+bool NodeMass::is_zero() const {
+  const auto zero = [](const Expr& e) { return e.is_zero(); };
+  return mass.is_zero() && std::all_of(moment.entries.begin(), moment.entries.end(), zero) &&
+         std::all_of(inertia.entries.begin(), inertia.entries.end(), zero);
 }
 
 Vec3 center_at_node(const Body& body, const BodyPlace& place) {
@@ -164,7 +181,7 @@ NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph
                          inertia(1, 2), m * c[0],      m * c[1],      m * c[2]};
   if (!place.tail.empty()) flat = simplify(flat);
   const auto symmetric = [&](std::size_t i, std::size_t j) { return i == j ? flat[i] : flat[2 + i + j]; };
-  NodeMass mass{m, {{flat[6], flat[7], flat[8]}}, {}};
+  NodeMass mass{m, {{flat[6], flat[7], flat[8]}}, zeros<3, 3>(graph)};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) mass.inertia(i, j) = symmetric(i, j);
   }

@@ -7,6 +7,7 @@
 // without mass cost nothing but their motion.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -50,11 +51,23 @@ struct MotionNode {
   std::vector<int> bodies;
 };
 
-/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J.
+/// How a component of the moment of a body's inertia is written: both are equal, which is shorter depends on
+/// the mechanism.
+enum class MomentForm {
+  pseudo_inertia,  ///< antisymmetric part of U K with K = tr(J)/2 - J: shares U = skew(al) + skew(om)^2 with
+                   ///< everything else
+  inertia,         ///< diagonal part as J_xx al_x + (J_zz - J_yy) om_y om_z
+};
+
+/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J; and how its
+/// moment is to be written.
 struct NodeMass {
   Expr mass;
   Vec3 moment;
   Mat3 inertia;
+  std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
+                                  MomentForm::pseudo_inertia};
+  bool is_zero() const;
 };
 
 /// Where a body is: the node its mass is fixed to and the constant motions from that node to the body's own
@@ -67,6 +80,7 @@ struct BodyPlace {
 struct MotionTree {
   std::vector<MotionNode> nodes;  ///< parents first
   std::vector<BodyPlace> places;  ///< one for each body
+  std::vector<NodeMass> masses;   ///< one for each node: of all that is fixed to it
 };
 
 /// Appends a motion, merging it with the last one where both are translations or rotations about one axis;

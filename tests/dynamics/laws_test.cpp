@@ -9,6 +9,7 @@
 #include "differentiation/jacobian.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/rigid_links.hpp"
 
 namespace alembert::test {
 namespace {
@@ -90,10 +91,28 @@ TEST_P(Laws, ReducedFormIsTheFactoredForm) {
 
 TEST_P(Laws, BothMomentFormsAgree) {
   const auto by = [&](MomentForm form) {
-    return reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, kinematics.derivatives, form,
-                                    *loaded.graph);
+    MotionTree tree = kinematics.tree;
+    for (NodeMass& mass : tree.masses) mass.forms.fill(form);
+    return reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph);
   };
   expect_equal(by(MomentForm::pseudo_inertia), by(MomentForm::inertia));
+}
+
+/// Placing frames and regrouping inertias changes how Q and M are written, not what they are.
+TEST_P(Laws, PlacedAndRegroupedLinksGiveTheSameDynamics) {
+  const std::optional<RigidLinks> links = RigidLinks::of(*loaded.mechanism, kinematics.tree, *loaded.graph);
+  if (!links) GTEST_SKIP() << "a constant depends on a runtime parameter: links stay as they are";
+  const std::vector<Expr> Q = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, *loaded.graph);
+  const std::vector<Expr> M = composite_mass_matrix(*loaded.mechanism, kinematics.tree, *loaded.graph);
+  const auto expect_same = [&](const std::vector<Regrouping>& how) {
+    const MotionTree tree = links->link_tree(how, *loaded.graph);
+    expect_equal(reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph), Q, 1e-11);
+    expect_equal(composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph), M, 1e-11);
+  };
+  const std::vector<Regrouping> as_given(links->links().size());
+  expect_same(as_given);
+  expect_same(choose_regroupings(*links));
+  expect_same(minimal_regroupings(*links));
 }
 
 /// d(T + V)/dt = u . Q where nothing else does work: no prescribed motion. The left side is the chain rule

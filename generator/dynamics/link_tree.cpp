@@ -1,0 +1,201 @@
+// Rigid links back to a tree of motions (rigid_links.hpp): constants as numbers, exact where they are
+// multiples of a right angle.
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/rigid_links.hpp"
+
+namespace alembert {
+
+namespace {
+
+using Eigen::Matrix4d;
+
+Expr number(ExprGraph& graph, double x) {
+  return std::abs(x) < 1e-15 ? graph.zero() : graph.real(x);
+}
+
+/// Exact at multiples of a right angle.
+Expr angle_number(ExprGraph& graph, double x) {
+  const double quarter_turns = x / (std::numbers::pi / 2);
+  const double nearest = std::nearbyint(quarter_turns);
+  if (std::abs(quarter_turns - nearest) > 1e-12) return number(graph, x);
+  const std::int64_t k = static_cast<std::int64_t>(nearest);
+  if (k == 0) return graph.zero();
+  return k % 2 == 0 ? graph.pi(Rational(k / 2)) : graph.pi(Rational(k, 2));
+}
+
+NodeMass node_mass(ExprGraph& graph, const Matrix4d& S, const std::array<MomentForm, 3>& forms) {
+  NodeMass mass{number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
+  const double trace = S(0, 0) + S(1, 1) + S(2, 2);
+  for (int r = 0; r < 3; ++r) {
+    mass.moment[static_cast<std::size_t>(r)] = number(graph, S(r, 3));
+    for (int c = 0; c < 3; ++c) {
+      mass.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
+          number(graph, r == c ? trace - S(r, c) : -S(r, c));
+    }
+  }
+  return mass;
+}
+
+/// Builds the nodes one after another.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(ExprGraph& graph) : graph_(graph) {}
+
+  /// A constant rotation about a coordinate axis; the parent itself where there is none.
+  int turn(int parent, int axis, double angle) {
+    const Expr a = angle_number(graph_, angle);
+    if (a.is_zero()) return parent;
+    Motion motion;
+    motion.kind = MotionKind::axis_rotation;
+    motion.axis = axis;
+    motion.angle = a;
+    motion.cosine = cos(a);
+    motion.sine = sin(a);
+    return add(parent, motion);
+  }
+  int shift(int parent, const Eigen::Vector3d& t) {
+    Motion motion;
+    motion.kind = MotionKind::translation;
+    motion.offset = {{number(graph_, t[0]), number(graph_, t[1]), number(graph_, t[2])}};
+    if (motion.offset == zeros<3, 1>(graph_)) return parent;
+    return add(parent, motion);
+  }
+  /// A constant pose: its shift, then its rotation by Euler angles z x z.
+  int pose(int parent, const Matrix4d& pose) {
+    int node = shift(parent, pose.topRightCorner<3, 1>());
+    const double tilt = std::atan2(std::hypot(pose(0, 2), pose(1, 2)), pose(2, 2));
+    const bool tilted = std::abs(std::sin(tilt)) > 1e-12;
+    const double first = tilted ? std::atan2(pose(0, 2), -pose(1, 2)) : 0;
+    const double last = tilted ? std::atan2(pose(2, 0), pose(2, 1)) : std::atan2(-pose(0, 1), pose(0, 0));
+    node = turn(node, 2, first);
+    node = turn(node, 0, tilt);
+    return turn(node, 2, last);
+  }
+  int add(int parent, const Motion& motion) {
+    MotionNode node;
+    node.parent = parent;
+    node.motion = motion;
+    node.velocity = zeros<3, 1>(graph_);
+    node.acceleration = zeros<3, 1>(graph_);
+    return add(node);
+  }
+  int add(const MotionNode& node) {
+    tree.nodes.push_back(node);
+    tree.nodes.back().bodies.clear();
+    tree.masses.push_back({graph_.zero(), zeros<3, 1>(graph_), zeros<3, 3>(graph_)});
+    return static_cast<int>(tree.nodes.size()) - 1;
+  }
+
+  MotionTree tree;
+
+ private:
+  ExprGraph& graph_;
+};
+
+}  // namespace
+
+MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
+  // Masses flow from the tips to the root.
+  std::vector<Split> splits(links_.size());
+  std::vector<Matrix4d> inertias;
+  for (const RigidLink& link : links_) inertias.push_back(link.inertia);
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    auto split = this->split(i, regroupings[i], inertias[i]);
+    if (!split) split = this->split(i, Regrouping{}, inertias[i]);
+    splits[i] = *split;
+    if (links_[i].parent >= 0)
+      inertias[static_cast<std::size_t>(links_[i].parent)] += to_parent(i, splits[i].moved);
+  }
+
+  TreeBuilder builder(graph);
+  std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const RigidLink& link = links_[i];
+    int node = -1;
+    if (link.parent >= 0) {
+      const std::size_t p = static_cast<std::size_t>(link.parent);
+      if (links_[p].main_child == static_cast<int>(i)) {
+        node = frames[p][3];
+      } else {
+        // Beside the main child: from its twisted frame, whose U is made anyway.
+        const MassFrame from = has_frame(p, MassFrame::twist) ? MassFrame::twist : MassFrame::joint;
+        const Matrix4d back = pose_in_link(p, from).inverse();
+        node = builder.pose(frames[p][static_cast<std::size_t>(from)], back * link.before);
+      }
+    } else {
+      node = builder.pose(-1, link.before);
+    }
+    MotionNode moving = tree_->nodes[static_cast<std::size_t>(link.node)];
+    moving.parent = node;
+    if (link.turns) {
+      const std::size_t axis = static_cast<std::size_t>(moving.motion.axis);
+      const auto about_z = [&](Vec3& v) { v = {{graph.zero(), graph.zero(), v[axis]}}; };
+      for (TwistPartial& partial : moving.partials) about_z(partial.direction);
+      about_z(moving.velocity);
+      about_z(moving.acceleration);
+      moving.motion.axis = 2;
+      moving.motion.angle = moving.motion.angle + angle_number(graph, link.angle_offset);
+      moving.motion.cosine = cos(moving.motion.angle);
+      moving.motion.sine = sin(moving.motion.angle);
+    }
+    std::array<int, 4> at{};
+    at.fill(builder.add(moving));
+    if (link.main_child >= 0) {
+      const RigidLink& child = links_[static_cast<std::size_t>(link.main_child)];
+      at[1] = builder.turn(at[0], 0, child.twist);
+      at[2] = builder.shift(at[1], {child.length, 0, 0});
+      at[3] = builder.shift(at[2], {0, 0, child.offset});
+    }
+    frames.push_back(at);
+  }
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    // Frames that coincide share a node: what is fixed to them adds up.
+    const auto put = [&](MassFrame frame, const Matrix4d& S) {
+      NodeMass& mass =
+          builder.tree.masses[static_cast<std::size_t>(frames[i][static_cast<std::size_t>(frame)])];
+      const NodeMass more = node_mass(graph, S, regroupings[i].forms);
+      mass.mass += more.mass;
+      mass.moment = mass.moment + more.moment;
+      mass.inertia = mass.inertia + more.inertia;
+      mass.forms = more.forms;
+    };
+    for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
+      if (splits[i].points[k] == 0) continue;
+      Matrix4d point = Matrix4d::Zero();
+      point(3, 3) = splits[i].points[k];
+      put(kMassFrames[k], point);
+    }
+    put(regroupings[i].frame, splits[i].remaining);
+  }
+
+  for (const BodyPlace& place : tree_->places) {
+    BodyPlace moved = place;
+    if (place.node >= 0) {
+      const std::size_t old = static_cast<std::size_t>(place.node);
+      const int l = link_of_node_[old];
+      if (l < 0) {
+        moved.node = -1;
+      } else {
+        const std::size_t i = static_cast<std::size_t>(l);
+        const Matrix4d pose = links_[i].adjusted.inverse() * pose_of_node_[old];
+        Motion shift, turn;
+        shift.kind = MotionKind::translation;
+        shift.offset = {{number(graph, pose(0, 3)), number(graph, pose(1, 3)), number(graph, pose(2, 3))}};
+        turn.kind = MotionKind::rotation;
+        for (int r = 0; r < 3; ++r) {
+          for (int c = 0; c < 3; ++c)
+            turn.matrix(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) = number(graph, pose(r, c));
+        }
+        moved.node = frames[i][0];
+        moved.tail.insert(moved.tail.begin(), {shift, turn});
+      }
+    }
+    builder.tree.places.push_back(std::move(moved));
+  }
+  return std::move(builder.tree);
+}
+
+}  // namespace alembert

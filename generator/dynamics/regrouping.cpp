@@ -1,0 +1,316 @@
+// Which entries of the inertias to zero (rigid_links.hpp), decided by counting. What an inertia costs depends
+// only on which of its entries are zero, where it is written down, and what moves there: so the cost of a
+// link is that of a small model of it, kept by pattern.
+#include <Eigen/Core>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "dynamics/body_forces.hpp"
+#include "dynamics/rigid_links.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+using Eigen::Matrix4d;
+
+constexpr std::size_t kMass = 9, kHz = 8, kKzz = 2;
+constexpr unsigned bit(std::size_t i) {
+  return 1u << i;
+}
+
+/// What the cost of a link depends on.
+struct LinkPattern {
+  unsigned entries = 0;  ///< nonzero entries of the remaining inertia
+  unsigned points = 0;   ///< point masses at the frames
+  MassFrame frame = MassFrame::joint;
+  bool first =
+      false;  ///< its parent is the world: it turns about one axis only, and only that moment is wanted
+  bool child = false, twisted = false, length = false, offset = false;
+  auto key() const { return std::tuple(entries, points, frame, first, child, twisted, length, offset); }
+};
+
+Vec3 symbols(ExprGraph& g, const std::string& name) {
+  return {{g.symbol(name + "x"), g.symbol(name + "y"), g.symbol(name + "z")}};
+}
+
+/// Operations of the forces of one link: the inertia's, the shifts of acceleration towards the main child and
+/// of forces back.
+std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& forms) {
+  ExprGraph g;
+  const Expr zero = g.zero();
+  const auto frame_motion = [&](const std::string& name, bool tilted) {
+    Vec3 om = symbols(g, name + "w"), al = symbols(g, name + "a");
+    if (p.first) {
+      om[0] = al[0] = zero;
+      if (!tilted) om[1] = al[1] = zero;
+    }
+    return FrameMotion(om, al, symbols(g, name + "v"));
+  };
+  const FrameMotion joint = frame_motion("j", false);
+  const FrameMotion twist = p.twisted ? frame_motion("t", true) : joint;
+  const Vec3 length{{p.length ? g.symbol("a") : zero, zero, zero}};
+  const Vec3 offset{{zero, zero, p.offset ? g.symbol("d") : zero}};
+  std::array<FrameMotion, 4> motions{joint, twist, twist, twist};
+  motions[2].acc = twist.at(length);
+  motions[3].acc = motions[2].at(offset);
+
+  NodeMass mass{zero, zeros<3, 1>(g), zeros<3, 3>(g), forms};
+  const auto entry = [&](std::size_t e, const char* name) {
+    return (p.entries & bit(e)) != 0 ? g.symbol(name) : zero;
+  };
+  const std::array<Expr, 3> K{entry(0, "Kxx"), entry(1, "Kyy"), entry(2, "Kzz")};
+  // J of the pattern as independent symbols where sums of K do not vanish: only what is zero matters.
+  for (std::size_t i = 0; i < 3; ++i) mass.inertia(i, i) = K[(i + 1) % 3] + K[(i + 2) % 3];
+  const std::array<std::size_t, 3> rows{0, 0, 1}, columns{1, 2, 2};
+  static constexpr const char* kNames[] = {"Kxy", "Kxz", "Kyz"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    mass.inertia(rows[k], columns[k]) = mass.inertia(columns[k], rows[k]) = -entry(3 + k, kNames[k]);
+  }
+  mass.moment = {{entry(6, "hx"), entry(7, "hy"), entry(8, "hz")}};
+  mass.mass = entry(9, "m");
+
+  std::array<ForceMoment, 4> at;
+  for (std::size_t k = 0; k < 4; ++k) {
+    at[k] = {zeros<3, 1>(g), zeros<3, 1>(g)};
+    if ((p.points & bit(k)) != 0) at[k].force = g.symbol("point" + std::to_string(k)) * motions[k].acc;
+    if (kMassFrames[k] == p.frame) {
+      const ForceMoment inertia = inertia_forces(motions[k], mass, g);
+      at[k] = {at[k].force + inertia.force, at[k].moment + inertia.moment};
+    }
+  }
+  ForceMoment total{zeros<3, 1>(g), zeros<3, 1>(g)};
+  if (p.child) total = {symbols(g, "f"), symbols(g, "n")};
+  const auto gather = [&](std::size_t k) {
+    total = {total.force + at[k].force, total.moment + at[k].moment};
+  };
+  gather(3);
+  total.moment = total.moment + cross(offset, total.force);
+  gather(2);
+  total.moment = total.moment + cross(length, total.force);
+  gather(1);
+  std::vector<Expr> roots;
+  if (p.first) {
+    // Turned back by the twist, only the moment about the axis is wanted.
+    Expr moment = p.twisted ? g.symbol("c") * total.moment[2] : total.moment[2];
+    if (p.twisted) moment += g.symbol("s") * total.moment[1];
+    roots.push_back(moment + at[0].moment[2]);
+  } else {
+    if (p.twisted) {
+      roots.insert(roots.end(), at[0].force.entries.begin(), at[0].force.entries.end());
+      roots.insert(roots.end(), at[0].moment.entries.begin(), at[0].moment.entries.end());
+    } else {
+      gather(0);
+    }
+    roots.insert(roots.end(), total.force.entries.begin(), total.force.entries.end());
+    roots.insert(roots.end(), total.moment.entries.begin(), total.moment.entries.end());
+  }
+  if (p.child) roots.insert(roots.end(), motions[3].acc.entries.begin(), motions[3].acc.entries.end());
+  return count_operations(roots).total();
+}
+
+/// The search over one mechanism's links.
+class RegroupingSearch {
+ public:
+  explicit RegroupingSearch(const RigidLinks& links) : links_(links), choices_(links.links().size()) {}
+
+  std::vector<Regrouping> run() {
+    const std::size_t n = choices_.size();
+    std::vector<std::vector<Regrouping>> candidates(n);
+    std::vector<Matrix4d> inertias;
+    for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
+    // From the tips: the best by its own cost; then descent, where a choice is judged by the link's and its
+    // ancestors' cost.
+    for (std::size_t i = n; i-- > 0;) {
+      candidates[i] = ranked_candidates(i, inertias[i]);
+      choices_[i] = candidates[i].front();
+      const int parent = links_.links()[i].parent;
+      if (parent >= 0)
+        inertias[static_cast<std::size_t>(parent)] +=
+            links_.to_parent(i, links_.split(i, choices_[i], inertias[i])->moved);
+    }
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      bool better = false;
+      for (std::size_t i = n; i-- > 0;) better = improve(i, candidates[i]) || better;
+      if (!better) break;
+    }
+    for (std::size_t i = 0; i < n; ++i) choices_[i].forms = best_forms(i);
+    return choices_;
+  }
+
+ private:
+  static constexpr int kSweeps = 3;
+  static constexpr std::size_t kKept = 24;      ///< candidates a link, best first
+  static constexpr std::size_t kAncestors = 4;  ///< beyond these a choice is taken to have no effect
+
+  LinkPattern pattern(std::size_t i, const Regrouping& how, const RigidLinks::Split& split) const {
+    const RigidLink& link = links_.links()[i];
+    LinkPattern p;
+    for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
+      if (split.remaining(kInertiaEntries[e].first, kInertiaEntries[e].second) != 0) p.entries |= bit(e);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (split.points[k] != 0) p.points |= bit(k);
+    }
+    p.frame = how.frame;
+    p.first = link.parent < 0 && link.turns;
+    if (link.main_child >= 0) {
+      const RigidLink& child = links_.links()[static_cast<std::size_t>(link.main_child)];
+      p.child = true;
+      p.twisted = std::abs(std::sin(2 * child.twist)) > 1e-12;  // right angles only rename axes
+      p.length = child.length != 0;
+      p.offset = child.offset != 0;
+    }
+    return p;
+  }
+
+  std::size_t cost(const LinkPattern& p) {
+    const auto [entry, inserted] = costs_.try_emplace(p.key(), 0);
+    if (inserted) {
+      std::array<MomentForm, 3> forms;
+      forms.fill(MomentForm::pseudo_inertia);
+      entry->second = pattern_cost(p, forms);
+      forms.fill(MomentForm::inertia);
+      entry->second = std::min(entry->second, pattern_cost(p, forms));
+    }
+    return entry->second;
+  }
+
+  /// All ways to write the inertia of link i that can be solved for, cheapest first by its own cost; the
+  /// first is never missing.
+  std::vector<Regrouping> ranked_candidates(std::size_t i, const Matrix4d& inertia) {
+    std::vector<std::pair<std::size_t, Regrouping>> found;
+    const auto consider = [&](const Regrouping& how) {
+      const auto split = links_.split(i, how, inertia);
+      if (split) found.emplace_back(cost(pattern(i, how, *split)), how);
+    };
+    for (const MassFrame frame : kMassFrames) {
+      if (!links_.has_frame(i, frame)) continue;
+      consider({frame, 0, 0, {}});
+      for (unsigned points = 0; points < 16; ++points) {
+        if ((points & bit(static_cast<std::size_t>(frame))) != 0 || std::popcount(points) > 1) continue;
+        if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
+        for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
+          const int count = std::popcount(zeros) - std::popcount(points);
+          // Points are only worth it if the mass itself goes.
+          if (points != 0 && (zeros & bit(kMass)) == 0) continue;
+          if (count != links_.movable_count(i)) continue;
+          consider({frame, zeros, points, {}});
+        }
+      }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    // A few of each number of zeros kept, and "do nothing" always.
+    std::vector<Regrouping> kept;
+    for (const auto& [own, how] : found) {
+      if (kept.size() < kKept || how.zeros == 0) kept.push_back(how);
+    }
+    return kept;
+  }
+
+  /// Cost of link i and of the ancestors that its choice can reach, with all choices as they are.
+  std::size_t chain_cost(std::size_t i, const Regrouping& how, const std::vector<Matrix4d>& inertias,
+                         const std::vector<Matrix4d>& moved) {
+    std::size_t sum = 0;
+    Regrouping here = how;
+    Matrix4d inertia = inertias[i];
+    for (std::size_t step = 0; step <= kAncestors; ++step) {
+      auto split = links_.split(i, here, inertia);
+      if (!split) return ~std::size_t{0};
+      sum += cost(pattern(i, here, *split));
+      const int parent = links_.links()[i].parent;
+      if (parent < 0) break;
+      const std::size_t p = static_cast<std::size_t>(parent);
+      inertia = inertias[p] + links_.to_parent(i, split->moved - moved[i]);
+      i = p;
+      here = choices_[i];
+    }
+    return sum;
+  }
+
+  bool improve(std::size_t i, const std::vector<Regrouping>& candidates) {
+    // Inertias and moved parts under the present choices.
+    const std::size_t n = choices_.size();
+    std::vector<Matrix4d> inertias, moved(n, Matrix4d::Zero());
+    for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
+    for (std::size_t k = n; k-- > 0;) {
+      auto split = links_.split(k, choices_[k], inertias[k]);
+      if (!split) {
+        choices_[k] = Regrouping{};
+        split = links_.split(k, choices_[k], inertias[k]);
+      }
+      moved[k] = split->moved;
+      const int parent = links_.links()[k].parent;
+      if (parent >= 0) inertias[static_cast<std::size_t>(parent)] += links_.to_parent(k, moved[k]);
+    }
+    std::size_t best = chain_cost(i, choices_[i], inertias, moved);
+    bool better = false;
+    for (const Regrouping& how : candidates) {
+      const std::size_t sum = chain_cost(i, how, inertias, moved);
+      if (sum >= best) continue;
+      best = sum;
+      choices_[i] = how;
+      better = true;
+    }
+    return better;
+  }
+
+  std::array<MomentForm, 3> best_forms(std::size_t i) {
+    std::vector<Matrix4d> inertias;
+    for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
+    for (std::size_t k = choices_.size(); k-- > i + 1;) {
+      const auto split = links_.split(k, choices_[k], inertias[k]);
+      const int parent = links_.links()[k].parent;
+      if (split && parent >= 0)
+        inertias[static_cast<std::size_t>(parent)] += links_.to_parent(k, split->moved);
+    }
+    const auto split = links_.split(i, choices_[i], inertias[i]);
+    std::array<MomentForm, 3> best{};
+    if (!split) return best;
+    const LinkPattern p = pattern(i, choices_[i], *split);
+    std::size_t least = ~std::size_t{0};
+    for (unsigned mask = 0; mask < 8; ++mask) {
+      std::array<MomentForm, 3> forms;
+      for (std::size_t k = 0; k < 3; ++k)
+        forms[k] = (mask >> k & 1u) != 0 ? MomentForm::inertia : MomentForm::pseudo_inertia;
+      const std::size_t here = pattern_cost(p, forms);
+      if (here < least) {
+        least = here;
+        best = forms;
+      }
+    }
+    return best;
+  }
+
+  const RigidLinks& links_;
+  std::vector<Regrouping> choices_;
+  std::map<decltype(LinkPattern{}.key()), std::size_t> costs_;
+};
+
+}  // namespace
+
+std::vector<Regrouping> choose_regroupings(const RigidLinks& links) {
+  return RegroupingSearch(links).run();
+}
+
+std::vector<Regrouping> minimal_regroupings(const RigidLinks& links) {
+  std::vector<Regrouping> out;
+  for (std::size_t i = 0; i < links.links().size(); ++i) {
+    Regrouping how;
+    if (links.links()[i].turns) {
+      how.zeros = bit(kMass) | bit(kHz) | bit(kKzz);
+    } else if (links.movable_count(i) == 6) {
+      how.zeros = bit(0) | bit(1) | bit(2) | bit(3) | bit(4) | bit(5);
+    } else if (links.movable_count(i) == 1) {
+      how.zeros = bit(kMass);
+    }
+    out.push_back(how);
+  }
+  return out;
+}
+
+}  // namespace alembert

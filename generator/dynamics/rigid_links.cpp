@@ -1,0 +1,317 @@
+// Rigid links with numbers: made from the tree of motions, their frames placed, their inertias split (see the
+// header).
+#include "dynamics/rigid_links.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+constexpr double kSmall = 1e-12;
+
+Matrix4d turn(int axis, double angle) {
+  Matrix4d m = Matrix4d::Identity();
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  m(i, i) = m(j, j) = std::cos(angle);
+  m(j, i) = std::sin(angle);
+  m(i, j) = -m(j, i);
+  return m;
+}
+
+Matrix4d shift(const Vector3d& t) {
+  Matrix4d m = Matrix4d::Identity();
+  m.topRightCorner<3, 1>() = t;
+  return m;
+}
+
+Matrix4d inverse(const Matrix4d& pose) {
+  Matrix4d m = Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = pose.topLeftCorner<3, 3>().transpose();
+  m.topRightCorner<3, 1>() = -m.topLeftCorner<3, 3>() * pose.topRightCorner<3, 1>();
+  return m;
+}
+
+/// Values of expressions without symbols; nothing if one has a symbol.
+std::optional<std::vector<double>> numbers(std::span<const Expr> values) {
+  if (!std::all_of(values.begin(), values.end(), [](const Expr& e) { return e.is_constant(); }))
+    return std::nullopt;
+  std::vector<double> out = evaluate(values, {});
+  for (double& x : out) {
+    if (std::abs(x) < 1e-16) x = 0;
+  }
+  return out;
+}
+
+std::optional<Matrix4d> constant_pose(const Motion& motion, ExprGraph& graph) {
+  const Pose pose = moved(identity_pose(graph), motion);
+  const auto R = numbers(pose.rotation.entries), t = numbers(pose.origin.entries);
+  if (!R || !t) return std::nullopt;
+  Matrix4d m = Matrix4d::Identity();
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) m(r, c) = (*R)[static_cast<std::size_t>(3 * r + c)];
+    m(r, 3) = (*t)[static_cast<std::size_t>(r)];
+  }
+  return m;
+}
+
+std::optional<Matrix4d> pseudo_inertia(const NodeMass& mass) {
+  std::vector<Expr> flat(mass.inertia.entries.begin(), mass.inertia.entries.end());
+  flat.insert(flat.end(), mass.moment.entries.begin(), mass.moment.entries.end());
+  flat.push_back(mass.mass);
+  const auto v = numbers(flat);
+  if (!v) return std::nullopt;
+  Matrix3d J;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) J(r, c) = (*v)[static_cast<std::size_t>(3 * r + c)];
+  }
+  Matrix4d S;
+  S.topLeftCorner<3, 3>() = 0.5 * J.trace() * Matrix3d::Identity() - J;
+  for (int r = 0; r < 3; ++r) S(r, 3) = S(3, r) = (*v)[static_cast<std::size_t>(9 + r)];
+  S(3, 3) = (*v)[12];
+  return S;
+}
+
+/// A pose as Rz(first_angle) Tz(first_shift) Rx(twist) Tx(length) Rz(last_angle) Tz(last_shift).
+struct CommonNormal {
+  double first_angle = 0, first_shift = 0, twist = 0, length = 0, last_angle = 0, last_shift = 0;
+};
+
+CommonNormal common_normal(const Matrix4d& pose) {
+  CommonNormal d;
+  const Vector3d z0 = Vector3d::UnitZ(), z1 = pose.block<3, 1>(0, 2), t = pose.topRightCorner<3, 1>();
+  Vector3d x = z0.cross(z1);
+  const double size = std::max(1.0, t.norm());
+  if (x.norm() > kSmall) {
+    x.normalize();
+    d.twist = std::atan2(x.dot(z0.cross(z1)), z0.dot(z1));
+    Matrix3d axes;
+    axes << z0, x, z1;
+    const Vector3d parts = axes.partialPivLu().solve(t);
+    d.first_shift = parts[0];
+    d.length = parts[1];
+    d.last_shift = parts[2];
+    d.first_angle = std::atan2(x[1], x[0]);
+  } else {
+    d.twist = z1[2] > 0 ? 0 : std::numbers::pi;
+    d.first_shift = t[2];
+    d.length = std::hypot(t[0], t[1]);
+    if (d.length > kSmall * size) d.first_angle = std::atan2(t[1], t[0]);
+  }
+  for (double* length : {&d.first_shift, &d.length, &d.last_shift}) {
+    if (std::abs(*length) < kSmall * size) *length = 0;
+  }
+  const Matrix4d rest = turn(0, -d.twist) * turn(2, -d.first_angle) * pose;
+  d.last_angle = std::atan2(rest(1, 0), rest(0, 0));
+  return d;
+}
+
+}  // namespace
+
+std::optional<RigidLinks> RigidLinks::of(const Mechanism& mechanism, const MotionTree& tree,
+                                         ExprGraph& graph) {
+  RigidLinks out;
+  out.mechanism_ = &mechanism;
+  out.tree_ = &tree;
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const MotionNode& node = tree.nodes[i];
+    int link = node.parent < 0 ? -1 : out.link_of_node_[static_cast<std::size_t>(node.parent)];
+    Matrix4d pose =
+        node.parent < 0 ? Matrix4d::Identity() : out.pose_of_node_[static_cast<std::size_t>(node.parent)];
+    if (node.partials.empty()) {
+      const auto constant = constant_pose(node.motion, graph);
+      if (!constant) return std::nullopt;
+      pose = pose * *constant;
+    } else {
+      RigidLink next;
+      next.node = static_cast<int>(i);
+      next.parent = link;
+      next.before = pose;
+      next.turns = node.motion.kind == MotionKind::axis_rotation;
+      link = static_cast<int>(out.links_.size());
+      out.links_.push_back(next);
+      pose = Matrix4d::Identity();
+    }
+    const auto S = pseudo_inertia(tree.masses[i]);
+    if (!S) return std::nullopt;
+    if (link >= 0) out.links_[static_cast<std::size_t>(link)].inertia += pose * *S * pose.transpose();
+    out.link_of_node_.push_back(link);
+    out.pose_of_node_.push_back(pose);
+  }
+  out.place();
+  return out;
+}
+
+void RigidLinks::place() {
+  std::vector<std::vector<std::size_t>> children(links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (links_[i].parent >= 0) children[static_cast<std::size_t>(links_[i].parent)].push_back(i);
+  }
+  // The frame after a motion becomes frame * G, where G commutes with the motion (or renames its axis).
+  const auto reframe = [&](std::size_t i, const Matrix4d& G) {
+    RigidLink& link = links_[i];
+    link.before = link.before * G;
+    link.adjusted = link.adjusted * G;
+    const Matrix4d back = inverse(G);
+    link.inertia = back * link.inertia * back.transpose();
+    for (const std::size_t child : children[i]) links_[child].before = back * links_[child].before;
+  };
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (!links_[i].turns) continue;
+    switch (tree_->nodes[static_cast<std::size_t>(links_[i].node)].motion.axis) {
+      case 0:
+        reframe(i, turn(1, std::numbers::pi / 2));
+        break;
+      case 1:
+        reframe(i, turn(0, -std::numbers::pi / 2));
+        break;
+      default:
+        break;
+    }
+  }
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    RigidLink& link = links_[i];
+    if (!link.turns) continue;
+    const auto child =
+        std::find_if(children[i].begin(), children[i].end(), [&](std::size_t c) { return links_[c].turns; });
+    if (child != children[i].end()) {
+      link.main_child = static_cast<int>(*child);
+      const CommonNormal d = common_normal(links_[*child].before);
+      reframe(i, turn(2, d.first_angle) * shift({0, 0, d.first_shift}));
+    } else if (children[i].empty() && link.parent >= 0) {
+      const CommonNormal d = common_normal(link.before);
+      reframe(i, shift({0, 0, -d.last_shift}));
+    }
+  }
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    RigidLink& link = links_[i];
+    if (!link.turns) continue;
+    const CommonNormal d = common_normal(link.before);
+    link.angle_offset = d.last_angle;
+    link.before = link.before * turn(2, -d.last_angle);
+    if (link.parent >= 0 && links_[static_cast<std::size_t>(link.parent)].main_child == static_cast<int>(i)) {
+      link.twist = d.twist;
+      link.length = d.length;
+      link.offset = d.last_shift;
+      // Parallel axes share the slide; it all happens here.
+      link.before = turn(0, d.twist) * shift({d.length, 0, d.last_shift});
+      if (std::abs(std::sin(d.twist)) < kSmall) {
+        link.offset = d.first_shift * std::cos(d.twist) + d.last_shift;
+        link.before = turn(0, d.twist) * shift({d.length, 0, link.offset});
+      }
+    }
+  }
+}
+
+bool RigidLinks::has_frame(std::size_t i, MassFrame frame) const {
+  return frame == MassFrame::joint || links_[i].main_child >= 0;
+}
+
+Matrix4d RigidLinks::pose_in_link(std::size_t i, MassFrame frame) const {
+  if (frame == MassFrame::joint) return Matrix4d::Identity();
+  const RigidLink& child = links_[static_cast<std::size_t>(links_[i].main_child)];
+  Matrix4d pose = turn(0, child.twist);
+  if (frame == MassFrame::twist) return pose;
+  pose = pose * shift({child.length, 0, 0});
+  return frame == MassFrame::length ? pose : Matrix4d(pose * shift({0, 0, child.offset}));
+}
+
+Matrix4d RigidLinks::in_frame(std::size_t i, MassFrame frame, const Matrix4d& inertia) const {
+  const Matrix4d back = inverse(pose_in_link(i, frame));
+  return back * inertia * back.transpose();
+}
+
+Matrix4d RigidLinks::to_parent(std::size_t i, const Matrix4d& moved) const {
+  const Matrix4d& X = links_[i].before;
+  return X * moved * X.transpose();
+}
+
+std::vector<Matrix4d> RigidLinks::movable(std::size_t i) const {
+  // Pairs of points and directions (homogeneous, in the frame after the motion) that the motion leaves still.
+  std::vector<Eigen::Vector4d> still;
+  const Motion& motion = tree_->nodes[static_cast<std::size_t>(links_[i].node)].motion;
+  switch (motion.kind) {
+    case MotionKind::translation:
+      still = {Eigen::Vector4d::UnitX(), Eigen::Vector4d::UnitY(), Eigen::Vector4d::UnitZ()};
+      break;
+    case MotionKind::axis_rotation:
+      still = {Eigen::Vector4d::UnitZ(), Eigen::Vector4d::UnitW()};
+      break;
+    case MotionKind::rotation:
+      if (motion.fixed_axis) {
+        const auto axis = numbers(motion.fixed_axis->entries);
+        if (axis) still.emplace_back((*axis)[0], (*axis)[1], (*axis)[2], 0);
+      }
+      still.emplace_back(Eigen::Vector4d::UnitW());
+      break;
+  }
+  std::vector<Matrix4d> basis;
+  for (std::size_t a = 0; a < still.size(); ++a) {
+    for (std::size_t b = a; b < still.size(); ++b) {
+      basis.emplace_back(still[a] * still[b].transpose() + still[b] * still[a].transpose());
+    }
+  }
+  return basis;
+}
+
+std::optional<RigidLinks::Split> RigidLinks::split(std::size_t i, const Regrouping& how,
+                                                   const Matrix4d& inertia) const {
+  Split out{in_frame(i, how.frame, inertia), Matrix4d::Zero(), {}};
+  const double size = std::max(out.remaining.cwiseAbs().maxCoeff(), 1e-300);
+  if (how.zeros != 0) {
+    const std::vector<Matrix4d> basis = movable(i);
+    std::vector<Matrix4d> columns;
+    for (const Matrix4d& d : basis) columns.push_back(in_frame(i, how.frame, d));
+    std::vector<std::size_t> points;
+    const Matrix4d back = inverse(pose_in_link(i, how.frame));
+    for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
+      if ((how.points >> k & 1u) == 0) continue;
+      const Eigen::Vector4d at = (back * pose_in_link(i, kMassFrames[k])).col(3);
+      columns.emplace_back(at * at.transpose());
+      points.push_back(k);
+    }
+    const Eigen::Index n = static_cast<Eigen::Index>(columns.size());
+    if (std::popcount(how.zeros) != static_cast<int>(n)) return std::nullopt;
+    Eigen::MatrixXd A(n, n);
+    Eigen::VectorXd b(n);
+    Eigen::Index row = 0;
+    for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
+      if ((how.zeros >> e & 1u) == 0) continue;
+      const auto [r, c] = kInertiaEntries[e];
+      for (Eigen::Index k = 0; k < n; ++k) A(row, k) = columns[static_cast<std::size_t>(k)](r, c);
+      b[row++] = out.remaining(r, c);
+    }
+    Eigen::FullPivLU<Eigen::MatrixXd> lu(A);
+    lu.setThreshold(1e-6);
+    if (!lu.isInvertible()) return std::nullopt;
+    const Eigen::VectorXd x = lu.solve(b);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const double amount = x[static_cast<Eigen::Index>(k)];
+      out.remaining -= amount * columns[k];
+      if (k < basis.size()) {
+        out.moved += amount * basis[k];
+      } else {
+        out.points[points[k - basis.size()]] = amount;
+      }
+    }
+    for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
+      const auto [r, c] = kInertiaEntries[e];
+      if ((how.zeros >> e & 1u) != 0) out.remaining(r, c) = out.remaining(c, r) = 0;
+    }
+  }
+  const auto snap = [&](double x) { return std::abs(x) < 1e-14 * size ? 0.0 : x; };
+  out.remaining = out.remaining.unaryExpr(snap);
+  return out;
+}
+
+}  // namespace alembert

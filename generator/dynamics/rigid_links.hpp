@@ -1,0 +1,112 @@
+// The tree of motions as rigid links with numbers: one link for each motion that moves, with the constant
+// poses between them and pseudo-inertias. Frame placement and inertia regrouping work on it; `link_tree`
+// turns the result back into a tree of motions.
+//
+// Placement: a rotation about an axis commutes with turns about and slides along that axis, so frames are
+// turned and slid until the constant pose between two rotations is a twist alpha, a length a and an offset d
+// (Denavit and Hartenberg), with the offset before the rotation it belongs to: both shifts happen in one
+// frame.
+//
+// Regrouping: a symmetric 4x4 part d of a link's pseudo-inertia may move to its parent, S_parent += X d X^T,
+// exactly when (dA/dq) d = 0, that is when its range lies in the points and directions that the motion leaves
+// still.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "dynamics/formulations.hpp"
+#include "dynamics/motion_tree.hpp"
+
+namespace alembert {
+
+/// Where on a link its mass is written down: the frame after its motion, or, towards its main child, after
+/// the twist, the length, the offset.
+enum class MassFrame { joint, twist, length, offset };
+inline constexpr std::array kMassFrames{MassFrame::joint, MassFrame::twist, MassFrame::length,
+                                        MassFrame::offset};
+
+/// Entries of a pseudo-inertia [K h; h^T m] in this order: Kxx Kyy Kzz Kxy Kxz Kyz hx hy hz m.
+inline constexpr std::array<std::pair<int, int>, 10> kInertiaEntries{
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}, {3, 3}}};
+
+/// How a link's inertia is written: entries made zero by moving what the motion allows to the parent (and
+/// into point masses at the other frames), bit i for kInertiaEntries[i].
+struct Regrouping {
+  MassFrame frame = MassFrame::joint;
+  unsigned zeros = 0;
+  unsigned points = 0;  ///< bit k: a point mass at the origin of kMassFrames[k]
+  std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
+                                  MomentForm::pseudo_inertia};
+};
+
+struct RigidLink {
+  int node = -1;        ///< the moving node of the tree it was made from
+  int parent = -1;      ///< link, or -1: world
+  int main_child = -1;  ///< the child, turning about an axis, towards which the frames are placed
+  bool turns = false;   ///< rotation about a coordinate axis: from here on the z axis
+  double angle_offset = 0;
+  double twist = 0, length = 0, offset = 0;  ///< from the parent, if this is its main child
+  Eigen::Matrix4d before =
+      Eigen::Matrix4d::Identity();  ///< parent's frame to this one before its motion, offset included
+  Eigen::Matrix4d inertia = Eigen::Matrix4d::Zero();  ///< pseudo-inertia in the frame after the motion
+  Eigen::Matrix4d adjusted =
+      Eigen::Matrix4d::Identity();  ///< node's frame after its motion to this link's frame
+};
+
+/// Links of one mechanism; the tree must outlive it.
+class RigidLinks {
+ public:
+  /// Links with placed frames. Nothing if a constant between motions, or a mass, depends on a runtime
+  /// parameter: such constants survive as they were given.
+  static std::optional<RigidLinks> of(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+
+  const std::vector<RigidLink>& links() const { return links_; }
+
+  /// Pseudo-inertia of link i in `frame`, given the one in the joint's frame.
+  Eigen::Matrix4d in_frame(std::size_t i, MassFrame frame, const Eigen::Matrix4d& inertia) const;
+  /// Whether the frame exists: all but `joint` need a main child.
+  bool has_frame(std::size_t i, MassFrame frame) const;
+
+  /// How many independent parts of its inertia link i can hand to its parent: r (r + 1) / 2 with r still
+  /// points and directions.
+  int movable_count(std::size_t i) const { return static_cast<int>(movable(i).size()); }
+
+  /// Solves for what leaves link i so that the entries become zero. `remaining` is in the chosen frame,
+  /// `moved` in the frame after the motion (zero if nothing moves), `points` are masses at the frames.
+  /// Nothing if the entries cannot be zeroed.
+  struct Split {
+    Eigen::Matrix4d remaining, moved;
+    std::array<double, 4> points{};
+  };
+  std::optional<Split> split(std::size_t i, const Regrouping& how, const Eigen::Matrix4d& inertia) const;
+
+  /// What the parent receives of a part moved by link i: X d X^T.
+  Eigen::Matrix4d to_parent(std::size_t i, const Eigen::Matrix4d& moved) const;
+
+  /// The tree of motions of the links, inertias written as asked for (one Regrouping a link).
+  MotionTree link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const;
+
+ private:
+  void place();  ///< turns and slides the frames about the axes
+  Eigen::Matrix4d pose_in_link(std::size_t i, MassFrame frame) const;
+  std::vector<Eigen::Matrix4d> movable(std::size_t i) const;
+
+  const Mechanism* mechanism_ = nullptr;
+  const MotionTree* tree_ = nullptr;
+  std::vector<RigidLink> links_;
+  std::vector<int> link_of_node_;              ///< link that a node moves with; -1: world
+  std::vector<Eigen::Matrix4d> pose_of_node_;  ///< of a node in its link's original frame
+};
+
+/// Chooses for each link how its inertia is written, by counting the operations it causes: coordinate descent
+/// over the entries that can be zeroed, "do nothing" included. Deterministic.
+std::vector<Regrouping> choose_regroupings(const RigidLinks& links);
+
+/// Mass, first moment and one third of the inertia zeroed at each joint: what the composite-body mass matrix
+/// wants.
+std::vector<Regrouping> minimal_regroupings(const RigidLinks& links);
+
+}  // namespace alembert
