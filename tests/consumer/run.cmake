@@ -129,6 +129,16 @@ endif()
 run(output ${configure} -B "${WORK}/given" -DALEMBERT_GENERATOR_EXECUTABLE=${prefix}/bin/alembert)
 run(output ${CMAKE_COMMAND} --build "${WORK}/given" --target torque)
 
+# When cross-compiling, the installed command is for the target machine: the one for this machine must be named.
+set(configure ${CMAKE_COMMAND} -S "${source}" "-DCMAKE_PREFIX_PATH=${prefix}" -G "${GENERATOR}" -DCMAKE_C_COMPILER=${C_COMPILER}
+    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=other)
+execute_process(COMMAND ${configure} -B "${WORK}/cross" OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+if(result EQUAL 0 OR NOT output MATCHES "ALEMBERT_HOST_PREFIX")
+  message(FATAL_ERROR "cross-compiling without a command for this machine must fail and say why (${result}):\n${output}")
+endif()
+run(output ${configure} -B "${WORK}/cross with prefix" "-DALEMBERT_HOST_PREFIX=${prefix}")
+run(output ${CMAKE_COMMAND} --build "${WORK}/cross with prefix" --target torque)
+
 # Flags from pkg-config suffice for the runtime library.
 find_program(pkg_config pkg-config)
 if(pkg_config)
