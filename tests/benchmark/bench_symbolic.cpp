@@ -25,7 +25,7 @@ void report(benchmark::State& state, std::size_t nodes, const ExprGraph& graph) 
 Mat3 rotation_chain(ExprGraph& graph, std::size_t joints) {
   Mat3 out = identity3(graph);
   for (std::size_t i = 0; i < joints; ++i) {
-    const Expr q = graph.symbol("q" + std::to_string(i));
+    const Expr q = graph.symbol(numbered('q', i));
     const Expr s = sin(q), c = cos(q);
     Mat3 joint = identity3(graph);
     const std::size_t j = i % 3, k = (i + 1) % 3;
@@ -55,7 +55,7 @@ BENCHMARK(BM_BuildRotationChain)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmar
 void build_random(ExprGraph& graph, std::size_t count, std::size_t window) {
   TestRandom random(7);
   std::vector<Expr> recent;
-  for (std::size_t i = 0; i < 16; ++i) recent.push_back(graph.symbol("s" + std::to_string(i)));
+  for (std::size_t i = 0; i < 16; ++i) recent.push_back(graph.symbol(numbered('s', i)));
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t from = recent.size() > window ? recent.size() - window : 0;
     const std::uint64_t bits = random.next();
@@ -115,7 +115,7 @@ void BM_Differentiate(benchmark::State& state) {
     ExprGraph graph;
     const Mat3 rotation = rotation_chain(graph, joints);
     std::vector<Expr> angles;
-    for (std::size_t i = 0; i < joints; ++i) angles.push_back(graph.symbol("q" + std::to_string(i)));
+    for (std::size_t i = 0; i < joints; ++i) angles.push_back(graph.symbol(numbered('q', i)));
     const std::size_t before = graph.size();
     state.ResumeTiming();
     switch (state.range(1)) {

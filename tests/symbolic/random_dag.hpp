@@ -33,6 +33,13 @@ class TestRandom {
   std::uint64_t state_;
 };
 
+/// A name such as s3.
+inline std::string numbered(char letter, std::size_t i) {
+  std::string name(1, letter);
+  name += std::to_string(i);
+  return name;
+}
+
 struct RandomDagOptions {
   std::size_t symbols = 4;
   std::size_t steps = 24;
@@ -68,7 +75,7 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
   out.symbols.resize(options.symbols);
   for (std::size_t k = 0; k < options.symbols; ++k) {
     const std::size_t i = mirrored ? options.symbols - 1 - k : k;
-    out.symbols[i] = graph.symbol("s" + std::to_string(i));
+    out.symbols[i] = graph.symbol(numbered('s', i));
   }
   const auto push = [&](Op op, std::size_t a, std::size_t b, bool negative, Expr value) {
     out.steps.push_back({op, a, b, negative});

@@ -1,6 +1,7 @@
 // Depth: every pass works on a chain of a million nodes, so none recurses on it.
 #include <cmath>
 
+#include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
 
 namespace alembert {
@@ -65,8 +66,7 @@ TEST(Chain, OfCancellingSums) {
   const Expr a = graph.symbol("a");
   Expr p = a, q = -a;
   for (std::size_t i = 0; i < kDepth / 40; ++i) {
-    const Expr term =
-        graph.symbol("t" + std::to_string(i % 100)) * graph.integer(static_cast<std::int64_t>(i) + 2);
+    const Expr term = graph.symbol(numbered('t', i % 100)) * graph.integer(static_cast<std::int64_t>(i) + 2);
     p = p + term;
     q = q - term;
   }

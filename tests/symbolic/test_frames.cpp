@@ -1,6 +1,7 @@
 // What equations of motion need of simplification: twists of rotations, and frames of surfaces that become
 // products of plane rotations.
 #include "symbolic/matrix.hpp"
+#include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
 
 namespace alembert {
@@ -50,7 +51,7 @@ TEST(Frames, TwistThroughConstantRotation) {
 TEST(Frames, RotationsAreOrthogonal) {
   ExprGraph g;
   Mat3 e = identity3(g);
-  for (std::size_t k = 0; k < 4; ++k) e = e * plane_rotation(g, k % 3, g.symbol("q" + std::to_string(k)));
+  for (std::size_t k = 0; k < 4; ++k) e = e * plane_rotation(g, k % 3, g.symbol(numbered('q', k)));
   const Mat3 product = transpose(e) * e, unit = identity3(g);
   expect_same(simplify(std::vector<Expr>(product.entries.begin(), product.entries.end())),
               std::vector<Expr>(unit.entries.begin(), unit.entries.end()));

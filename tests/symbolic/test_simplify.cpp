@@ -89,12 +89,12 @@ TEST_F(Simplify, GivesUpInTime) {
   for (int i = 0; i < 60; ++i) sums = (sums + x * y) * (sums - z) * sums + t;
   Expr circles = one;
   for (int i = 0; i < 40; ++i) {
-    const Expr angle = g.symbol("a" + std::to_string(i));
+    const Expr angle = g.symbol(numbered('a', i));
     circles = circles * (x * cos(angle) * cos(angle) + y * sin(angle) * sin(angle) + z);
   }
   Expr mixed = z;
   for (int i = 0; i < 300; ++i) {
-    const Expr q = g.symbol("a" + std::to_string(i % 40));
+    const Expr q = g.symbol(numbered('a', i % 40));
     mixed = mixed * cos(q) + (mixed - x) * (sin(q) * mixed) + sqrt(mixed * mixed + y) / (mixed + one);
   }
   const std::vector<Expr> roots{fibonacci, tower + y, sums, circles, mixed};
