@@ -6,8 +6,7 @@ install(TARGETS alembert_runtime EXPORT alembert-runtime-targets FILE_SET HEADER
 install(EXPORT alembert-runtime-targets NAMESPACE alembert:: DESTINATION ${package_folder} COMPONENT runtime)
 configure_package_config_file(cmake/alembertConfig.cmake.in ${PROJECT_BINARY_DIR}/package/alembertConfig.cmake
                               INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/alembertConfigVersion.cmake COMPATIBILITY SameMajorVersion
-                                 ARCH_INDEPENDENT)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/alembertConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/package/alembertConfig.cmake ${PROJECT_BINARY_DIR}/package/alembertConfigVersion.cmake
               cmake/AlembertAddMechanism.cmake DESTINATION ${package_folder} COMPONENT runtime)
 file(RELATIVE_PATH relative_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <ostream>
+#include <stdexcept>
 
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"
@@ -173,7 +174,9 @@ std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
   return kinds;
 }
 
-CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
+namespace {
+
+CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
   CompiledMechanism compiled;
   compiled.graph = std::make_unique<ExprGraph>();
   ExprGraph& graph = *compiled.graph;
@@ -231,6 +234,18 @@ CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, co
     compiled.functions.push_back(std::move(*best));
   }
   return compiled;
+}
+
+}  // namespace
+
+CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
+  const SourceLocation start{source, 1, 1};
+  try {
+    return compile_stages(std::move(source), options);
+  } catch (const std::domain_error& error) {
+    // A divisor that is zero for all values of the coordinates, found only once the equations are simplified.
+    throw InputError(start, std::string("the equations of this mechanism have no value: ") + error.what());
+  }
 }
 
 }  // namespace alembert

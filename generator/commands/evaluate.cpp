@@ -32,6 +32,8 @@ class StateReader {
     } catch (const nlohmann::json::parse_error& error) {
       fail("this is no JSON object: " + printable(error.what(), 200),
            static_cast<int>(std::max<std::size_t>(error.byte, 1)));
+    } catch (const nlohmann::json::exception& error) {
+      fail("this is no JSON object: " + printable(error.what(), 200));
     }
     if (!object.is_object()) fail("expected a JSON object with q, qd, qdd, t, tau, parameters, wrenches");
     EvaluationState state = defaults_;

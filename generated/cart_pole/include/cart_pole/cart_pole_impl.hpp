@@ -1,0 +1,8 @@
+// cart_pole: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "cart_pole". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The definitions, for scalar types that they were not compiled for: derivatives, intervals, SIMD packs.
+#pragma once
+
+#include "cart_pole_part1.hpp"

@@ -1,0 +1,98 @@
+/*
+chain6r: equations of motion as straight-line code.
+Written by alembert 0.1.0 from the description of the mechanism "chain6r". Do not edit: change the description.
+Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+
+The interface for C and for whatever can call C. Every function is re-entrant, takes no memory from the heap, and
+returns 0, or 1 if an array that it needs is NULL, having written nothing then.
+
+Arguments; arrays must not overlap:
+
+  q           [6] coordinates: q1, q2, q3, q4, q5, q6
+  qd          [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
+  qdd         [6] rates of the speeds
+  tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
+  t           time, s
+  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  wrenches    [0 x 6] per body of chain6r_wrench_body_names the force x y z at its centre of mass, N, and the torque
+              x y z, N m, both in world axes; NULL for none
+
+Angles are in rad and lengths in m.
+*/
+#pragma once
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  chain6r_nq = 6,
+  chain6r_nv = 6,
+  chain6r_body_count = 6,
+  chain6r_frame_count = 0,
+  chain6r_parameter_count = 0,
+  chain6r_wrench_count = 0
+};
+
+/* Names, each list ended by NULL. */
+extern const char* const chain6r_coordinate_names[6 + 1];
+extern const char* const chain6r_speed_names[6 + 1];
+extern const char* const chain6r_body_names[6 + 1];
+extern const char* const chain6r_frame_names[0 + 1];
+extern const char* const chain6r_parameter_names[0 + 1];
+extern const char* const chain6r_wrench_body_names[0 + 1];
+
+/* The initial coordinates of the description; its speeds are zero. */
+extern const double chain6r_initial_coordinates[6];
+/* Values of the runtime parameters in the description, and a 0 after the last. */
+extern const double chain6r_default_parameters[0 + 1];
+
+/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+   tau [6] is the result.
+   Operations: 381 multiplications, 308 additions, 10 sin/cos/tan (reduced formulation).
+ */
+int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
+                             const double* wrenches, double* tau);
+
+/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+   M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
+   Operations: 323 multiplications, 251 additions, 10 sin/cos/tan (reduced formulation).
+ */
+int chain6r_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
+
+/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+   tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
+   Operations: 377 multiplications, 295 additions, 10 sin/cos/tan (reduced formulation).
+ */
+int chain6r_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                 double* c);
+
+/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+   M [6 x 6], symmetric and written in full, and c [6] are the results.
+   Operations: 700 multiplications, 546 additions, 10 sin/cos/tan (reduced formulation).
+ */
+int chain6r_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
+                                 const double* wrenches, double* M, double* c);
+
+/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+   qdot [6] is the result, per second.
+   Operations: 0 multiplications, 0 additions (reduced formulation).
+ */
+int chain6r_coordinate_rates(const double* q, const double* qd, double* qdot);
+
+/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+   e [2] is the result, in J.
+   Operations: 271 multiplications, 182 additions, 10 sin/cos/tan (reduced formulation).
+ */
+int chain6r_energy(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                   double* e);
+
+/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+   body's axes and p, m, is its origin. W [6 x 3 x 4] is the result.
+   Operations: 133 multiplications, 75 additions, 12 sin/cos/tan (reduced formulation).
+ */
+int chain6r_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
+
+#ifdef __cplusplus
+}
+#endif

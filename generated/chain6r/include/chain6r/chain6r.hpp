@@ -1,0 +1,94 @@
+// chain6r: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "chain6r". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The interface for C++ with vectors and matrices of Eigen. Over plain arrays: chain6r_raw.hpp; in C: chain6r.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <alembert/version.hpp>
+#include <array>
+
+#include "chain6r_raw.hpp"
+
+#if ALEMBERT_VERSION_MAJOR != 0
+#error "chain6r was generated for version 0 of the alembert runtime, and <alembert/version.hpp> is of another: generate it anew or install version 0"
+#endif
+
+namespace alembert::mechanisms::chain6r {
+
+/// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
+/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of chain6r_raw.hpp.
+template <class S = double>
+struct Mechanism {
+  using Scalar = S;
+  using Inputs = ::alembert::mechanisms::chain6r::Inputs<S>;
+  static constexpr int kNq = ::alembert::mechanisms::chain6r::kNq;
+  static constexpr int kNv = ::alembert::mechanisms::chain6r::kNv;
+  static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r::kQuaternionOffsets;
+  using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
+  using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
+  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
+
+  /// The initial coordinates of the description.
+  static CoordinateVector initial_coordinates() {
+    CoordinateVector q;
+    for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::chain6r::kInitialCoordinates[static_cast<unsigned>(i)]);
+    return q;
+  }
+
+  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
+                                      const Inputs& in = Inputs()) {
+    SpeedVector tau;
+    ::alembert::mechanisms::chain6r::inverse_dynamics<S>(q.data(), qd.data(), qdd.data(), in, tau.data());
+    return tau;
+  }
+
+  /// Mass matrix, symmetric, in full.
+  static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    SpeedMatrix M;
+    ::alembert::mechanisms::chain6r::mass_matrix<S>(q.data(), in, M.data());
+    return M;
+  }
+
+  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    SpeedVector c;
+    ::alembert::mechanisms::chain6r::bias<S>(q.data(), qd.data(), in, c.data());
+    return c;
+  }
+
+  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
+                                   SpeedVector& c) {
+    ::alembert::mechanisms::chain6r::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
+  }
+
+  /// Rates of the coordinates, N(q) qd.
+  static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
+    CoordinateVector qdot;
+    ::alembert::mechanisms::chain6r::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
+    return qdot;
+  }
+
+  /// Kinetic and potential energy, J.
+  static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    ::Eigen::Matrix<S, 2, 1> e;
+    ::alembert::mechanisms::chain6r::energy<S>(q.data(), qd.data(), in, e.data());
+    return e;
+  }
+
+  /// Poses of the bodies of kBodyNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::chain6r::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::chain6r::kBodyCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::chain6r::kBodyCount> poses;
+    ::alembert::mechanisms::chain6r::body_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+};
+
+}  // namespace alembert::mechanisms::chain6r

@@ -1,0 +1,112 @@
+/*
+four_bar_knee: equations of motion as straight-line code.
+Written by alembert 0.1.0 from the description of the mechanism "four_bar_knee". Do not edit: change the description.
+Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+
+The interface for C and for whatever can call C. Every function is re-entrant, takes no memory from the heap, and
+returns 0, or 1 if an array that it needs is NULL, having written nothing then.
+
+Arguments; arrays must not overlap:
+
+  q           [2] coordinates: hip, q
+  qd          [2] speeds: d(hip), d(q)
+  qdd         [2] rates of the speeds
+  tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
+  t           time, s
+  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  wrenches    [1 x 6] per body of four_bar_knee_wrench_body_names the force x y z at its centre of mass, N, and the torque
+              x y z, N m, both in world axes; NULL for none
+
+Angles are in rad and lengths in m.
+*/
+#pragma once
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  four_bar_knee_nq = 2,
+  four_bar_knee_nv = 2,
+  four_bar_knee_body_count = 2,
+  four_bar_knee_frame_count = 1,
+  four_bar_knee_parameter_count = 0,
+  four_bar_knee_wrench_count = 1
+};
+
+/* Names, each list ended by NULL. */
+extern const char* const four_bar_knee_coordinate_names[2 + 1];
+extern const char* const four_bar_knee_speed_names[2 + 1];
+extern const char* const four_bar_knee_body_names[2 + 1];
+extern const char* const four_bar_knee_frame_names[1 + 1];
+extern const char* const four_bar_knee_parameter_names[0 + 1];
+extern const char* const four_bar_knee_wrench_body_names[1 + 1];
+
+/* The initial coordinates of the description; its speeds are zero. */
+extern const double four_bar_knee_initial_coordinates[2];
+/* Values of the runtime parameters in the description, and a 0 after the last. */
+extern const double four_bar_knee_default_parameters[0 + 1];
+
+/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+   tau [2] is the result.
+   Operations: 132 multiplications, 81 additions, 6 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
+                                   const double* parameters, const double* wrenches, double* tau);
+
+/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+   M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
+   Operations: 52 multiplications, 37 additions, 5 divisions, 4 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
+
+/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+   tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
+   Operations: 121 multiplications, 72 additions, 6 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                       double* c);
+
+/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+   M [2 x 2], symmetric and written in full, and c [2] are the results.
+   Operations: 145 multiplications, 94 additions, 6 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
+                                       const double* wrenches, double* M, double* c);
+
+/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+   qdot [2] is the result, per second.
+   Operations: 0 multiplications, 0 additions (reduced formulation).
+ */
+int four_bar_knee_coordinate_rates(const double* q, const double* qd, double* qdot);
+
+/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+   e [2] is the result, in J.
+   Operations: 63 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_energy(const double* q, const double* qd, double t, const double* parameters,
+                         const double* wrenches, double* e);
+
+/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+   body's axes and p, m, is its origin. W [2 x 3 x 4] is the result.
+   Operations: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation).
+ */
+int four_bar_knee_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
+
+/* Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
+   are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
+   Operations: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation).
+ */
+int four_bar_knee_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
+
+/* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 2 matrix J, row by row, such that J qd is
+   its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
+   prescribed in time adds. J [1 x 6 x 2] is the result.
+   Operations: 58 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+ */
+int four_bar_knee_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,
+                                  double* J);
+
+#ifdef __cplusplus
+}
+#endif

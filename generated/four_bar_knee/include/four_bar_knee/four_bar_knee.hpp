@@ -1,0 +1,116 @@
+// four_bar_knee: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "four_bar_knee". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The interface for C++ with vectors and matrices of Eigen. Over plain arrays: four_bar_knee_raw.hpp; in C: four_bar_knee.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <alembert/version.hpp>
+#include <array>
+
+#include "four_bar_knee_raw.hpp"
+
+#if ALEMBERT_VERSION_MAJOR != 0
+#error "four_bar_knee was generated for version 0 of the alembert runtime, and <alembert/version.hpp> is of another: generate it anew or install version 0"
+#endif
+
+namespace alembert::mechanisms::four_bar_knee {
+
+/// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
+/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of four_bar_knee_raw.hpp.
+template <class S = double>
+struct Mechanism {
+  using Scalar = S;
+  using Inputs = ::alembert::mechanisms::four_bar_knee::Inputs<S>;
+  static constexpr int kNq = ::alembert::mechanisms::four_bar_knee::kNq;
+  static constexpr int kNv = ::alembert::mechanisms::four_bar_knee::kNv;
+  static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
+  using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
+  using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
+  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
+
+  /// The initial coordinates of the description.
+  static CoordinateVector initial_coordinates() {
+    CoordinateVector q;
+    for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::four_bar_knee::kInitialCoordinates[static_cast<unsigned>(i)]);
+    return q;
+  }
+
+  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
+                                      const Inputs& in = Inputs()) {
+    SpeedVector tau;
+    ::alembert::mechanisms::four_bar_knee::inverse_dynamics<S>(q.data(), qd.data(), qdd.data(), in, tau.data());
+    return tau;
+  }
+
+  /// Mass matrix, symmetric, in full.
+  static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    SpeedMatrix M;
+    ::alembert::mechanisms::four_bar_knee::mass_matrix<S>(q.data(), in, M.data());
+    return M;
+  }
+
+  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    SpeedVector c;
+    ::alembert::mechanisms::four_bar_knee::bias<S>(q.data(), qd.data(), in, c.data());
+    return c;
+  }
+
+  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
+                                   SpeedVector& c) {
+    ::alembert::mechanisms::four_bar_knee::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
+  }
+
+  /// Rates of the coordinates, N(q) qd.
+  static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
+    CoordinateVector qdot;
+    ::alembert::mechanisms::four_bar_knee::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
+    return qdot;
+  }
+
+  /// Kinetic and potential energy, J.
+  static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    ::Eigen::Matrix<S, 2, 1> e;
+    ::alembert::mechanisms::four_bar_knee::energy<S>(q.data(), qd.data(), in, e.data());
+    return e;
+  }
+
+  /// Poses of the bodies of kBodyNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::four_bar_knee::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::four_bar_knee::kBodyCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::four_bar_knee::kBodyCount> poses;
+    ::alembert::mechanisms::four_bar_knee::body_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Poses of the frames of kFrameNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::four_bar_knee::kFrameCount> frame_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::four_bar_knee::kFrameCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::four_bar_knee::kFrameCount> poses;
+    ::alembert::mechanisms::four_bar_knee::frame_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Jacobians of the frames of kFrameNames in the world: rows 0-2 give the angular velocity, rows 3-5 that of the origin.
+  static ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::four_bar_knee::kFrameCount> frame_jacobians(
+      const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 6 * kNv * ::alembert::mechanisms::four_bar_knee::kFrameCount> entries;
+    ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::four_bar_knee::kFrameCount> jacobians;
+    ::alembert::mechanisms::four_bar_knee::frame_jacobians<S>(q.data(), in, entries.data());
+    for (unsigned f = 0; f < jacobians.size(); ++f)
+      for (int r = 0; r < 6; ++r)
+        for (int k = 0; k < kNv; ++k) jacobians[f](r, k) = entries[static_cast<unsigned>((6 * static_cast<int>(f) + r) * kNv + k)];
+    return jacobians;
+  }
+};
+
+}  // namespace alembert::mechanisms::four_bar_knee

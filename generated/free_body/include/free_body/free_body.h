@@ -1,0 +1,111 @@
+/*
+free_body: equations of motion as straight-line code.
+Written by alembert 0.1.0 from the description of the mechanism "free_body". Do not edit: change the description.
+Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+
+The interface for C and for whatever can call C. Every function is re-entrant, takes no memory from the heap, and
+returns 0, or 1 if an array that it needs is NULL, having written nothing then.
+
+Arguments; arrays must not overlap:
+
+  q           [7] coordinates: x, y, z, turn.x, turn.y, turn.z, turn.w
+  qd          [6] speeds: d(x), d(y), d(z), d(turn).x, d(turn).y, d(turn).z
+  qdd         [6] rates of the speeds
+  tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
+  t           time, s
+  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  wrenches    [1 x 6] per body of free_body_wrench_body_names the force x y z at its centre of mass, N, and the torque
+              x y z, N m, both in world axes; NULL for none
+
+Angles are in rad and lengths in m.
+*/
+#pragma once
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  free_body_nq = 7,
+  free_body_nv = 6,
+  free_body_body_count = 1,
+  free_body_frame_count = 1,
+  free_body_parameter_count = 0,
+  free_body_wrench_count = 1
+};
+
+/* Names, each list ended by NULL. */
+extern const char* const free_body_coordinate_names[7 + 1];
+extern const char* const free_body_speed_names[6 + 1];
+extern const char* const free_body_body_names[1 + 1];
+extern const char* const free_body_frame_names[1 + 1];
+extern const char* const free_body_parameter_names[0 + 1];
+extern const char* const free_body_wrench_body_names[1 + 1];
+
+/* The initial coordinates of the description; its speeds are zero. */
+extern const double free_body_initial_coordinates[7];
+/* Values of the runtime parameters in the description, and a 0 after the last. */
+extern const double free_body_default_parameters[0 + 1];
+
+/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+   tau [6] is the result.
+   Operations: 90 multiplications, 115 additions (reduced formulation).
+ */
+int free_body_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
+                               const double* parameters, const double* wrenches, double* tau);
+
+/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+   M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
+   Operations: 27 multiplications, 24 additions (reduced formulation).
+ */
+int free_body_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
+
+/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+   tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
+   Operations: 78 multiplications, 93 additions (reduced formulation).
+ */
+int free_body_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                   double* c);
+
+/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+   M [6 x 6], symmetric and written in full, and c [6] are the results.
+   Operations: 96 multiplications, 102 additions (reduced formulation).
+ */
+int free_body_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
+                                   const double* wrenches, double* M, double* c);
+
+/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+   qdot [7] is the result, per second.
+   Operations: 16 multiplications, 8 additions (reduced formulation).
+ */
+int free_body_coordinate_rates(const double* q, const double* qd, double* qdot);
+
+/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+   e [2] is the result, in J.
+   Operations: 48 multiplications, 47 additions (reduced formulation).
+ */
+int free_body_energy(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                     double* e);
+
+/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+   body's axes and p, m, is its origin. W [1 x 3 x 4] is the result.
+   Operations: 9 multiplications, 21 additions (reduced formulation).
+ */
+int free_body_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
+
+/* Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
+   are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
+   Operations: 15 multiplications, 27 additions (reduced formulation).
+ */
+int free_body_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
+
+/* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
+   its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
+   prescribed in time adds. J [1 x 6 x 6] is the result.
+   Operations: 53 multiplications, 41 additions (reduced formulation).
+ */
+int free_body_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,116 @@
+// free_body: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "free_body". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The interface for C++ with vectors and matrices of Eigen. Over plain arrays: free_body_raw.hpp; in C: free_body.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <alembert/version.hpp>
+#include <array>
+
+#include "free_body_raw.hpp"
+
+#if ALEMBERT_VERSION_MAJOR != 0
+#error "free_body was generated for version 0 of the alembert runtime, and <alembert/version.hpp> is of another: generate it anew or install version 0"
+#endif
+
+namespace alembert::mechanisms::free_body {
+
+/// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
+/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of free_body_raw.hpp.
+template <class S = double>
+struct Mechanism {
+  using Scalar = S;
+  using Inputs = ::alembert::mechanisms::free_body::Inputs<S>;
+  static constexpr int kNq = ::alembert::mechanisms::free_body::kNq;
+  static constexpr int kNv = ::alembert::mechanisms::free_body::kNv;
+  static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
+  using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
+  using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
+  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
+
+  /// The initial coordinates of the description.
+  static CoordinateVector initial_coordinates() {
+    CoordinateVector q;
+    for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::free_body::kInitialCoordinates[static_cast<unsigned>(i)]);
+    return q;
+  }
+
+  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
+                                      const Inputs& in = Inputs()) {
+    SpeedVector tau;
+    ::alembert::mechanisms::free_body::inverse_dynamics<S>(q.data(), qd.data(), qdd.data(), in, tau.data());
+    return tau;
+  }
+
+  /// Mass matrix, symmetric, in full.
+  static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    SpeedMatrix M;
+    ::alembert::mechanisms::free_body::mass_matrix<S>(q.data(), in, M.data());
+    return M;
+  }
+
+  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    SpeedVector c;
+    ::alembert::mechanisms::free_body::bias<S>(q.data(), qd.data(), in, c.data());
+    return c;
+  }
+
+  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
+                                   SpeedVector& c) {
+    ::alembert::mechanisms::free_body::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
+  }
+
+  /// Rates of the coordinates, N(q) qd.
+  static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
+    CoordinateVector qdot;
+    ::alembert::mechanisms::free_body::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
+    return qdot;
+  }
+
+  /// Kinetic and potential energy, J.
+  static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    ::Eigen::Matrix<S, 2, 1> e;
+    ::alembert::mechanisms::free_body::energy<S>(q.data(), qd.data(), in, e.data());
+    return e;
+  }
+
+  /// Poses of the bodies of kBodyNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::free_body::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::free_body::kBodyCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::free_body::kBodyCount> poses;
+    ::alembert::mechanisms::free_body::body_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Poses of the frames of kFrameNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::free_body::kFrameCount> frame_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::free_body::kFrameCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::free_body::kFrameCount> poses;
+    ::alembert::mechanisms::free_body::frame_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Jacobians of the frames of kFrameNames in the world: rows 0-2 give the angular velocity, rows 3-5 that of the origin.
+  static ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::free_body::kFrameCount> frame_jacobians(
+      const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 6 * kNv * ::alembert::mechanisms::free_body::kFrameCount> entries;
+    ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::free_body::kFrameCount> jacobians;
+    ::alembert::mechanisms::free_body::frame_jacobians<S>(q.data(), in, entries.data());
+    for (unsigned f = 0; f < jacobians.size(); ++f)
+      for (int r = 0; r < 6; ++r)
+        for (int k = 0; k < kNv; ++k) jacobians[f](r, k) = entries[static_cast<unsigned>((6 * static_cast<int>(f) + r) * kNv + k)];
+    return jacobians;
+  }
+};
+
+}  // namespace alembert::mechanisms::free_body

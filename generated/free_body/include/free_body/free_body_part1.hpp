@@ -1,0 +1,633 @@
+// free_body: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "free_body". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// Definitions, part 1 of 1.
+#pragma once
+
+#include <cmath>
+
+#include "free_body_raw.hpp"
+
+#ifndef ALEMBERT_NOINLINE
+#if defined(_MSC_VER)
+#define ALEMBERT_NOINLINE __declspec(noinline)
+#else
+#define ALEMBERT_NOINLINE __attribute__((noinline))
+#endif
+#endif
+
+namespace alembert::mechanisms::free_body {
+
+// inverse_dynamics: 90 multiplications, 115 additions (reduced formulation).
+template <class S>
+void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
+                      [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S qd3 = qd[3];  // d(turn).x
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
+  const S qdd0 = qdd[0];  // dd(x)
+  const S qdd1 = qdd[1];  // dd(y)
+  const S qdd2 = qdd[2];  // dd(z)
+  const S qdd3 = qdd[3];  // dd(turn).x
+  const S qdd4 = qdd[4];  // dd(turn).y
+  const S qdd5 = qdd[5];  // dd(turn).z
+  const S f0 = in.wrenches[0];  // wrench(body).fx
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f2 = in.wrenches[2];  // wrench(body).fz
+  const S f3 = in.wrenches[3];  // wrench(body).tx
+  const S f4 = in.wrenches[4];  // wrench(body).ty
+  const S f5 = in.wrenches[5];  // wrench(body).tz
+  const S t0 = q4 * q3;
+  const S t1 = q5 * q6;
+  const S t2 = t0 - t1;
+  const S t3 = q4 * q5;
+  const S t4 = q3 * q6;
+  const S t5 = t3 + t4;
+  const S t6 = qdd2 + S(9.81);
+  const S t7 = t5 * t6;
+  const S t8 = t2 * qdd0;
+  const S t9 = q3 * q3;
+  const S t10 = q5 * q5;
+  const S t11 = t9 + t10;
+  const S t12 = S(1.0) - (t11 + t11);
+  const S t13 = t7 + t7 + (t8 + t8 + qdd1 * t12);
+  const S t14 = qd4 * qd3;
+  const S t15 = qdd5 + t14;
+  const S t16 = qd5 * qd5;
+  const S t17 = qd3 * qd3;
+  const S t18 = qd4 * qd5;
+  const S t19 = qdd3 - t18;
+  const S t20 = t2 * f0;
+  const S t21 = t5 * f2;
+  const S t22 = t20 + t20 + t12 * f1 + (t21 + t21);
+  const S t23 = S(3.7) * t13 + (S(0.185) * t15 + S(0.111) * (t16 + t17) - S(0.296) * t19) - t22;
+  const S t24 = t2 * t23;
+  const S t25 = q4 * q4;
+  const S t26 = t10 + t25;
+  const S t27 = S(1.0) - (t26 + t26);
+  const S t28 = t0 + t1;
+  const S t29 = qdd1 * t28;
+  const S t30 = q3 * q5;
+  const S t31 = q4 * q6;
+  const S t32 = t30 - t31;
+  const S t33 = t6 * t32;
+  const S t34 = qdd0 * t27 + (t29 + t29) + (t33 + t33);
+  const S t35 = qdd5 - t14;
+  const S t36 = qd4 * qd4;
+  const S t37 = qd3 * qd5;
+  const S t38 = qdd4 + t37;
+  const S t39 = f1 * t28;
+  const S t40 = f2 * t32;
+  const S t41 = t39 + t39 + f0 * t27 + (t40 + t40);
+  const S t42 = S(3.7) * t34 + (S(0.111) * t35 - S(0.185) * (t16 + t36) + S(0.296) * t38) - t41;
+  const S t43 = t30 + t31;
+  const S t44 = t9 + t25;
+  const S t45 = S(1.0) - (t44 + t44);
+  const S t46 = t3 - t4;
+  const S t47 = qdd1 * t46;
+  const S t48 = qdd0 * t43;
+  const S t49 = t6 * t45 + (t47 + t47 + (t48 + t48));
+  const S t50 = qdd4 - t37;
+  const S t51 = qdd3 + t18;
+  const S t52 = f1 * t46;
+  const S t53 = f0 * t43;
+  const S t54 = f2 * t45 + (t52 + t52 + (t53 + t53));
+  const S t55 = S(3.7) * t49 - (S(0.296) * (t17 + t36) + (S(0.185) * t50 + S(0.111) * t51)) - t54;
+  const S t56 = t43 * t55;
+  tau[0] = t24 + t24 + t27 * t42 + (t56 + t56);
+  const S t58 = t46 * t55;
+  const S t59 = t28 * t42;
+  tau[1] = t58 + t58 + (t12 * t23 + (t59 + t59));
+  const S t61 = t32 * t42;
+  const S t62 = t5 * t23;
+  tau[2] = t45 * t55 + (t61 + t61 + (t62 + t62));
+  const S t64 = t32 * f5;
+  const S t65 = t28 * f4;
+  const S t66 = S(0.296) * t13 + S(0.111) * t49 - (S(0.10368) * t19 + (S(0.23333) * t51 + (S(0.02655) * t50 - S(0.0488) * t15 - S(0.02488) * (t16 - t36))));
+  tau[3] = S(0.08) * t22 + S(0.03) * t54 - (t64 + t64 + (t65 + t65 + t27 * f3)) - t66;
+  const S t68 = t2 * f3;
+  const S t69 = t5 * f5;
+  const S t70 = t12 * f4 + (t68 + t68) + (t69 + t69) + (S(0.08) * t41 - S(0.05) * t54);
+  tau[4] = S(0.296) * t34 - S(0.185) * t49 + (S(0.19925) * t50 + (S(0.02488) * t35 + S(0.02655) * t51 - S(0.0488) * (t16 - t17) + S(0.10368) * t38)) - t70;
+  const S t72 = t46 * f4;
+  const S t73 = t43 * f3;
+  const S t74 = S(0.05) * t22 + S(0.03) * t41 + (t45 * f5 + (t72 + t72 + (t73 + t73)));
+  tau[5] = S(0.185) * t13 + S(0.111) * t34 + (S(0.23333) * t35 + (S(0.19925) * t15 + (S(0.02655) * (t17 - t36) - (S(0.0488) * t19 - S(0.02488) * t38)))) - t74;
+}
+
+// mass_matrix: 27 multiplications, 24 additions (reduced formulation).
+template <class S>
+void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S t0 = q6 * q5;
+  const S t1 = q4 * q3;
+  const S t2 = t0 - t1;
+  const S t3 = q6 * q4;
+  const S t4 = q5 * q3;
+  const S t5 = t3 + t4;
+  const S t6 = S(0.592) * t2 - S(0.222) * t5;
+  M[3] = t6;
+  M[18] = t6;
+  const S t7 = q4 * q4;
+  const S t8 = q5 * q5;
+  const S t9 = t7 + t8;
+  const S t10 = S(1.0) - (t9 + t9);
+  const S t11 = S(0.296) * t10 - S(0.37) * t5;
+  M[4] = t11;
+  M[24] = t11;
+  const S t12 = S(0.111) * t10 - S(0.37) * t2;
+  M[5] = t12;
+  M[30] = t12;
+  const S t13 = q6 * q3;
+  const S t14 = q5 * q4;
+  const S t15 = t13 - t14;
+  const S t16 = q3 * q3;
+  const S t17 = t8 + t16;
+  const S t18 = S(1.0) - (t17 + t17);
+  const S t19 = S(0.222) * t15 - S(0.296) * t18;
+  M[9] = t19;
+  M[19] = t19;
+  const S t20 = t0 + t1;
+  const S t21 = S(0.37) * t15 + S(0.592) * t20;
+  M[10] = t21;
+  M[25] = t21;
+  const S t22 = S(0.185) * t18 + S(0.222) * t20;
+  M[11] = t22;
+  M[31] = t22;
+  const S t23 = t7 + t16;
+  const S t24 = S(1.0) - (t23 + t23);
+  const S t25 = t13 + t14;
+  const S t26 = S(-0.111) * t24 - S(0.592) * t25;
+  M[15] = t26;
+  M[20] = t26;
+  const S t27 = t3 - t4;
+  const S t28 = S(-0.185) * t24 - S(0.592) * t27;
+  M[16] = t28;
+  M[26] = t28;
+  const S t29 = S(0.37) * t25 - S(0.222) * t27;
+  M[17] = t29;
+  M[32] = t29;
+  M[0] = S(3.7);
+  M[7] = S(3.7);
+  M[14] = S(3.7);
+  M[1] = S(0.0);
+  M[2] = S(0.0);
+  M[6] = S(0.0);
+  M[8] = S(0.0);
+  M[12] = S(0.0);
+  M[13] = S(0.0);
+  M[21] = S(0.33701);
+  M[22] = S(0.02655);
+  M[27] = S(0.02655);
+  M[23] = S(-0.0488);
+  M[33] = S(-0.0488);
+  M[28] = S(0.30293);
+  M[29] = S(0.02488);
+  M[34] = S(0.02488);
+  M[35] = S(0.43258);
+}
+
+// bias: 78 multiplications, 93 additions (reduced formulation).
+template <class S>
+void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
+          [[maybe_unused]] S* c) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S qd3 = qd[3];  // d(turn).x
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
+  const S f0 = in.wrenches[0];  // wrench(body).fx
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f2 = in.wrenches[2];  // wrench(body).fz
+  const S f3 = in.wrenches[3];  // wrench(body).tx
+  const S f4 = in.wrenches[4];  // wrench(body).ty
+  const S f5 = in.wrenches[5];  // wrench(body).tz
+  const S t0 = q4 * q4;
+  const S t1 = q5 * q5;
+  const S t2 = t0 + t1;
+  const S t3 = S(1.0) - (t2 + t2);
+  const S t4 = qd5 * qd3;
+  const S t5 = qd3 * qd4;
+  const S t6 = qd5 * qd5;
+  const S t7 = qd4 * qd4;
+  const S t8 = q5 * q3;
+  const S t9 = q4 * q6;
+  const S t10 = t8 - t9;
+  const S t11 = q4 * q3;
+  const S t12 = q5 * q6;
+  const S t13 = t11 + t12;
+  const S t14 = f1 * t13;
+  const S t15 = t10 * f2;
+  const S t16 = t14 + t14 + t3 * f0 + (t15 + t15);
+  const S t17 = S(0.296) * t4 - (S(0.111) * t5 + S(0.185) * (t6 + t7)) + S(72.594) * t10 - t16;
+  const S t18 = t11 - t12;
+  const S t19 = f0 * t18;
+  const S t20 = q3 * q3;
+  const S t21 = t1 + t20;
+  const S t22 = S(1.0) - (t21 + t21);
+  const S t23 = q4 * q5;
+  const S t24 = q3 * q6;
+  const S t25 = t23 + t24;
+  const S t26 = f2 * t25;
+  const S t27 = t19 + t19 + f1 * t22 + (t26 + t26);
+  const S t28 = qd5 * qd4;
+  const S t29 = qd3 * qd3;
+  const S t30 = t27 - (S(0.296) * t28 + (S(0.185) * t5 + S(0.111) * (t6 + t29)) + S(72.594) * t25);
+  const S t31 = t18 * t30;
+  const S t32 = t8 + t9;
+  const S t33 = t0 + t20;
+  const S t34 = S(1.0) - (t33 + t33);
+  const S t35 = t23 - t24;
+  const S t36 = f1 * t35;
+  const S t37 = f0 * t32;
+  const S t38 = f2 * t34 + (t36 + t36 + (t37 + t37));
+  const S t39 = S(36.297) * t34 - (S(0.111) * t28 - S(0.185) * t4 + S(0.296) * (t7 + t29)) - t38;
+  const S t40 = t32 * t39;
+  c[0] = t3 * t17 - (t31 + t31) + (t40 + t40);
+  const S t42 = t13 * t17;
+  const S t43 = t35 * t39;
+  c[1] = t42 + t42 - t22 * t30 + (t43 + t43);
+  const S t45 = t25 * t30;
+  const S t46 = t10 * t17;
+  c[2] = t34 * t39 - (t45 + t45 - (t46 + t46));
+  const S t48 = t10 * f5;
+  const S t49 = t13 * f4;
+  const S t50 = t48 + t48 + (t49 + t49 + t3 * f3) - (S(0.08) * t27 + S(0.03) * t38);
+  c[3] = S(0.12965) * t28 - (S(0.02488) * (t6 - t7) + (S(0.02655) * t4 + S(0.0488) * t5)) - (S(1.08891) * t34 + S(5.80752) * t25) - t50;
+  const S t52 = t18 * f3;
+  const S t53 = t25 * f5;
+  const S t54 = t22 * f4 + (t52 + t52) + (t53 + t53) + (S(0.08) * t16 - S(0.05) * t38);
+  c[4] = S(5.80752) * t10 - S(1.81485) * t34 - (S(0.09557) * t4 - (S(0.02655) * t28 - S(0.02488) * t5 - S(0.0488) * (t6 - t29))) - t54;
+  const S t56 = t35 * f4;
+  const S t57 = t32 * f3;
+  const S t58 = S(0.05) * t27 + S(0.03) * t16 + (t34 * f5 + (t56 + t56 + (t57 + t57)));
+  c[5] = S(2.17782) * t10 + S(3.6297) * t25 - (S(0.03408) * t5 + (S(0.02655) * (t7 - t29) - (S(0.02488) * t4 + S(0.0488) * t28))) - t58;
+}
+
+// mass_matrix_and_bias: 96 multiplications, 102 additions (reduced formulation).
+template <class S>
+void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
+                          [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S qd3 = qd[3];  // d(turn).x
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
+  const S f0 = in.wrenches[0];  // wrench(body).fx
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f2 = in.wrenches[2];  // wrench(body).fz
+  const S f3 = in.wrenches[3];  // wrench(body).tx
+  const S f4 = in.wrenches[4];  // wrench(body).ty
+  const S f5 = in.wrenches[5];  // wrench(body).tz
+  const S t0 = q3 * q4;
+  const S t1 = q5 * q6;
+  const S t2 = t0 - t1;
+  const S t3 = q5 * q3;
+  const S t4 = q6 * q4;
+  const S t5 = t3 + t4;
+  const S t6 = S(-0.592) * t2 - S(0.222) * t5;
+  M[3] = t6;
+  M[18] = t6;
+  const S t7 = q4 * q4;
+  const S t8 = q5 * q5;
+  const S t9 = t7 + t8;
+  const S t10 = S(1.0) - (t9 + t9);
+  const S t11 = S(0.296) * t10 - S(0.37) * t5;
+  M[4] = t11;
+  M[24] = t11;
+  const S t12 = S(0.111) * t10 + S(0.37) * t2;
+  M[5] = t12;
+  M[30] = t12;
+  const S t13 = q3 * q3;
+  const S t14 = t8 + t13;
+  const S t15 = S(1.0) - (t14 + t14);
+  const S t16 = q5 * q4;
+  const S t17 = q3 * q6;
+  const S t18 = t16 - t17;
+  const S t19 = S(-0.296) * t15 - S(0.222) * t18;
+  M[9] = t19;
+  M[19] = t19;
+  const S t20 = t0 + t1;
+  const S t21 = S(0.592) * t20 - S(0.37) * t18;
+  M[10] = t21;
+  M[25] = t21;
+  const S t22 = S(0.222) * t20 + S(0.185) * t15;
+  M[11] = t22;
+  M[31] = t22;
+  const S t23 = t7 + t13;
+  const S t24 = S(1.0) - (t23 + t23);
+  const S t25 = t16 + t17;
+  const S t26 = S(-0.111) * t24 - S(0.592) * t25;
+  M[15] = t26;
+  M[20] = t26;
+  const S t27 = t3 - t4;
+  const S t28 = S(0.592) * t27 - S(0.185) * t24;
+  M[16] = t28;
+  M[26] = t28;
+  const S t29 = S(0.222) * t27 + S(0.37) * t25;
+  M[17] = t29;
+  M[32] = t29;
+  const S t30 = qd5 * qd3;
+  const S t31 = qd3 * qd4;
+  const S t32 = qd5 * qd5;
+  const S t33 = qd4 * qd4;
+  const S t34 = t20 * f1;
+  const S t35 = t27 * f2;
+  const S t36 = t34 + t34 + t10 * f0 + (t35 + t35);
+  const S t37 = S(0.296) * t30 - (S(0.111) * t31 + S(0.185) * (t32 + t33)) + S(72.594) * t27 - t36;
+  const S t38 = t2 * f0;
+  const S t39 = t25 * f2;
+  const S t40 = t38 + t38 + t15 * f1 + (t39 + t39);
+  const S t41 = qd5 * qd4;
+  const S t42 = qd3 * qd3;
+  const S t43 = t40 - (S(0.296) * t41 + (S(0.185) * t31 + S(0.111) * (t32 + t42)) + S(72.594) * t25);
+  const S t44 = t2 * t43;
+  const S t45 = t18 * f1;
+  const S t46 = t5 * f0;
+  const S t47 = t24 * f2 + (t45 + t45 + (t46 + t46));
+  const S t48 = S(36.297) * t24 - (S(0.111) * t41 - S(0.185) * t30 + S(0.296) * (t33 + t42)) - t47;
+  const S t49 = t5 * t48;
+  c[0] = t10 * t37 - (t44 + t44) + (t49 + t49);
+  const S t51 = t20 * t37;
+  const S t52 = t18 * t48;
+  c[1] = t51 + t51 - t15 * t43 + (t52 + t52);
+  const S t54 = t25 * t43;
+  const S t55 = t27 * t37;
+  c[2] = t24 * t48 - (t54 + t54 - (t55 + t55));
+  const S t57 = t27 * f5;
+  const S t58 = t20 * f4;
+  const S t59 = t57 + t57 + (t58 + t58 + t10 * f3) - (S(0.08) * t40 + S(0.03) * t47);
+  c[3] = S(0.12965) * t41 - (S(0.02488) * (t32 - t33) + (S(0.02655) * t30 + S(0.0488) * t31)) - (S(1.08891) * t24 + S(5.80752) * t25) - t59;
+  const S t61 = t2 * f3;
+  const S t62 = t25 * f5;
+  const S t63 = t15 * f4 + (t61 + t61) + (t62 + t62) + (S(0.08) * t36 - S(0.05) * t47);
+  c[4] = S(5.80752) * t27 - S(1.81485) * t24 - (S(0.09557) * t30 - (S(0.02655) * t41 - S(0.02488) * t31 - S(0.0488) * (t32 - t42))) - t63;
+  const S t65 = t18 * f4;
+  const S t66 = t5 * f3;
+  const S t67 = S(0.05) * t40 + S(0.03) * t36 + (t24 * f5 + (t65 + t65 + (t66 + t66)));
+  c[5] = S(2.17782) * t27 + S(3.6297) * t25 - (S(0.03408) * t31 + (S(0.02655) * (t33 - t42) - (S(0.02488) * t30 + S(0.0488) * t41))) - t67;
+  M[0] = S(3.7);
+  M[7] = S(3.7);
+  M[14] = S(3.7);
+  M[1] = S(0.0);
+  M[2] = S(0.0);
+  M[6] = S(0.0);
+  M[8] = S(0.0);
+  M[12] = S(0.0);
+  M[13] = S(0.0);
+  M[21] = S(0.33701);
+  M[22] = S(0.02655);
+  M[27] = S(0.02655);
+  M[23] = S(-0.0488);
+  M[33] = S(-0.0488);
+  M[28] = S(0.30293);
+  M[29] = S(0.02488);
+  M[34] = S(0.02488);
+  M[35] = S(0.43258);
+}
+
+// coordinate_rates: 16 multiplications, 8 additions (reduced formulation).
+template <class S>
+void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S qd0 = qd[0];  // d(x)
+  const S qd1 = qd[1];  // d(y)
+  const S qd2 = qd[2];  // d(z)
+  const S qd3 = qd[3];  // d(turn).x
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
+  qdot[3] = S(0.5) * (q4 * qd5 - (qd4 * q5 - q6 * qd3));
+  qdot[4] = S(0.5) * (q5 * qd3 - (qd5 * q3 - qd4 * q6));
+  qdot[5] = S(-0.5) * (qd3 * q4 - (q6 * qd5 + qd4 * q3));
+  qdot[6] = S(-0.5) * (qd4 * q4 + (q5 * qd5 + qd3 * q3));
+  qdot[0] = qd0;
+  qdot[1] = qd1;
+  qdot[2] = qd2;
+}
+
+// energy: 48 multiplications, 47 additions (reduced formulation).
+template <class S>
+void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
+            [[maybe_unused]] S* e) {
+  const S q2 = q[2];  // z
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S qd0 = qd[0];  // d(x)
+  const S qd1 = qd[1];  // d(y)
+  const S qd2 = qd[2];  // d(z)
+  const S qd3 = qd[3];  // d(turn).x
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
+  const S t0 = qd5 * (S(0.43258) * qd5 - (S(0.0488) * qd3 - S(0.02488) * qd4));
+  const S t1 = q4 * q6;
+  const S t2 = q3 * q5;
+  const S t3 = qd0 * (t1 + t2);
+  const S t4 = q6 * q3;
+  const S t5 = q4 * q5;
+  const S t6 = qd1 * (t4 - t5);
+  const S t7 = q4 * q4;
+  const S t8 = q3 * q3;
+  const S t9 = t7 + t8;
+  const S t10 = S(1.0) - (t9 + t9);
+  const S t11 = t3 + t3 - (t6 + t6) + qd2 * t10;
+  const S t12 = q6 * q5;
+  const S t13 = q4 * q3;
+  const S t14 = qd1 * (t12 + t13);
+  const S t15 = q5 * q5;
+  const S t16 = t7 + t15;
+  const S t17 = t1 - t2;
+  const S t18 = qd2 * t17;
+  const S t19 = t14 + t14 + qd0 * (S(1.0) - (t16 + t16)) - (t18 + t18);
+  const S t20 = qd0 * (t12 - t13);
+  const S t21 = t8 + t15;
+  const S t22 = t4 + t5;
+  const S t23 = qd2 * t22;
+  const S t24 = t20 + t20 - qd1 * (S(1.0) - (t21 + t21)) - (t23 + t23);
+  const S t25 = t19 * (S(0.296) * qd4 + S(0.111) * qd5) + t24 * (S(0.296) * qd3 - S(0.185) * qd5) - t11 * (S(0.185) * qd4 + S(0.111) * qd3);
+  const S t26 = S(1.85) * (t11 * t11 + (t19 * t19 + t24 * t24)) + t25;
+  e[0] = S(0.5) * (qd4 * (S(0.02655) * qd3 + S(0.30293) * qd4 + S(0.02488) * qd5) + qd3 * (S(0.33701) * qd3 + S(0.02655) * qd4 - S(0.0488) * qd5) + t0) + t26;
+  e[1] = S(36.297) * (q2 - (S(0.06) * t22 + S(0.1) * t17 - S(0.08) * t10));
+}
+
+// body_poses: 9 multiplications, 21 additions (reduced formulation).
+template <class S>
+void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
+  const S q0 = q[0];  // x
+  const S q1 = q[1];  // y
+  const S q2 = q[2];  // z
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S t0 = q4 * q4;
+  const S t1 = q5 * q5;
+  const S t2 = t0 + t1;
+  W[0] = S(1.0) - (t2 + t2);
+  const S t4 = q4 * q3;
+  const S t5 = q5 * q6;
+  const S t6 = t4 - t5;
+  W[1] = t6 + t6;
+  const S t8 = q4 * q6;
+  const S t9 = q5 * q3;
+  const S t10 = t8 + t9;
+  W[2] = t10 + t10;
+  const S t12 = t5 + t4;
+  W[4] = t12 + t12;
+  const S t14 = q3 * q3;
+  const S t15 = t1 + t14;
+  W[5] = S(1.0) - (t15 + t15);
+  const S t17 = q4 * q5;
+  const S t18 = q6 * q3;
+  const S t19 = t17 - t18;
+  W[6] = t19 + t19;
+  const S t21 = t9 - t8;
+  W[8] = t21 + t21;
+  const S t23 = t18 + t17;
+  W[9] = t23 + t23;
+  const S t25 = t0 + t14;
+  W[10] = S(1.0) - (t25 + t25);
+  W[3] = q0;
+  W[7] = q1;
+  W[11] = q2;
+}
+
+// frame_poses: 15 multiplications, 27 additions (reduced formulation).
+template <class S>
+void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
+  const S q0 = q[0];  // x
+  const S q1 = q[1];  // y
+  const S q2 = q[2];  // z
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S t0 = q4 * q4;
+  const S t1 = q5 * q5;
+  const S t2 = t0 + t1;
+  const S t3 = S(1.0) - (t2 + t2);
+  F[0] = t3;
+  const S t4 = q4 * q3;
+  const S t5 = q5 * q6;
+  const S t6 = t4 - t5;
+  F[1] = t6 + t6;
+  const S t8 = q4 * q6;
+  const S t9 = q5 * q3;
+  const S t10 = t8 + t9;
+  F[2] = t10 + t10;
+  F[3] = q0 + (S(0.4) * t3 + S(0.2) * t10);
+  const S t13 = t5 + t4;
+  F[4] = t13 + t13;
+  const S t15 = q3 * q3;
+  const S t16 = t1 + t15;
+  F[5] = S(1.0) - (t16 + t16);
+  const S t18 = q4 * q5;
+  const S t19 = q6 * q3;
+  const S t20 = t18 - t19;
+  F[6] = t20 + t20;
+  F[7] = q1 - (S(-0.2) * t20 - S(0.8) * t13);
+  const S t23 = t9 - t8;
+  F[8] = t23 + t23;
+  const S t25 = t19 + t18;
+  F[9] = t25 + t25;
+  const S t27 = t0 + t15;
+  const S t28 = S(1.0) - (t27 + t27);
+  F[10] = t28;
+  F[11] = q2 - (S(-0.8) * t23 - S(0.1) * t28);
+}
+
+// frame_jacobians: 53 multiplications, 41 additions (reduced formulation).
+template <class S>
+void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
+  const S q3 = q[3];  // turn.x
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
+  const S q6 = q[6];  // turn.w
+  const S t0 = q3 * q6;
+  const S t1 = q4 * q5;
+  const S t2 = t0 + t1;
+  const S t3 = t0 - t1;
+  const S t4 = q6 * q6;
+  const S t5 = q4 * q4;
+  const S t6 = q3 * q3;
+  const S t7 = t5 + t6;
+  const S t8 = q5 * q5;
+  const S t9 = t4 - t7 + t8;
+  const S t10 = t6 + t8;
+  const S t11 = S(1.0) - (t10 + t10);
+  J[3] = S(4.0) * (t2 * t3) + t9 * t11;
+  const S t13 = q6 * q4;
+  const S t14 = q3 * q5;
+  const S t15 = t13 - t14;
+  const S t16 = q6 * q5;
+  const S t17 = q3 * q4;
+  const S t18 = t16 + t17;
+  const S t19 = t9 * t18;
+  J[4] = S(4.0) * (t3 * t15) - (t19 + t19);
+  const S t21 = t11 * t15;
+  J[5] = S(4.0) * (t2 * t18) + (t21 + t21);
+  const S t23 = t13 + t14;
+  const S t24 = S(1.0) - (t7 + t7);
+  const S t25 = t16 - t17;
+  const S t26 = t24 * t25;
+  J[9] = S(4.0) * (t2 * t23) + (t26 + t26);
+  const S t28 = t5 - t6;
+  const S t29 = t4 - t8;
+  const S t30 = t28 - t29;
+  J[10] = S(4.0) * (t15 * t23) - t24 * t30;
+  const S t32 = t2 * t30;
+  J[11] = S(4.0) * (t15 * t25) + (t32 + t32);
+  const S t34 = t28 + t29;
+  const S t35 = t23 * t34;
+  J[15] = S(4.0) * (t3 * t25) - (t35 + t35);
+  const S t37 = t5 + t8;
+  const S t38 = S(1.0) - (t37 + t37);
+  const S t39 = t3 * t38;
+  J[16] = t39 + t39 + S(4.0) * (t18 * t23);
+  J[17] = t34 * t38 + S(4.0) * (t18 * t25);
+  J[21] = S(0.2) * t25;
+  J[22] = S(-0.8) * t23 - S(0.1) * t30;
+  J[23] = S(-0.8) * t25;
+  J[27] = S(-0.1) * t34;
+  J[28] = q6 * (S(0.8) * q3 + S(0.2) * q5) - q4 * (S(0.8) * q5 - S(0.2) * q3);
+  J[29] = S(0.4) * t34;
+  J[33] = S(-0.2) * t2;
+  J[34] = S(-0.4) * t9 - S(0.2) * t15;
+  J[35] = S(0.8) * t2;
+  J[0] = S(0.0);
+  J[1] = S(0.0);
+  J[2] = S(0.0);
+  J[6] = S(0.0);
+  J[7] = S(0.0);
+  J[8] = S(0.0);
+  J[12] = S(0.0);
+  J[13] = S(0.0);
+  J[14] = S(0.0);
+  J[19] = S(0.0);
+  J[20] = S(0.0);
+  J[24] = S(0.0);
+  J[26] = S(0.0);
+  J[30] = S(0.0);
+  J[31] = S(0.0);
+  J[18] = S(1.0);
+  J[25] = S(1.0);
+  J[32] = S(1.0);
+}
+
+}  // namespace alembert::mechanisms::free_body

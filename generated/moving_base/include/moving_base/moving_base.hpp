@@ -1,0 +1,94 @@
+// moving_base: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "moving_base". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The interface for C++ with vectors and matrices of Eigen. Over plain arrays: moving_base_raw.hpp; in C: moving_base.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <alembert/version.hpp>
+#include <array>
+
+#include "moving_base_raw.hpp"
+
+#if ALEMBERT_VERSION_MAJOR != 0
+#error "moving_base was generated for version 0 of the alembert runtime, and <alembert/version.hpp> is of another: generate it anew or install version 0"
+#endif
+
+namespace alembert::mechanisms::moving_base {
+
+/// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
+/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of moving_base_raw.hpp.
+template <class S = double>
+struct Mechanism {
+  using Scalar = S;
+  using Inputs = ::alembert::mechanisms::moving_base::Inputs<S>;
+  static constexpr int kNq = ::alembert::mechanisms::moving_base::kNq;
+  static constexpr int kNv = ::alembert::mechanisms::moving_base::kNv;
+  static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::moving_base::kQuaternionOffsets;
+  using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
+  using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
+  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
+
+  /// The initial coordinates of the description.
+  static CoordinateVector initial_coordinates() {
+    CoordinateVector q;
+    for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::moving_base::kInitialCoordinates[static_cast<unsigned>(i)]);
+    return q;
+  }
+
+  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
+                                      const Inputs& in = Inputs()) {
+    SpeedVector tau;
+    ::alembert::mechanisms::moving_base::inverse_dynamics<S>(q.data(), qd.data(), qdd.data(), in, tau.data());
+    return tau;
+  }
+
+  /// Mass matrix, symmetric, in full.
+  static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    SpeedMatrix M;
+    ::alembert::mechanisms::moving_base::mass_matrix<S>(q.data(), in, M.data());
+    return M;
+  }
+
+  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    SpeedVector c;
+    ::alembert::mechanisms::moving_base::bias<S>(q.data(), qd.data(), in, c.data());
+    return c;
+  }
+
+  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
+                                   SpeedVector& c) {
+    ::alembert::mechanisms::moving_base::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
+  }
+
+  /// Rates of the coordinates, N(q) qd.
+  static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
+    CoordinateVector qdot;
+    ::alembert::mechanisms::moving_base::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
+    return qdot;
+  }
+
+  /// Kinetic and potential energy, J.
+  static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    ::Eigen::Matrix<S, 2, 1> e;
+    ::alembert::mechanisms::moving_base::energy<S>(q.data(), qd.data(), in, e.data());
+    return e;
+  }
+
+  /// Poses of the bodies of kBodyNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::moving_base::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::moving_base::kBodyCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::moving_base::kBodyCount> poses;
+    ::alembert::mechanisms::moving_base::body_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+};
+
+}  // namespace alembert::mechanisms::moving_base

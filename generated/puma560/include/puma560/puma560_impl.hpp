@@ -1,0 +1,8 @@
+// puma560: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "puma560". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The definitions, for scalar types that they were not compiled for: derivatives, intervals, SIMD packs.
+#pragma once
+
+#include "puma560_part1.hpp"

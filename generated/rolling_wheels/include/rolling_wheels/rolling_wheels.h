@@ -1,0 +1,98 @@
+/*
+rolling_wheels: equations of motion as straight-line code.
+Written by alembert 0.1.0 from the description of the mechanism "rolling_wheels". Do not edit: change the description.
+Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+
+The interface for C and for whatever can call C. Every function is re-entrant, takes no memory from the heap, and
+returns 0, or 1 if an array that it needs is NULL, having written nothing then.
+
+Arguments; arrays must not overlap:
+
+  q           [2] coordinates: q1, q2
+  qd          [2] speeds: d(q1), d(q2)
+  qdd         [2] rates of the speeds
+  tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
+  t           time, s
+  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  wrenches    [1 x 6] per body of rolling_wheels_wrench_body_names the force x y z at its centre of mass, N, and the torque
+              x y z, N m, both in world axes; NULL for none
+
+Angles are in rad and lengths in m.
+*/
+#pragma once
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  rolling_wheels_nq = 2,
+  rolling_wheels_nv = 2,
+  rolling_wheels_body_count = 2,
+  rolling_wheels_frame_count = 0,
+  rolling_wheels_parameter_count = 0,
+  rolling_wheels_wrench_count = 1
+};
+
+/* Names, each list ended by NULL. */
+extern const char* const rolling_wheels_coordinate_names[2 + 1];
+extern const char* const rolling_wheels_speed_names[2 + 1];
+extern const char* const rolling_wheels_body_names[2 + 1];
+extern const char* const rolling_wheels_frame_names[0 + 1];
+extern const char* const rolling_wheels_parameter_names[0 + 1];
+extern const char* const rolling_wheels_wrench_body_names[1 + 1];
+
+/* The initial coordinates of the description; its speeds are zero. */
+extern const double rolling_wheels_initial_coordinates[2];
+/* Values of the runtime parameters in the description, and a 0 after the last. */
+extern const double rolling_wheels_default_parameters[0 + 1];
+
+/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+   tau [2] is the result.
+   Operations: 69 multiplications, 47 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
+                                    const double* parameters, const double* wrenches, double* tau);
+
+/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+   M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
+   Operations: 41 multiplications, 28 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
+
+/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+   tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
+   Operations: 55 multiplications, 35 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
+                        double* c);
+
+/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+   M [2 x 2], symmetric and written in full, and c [2] are the results.
+   Operations: 94 multiplications, 63 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
+                                        const double* wrenches, double* M, double* c);
+
+/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+   qdot [2] is the result, per second.
+   Operations: 0 multiplications, 0 additions (reduced formulation).
+ */
+int rolling_wheels_coordinate_rates(const double* q, const double* qd, double* qdot);
+
+/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+   e [2] is the result, in J.
+   Operations: 42 multiplications, 24 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_energy(const double* q, const double* qd, double t, const double* parameters,
+                          const double* wrenches, double* e);
+
+/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+   body's axes and p, m, is its origin. W [2 x 3 x 4] is the result.
+   Operations: 12 multiplications, 6 additions, 8 sin/cos/tan (reduced formulation).
+ */
+int rolling_wheels_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
+
+#ifdef __cplusplus
+}
+#endif

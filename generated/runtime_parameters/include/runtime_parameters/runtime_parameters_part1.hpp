@@ -1,0 +1,202 @@
+// runtime_parameters: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "runtime_parameters". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// Definitions, part 1 of 1.
+#pragma once
+
+#include <cmath>
+
+#include "runtime_parameters_raw.hpp"
+
+#ifndef ALEMBERT_NOINLINE
+#if defined(_MSC_VER)
+#define ALEMBERT_NOINLINE __declspec(noinline)
+#else
+#define ALEMBERT_NOINLINE __attribute__((noinline))
+#endif
+#endif
+
+namespace alembert::mechanisms::runtime_parameters {
+
+// inverse_dynamics: 37 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
+                      [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qdd1 = qdd[1];  // dd(q2)
+  const S p0 = in.parameters[0];  // g
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
+  const S p3 = in.parameters[3];  // I
+  const S t0 = sin(q1);
+  const S t1 = cos(q1);
+  const S t2 = p2 * p1;
+  const S t3 = t0 * qd0;
+  const S t4 = t0 * qdd0;
+  const S t5 = qd0 * t1;
+  const S t6 = t3 * t5;
+  const S t7 = qdd0 * t1;
+  const S t8 = S(0.3) * t7 + t0 * p0;
+  const S t9 = t0 * (t2 * (qd1 * qd1 + t3 * t3) - p1 * (S(0.3) * t4 - p0 * t1)) - t1 * (t2 * (qdd1 - t6) + p1 * t8);
+  const S t10 = qd1 * t5;
+  const S t11 = p3 + p1 * (p2 * p2);
+  const S t12 = t11 - S(0.025) * p3;
+  const S t13 = t0 * (S(0.3) * (t2 * (qd0 * qd0)) + ((t4 + t10) * t11 + t10 * t12)) + S(0.025) * (t1 * (p3 * (t7 - qd1 * t3)));
+  tau[0] = S(0.01376) * qdd0 - (S(0.3) * t9 - t13);
+  tau[1] = t2 * t8 + (qdd1 * t11 - t6 * t12);
+}
+
+// mass_matrix: 11 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
+  const S p3 = in.parameters[3];  // I
+  const S t0 = sin(q1);
+  const S t1 = cos(q1);
+  const S t2 = p3 + p1 * (p2 * p2);
+  M[3] = t2;
+  M[0] = t0 * (t0 * t2) + S(0.025) * (t1 * (p3 * t1)) + S(0.09) * p1 + S(0.01376);
+  const S t4 = S(0.3) * (t1 * (p1 * p2));
+  M[1] = t4;
+  M[2] = t4;
+}
+
+// bias: 30 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
+          [[maybe_unused]] S* c) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
+  const S p0 = in.parameters[0];  // g
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
+  const S p3 = in.parameters[3];  // I
+  const S t0 = sin(q1);
+  const S t1 = cos(q1);
+  const S t2 = p2 * p1;
+  const S t3 = qd0 * t1;
+  const S t4 = p3 + p1 * (p2 * p2);
+  const S t5 = t4 - S(0.025) * p3;
+  const S t6 = t0 * qd0;
+  const S t7 = t3 * t6;
+  const S t8 = t0 * p0;
+  const S t9 = S(0.3) * (t1 * (t2 * t7 - p1 * t8) + t0 * (t2 * (qd1 * qd1 + t6 * t6) + p1 * (t1 * p0)));
+  c[0] = t0 * (S(0.3) * (t2 * (qd0 * qd0)) + qd1 * t3 * (t4 + t5)) - S(0.025) * (t1 * (p3 * (qd1 * t6))) - t9;
+  c[1] = t2 * t8 - t5 * t7;
+}
+
+// mass_matrix_and_bias: 38 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
+                          [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
+  const S p0 = in.parameters[0];  // g
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
+  const S p3 = in.parameters[3];  // I
+  const S t0 = sin(q1);
+  const S t1 = cos(q1);
+  const S t2 = p3 + p1 * (p2 * p2);
+  M[3] = t2;
+  M[0] = t0 * (t0 * t2) + S(0.025) * (t1 * (p3 * t1)) + S(0.09) * p1 + S(0.01376);
+  const S t4 = p1 * p2;
+  const S t5 = S(0.3) * (t1 * t4);
+  M[1] = t5;
+  M[2] = t5;
+  const S t6 = t1 * qd0;
+  const S t7 = t2 - S(0.025) * p3;
+  const S t8 = t0 * qd0;
+  const S t9 = t6 * t8;
+  const S t10 = t0 * p0;
+  const S t11 = S(0.3) * (t1 * (t4 * t9 - p1 * t10) + t0 * (t4 * (qd1 * qd1 + t8 * t8) + p1 * (t1 * p0)));
+  c[0] = t0 * (S(0.3) * (t4 * (qd0 * qd0)) + qd1 * t6 * (t2 + t7)) - S(0.025) * (t1 * (p3 * (qd1 * t8))) - t11;
+  c[1] = t4 * t10 - t7 * t9;
+}
+
+// coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
+template <class S>
+void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
+  qdot[0] = qd0;
+  qdot[1] = qd1;
+}
+
+// energy: 21 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
+            [[maybe_unused]] S* e) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
+  const S p0 = in.parameters[0];  // g
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
+  const S p3 = in.parameters[3];  // I
+  const S t0 = cos(q1);
+  const S t1 = sin(q1);
+  const S t2 = qd0 * t0;
+  const S t3 = qd0 * t1;
+  const S t4 = qd0 * qd0;
+  const S t5 = S(0.00688) * t4 + p1 * (S(0.045) * t4 + S(0.3) * (p2 * (t2 * qd1)));
+  e[0] = S(0.5) * (S(0.025) * (t2 * (t2 * p3)) + (p3 + p1 * (p2 * p2)) * (t3 * t3 + qd1 * qd1)) + t5;
+  e[1] = -(p1 * (p0 * (t0 * p2)));
+}
+
+// body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation).
+template <class S>
+void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q0 = q[0];  // q1
+  const S q1 = q[1];  // q2
+  const S t0 = cos(q0);
+  W[0] = t0;
+  W[5] = t0;
+  W[12] = t0;
+  const S t1 = sin(q0);
+  W[4] = t1;
+  W[16] = t1;
+  W[1] = -t1;
+  const S t3 = cos(q1);
+  W[22] = t3;
+  const S t4 = sin(q1);
+  W[21] = t4;
+  W[13] = -(t1 * t3);
+  W[14] = t1 * t4;
+  W[15] = S(0.3) * t0;
+  W[17] = t0 * t3;
+  W[18] = -(t0 * t4);
+  W[19] = S(0.3) * t1;
+  W[2] = S(0.0);
+  W[3] = S(0.0);
+  W[6] = S(0.0);
+  W[7] = S(0.0);
+  W[8] = S(0.0);
+  W[9] = S(0.0);
+  W[11] = S(0.0);
+  W[20] = S(0.0);
+  W[23] = S(0.0);
+  W[10] = S(1.0);
+}
+
+}  // namespace alembert::mechanisms::runtime_parameters

@@ -1,0 +1,122 @@
+// runtime_parameters: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "runtime_parameters". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// Sizes and names, the inputs, and the functions over plain arrays. Needs the standard library only.
+//
+// A pendulum with parameters that are set at run time.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace alembert::mechanisms::runtime_parameters {
+
+inline constexpr std::string_view kName = "runtime_parameters";
+
+inline constexpr int kNq = 2;  ///< coordinates: size of q
+inline constexpr int kNv = 2;  ///< speeds: size of qd, qdd, tau, c; M is kNv x kNv
+inline constexpr int kBodyCount = 2;
+inline constexpr int kFrameCount = 0;
+inline constexpr int kParameterCount = 4;  ///< runtime parameters
+inline constexpr int kWrenchCount = 0;  ///< bodies with an external wrench
+
+/// Entries of q. A quaternion has four, x y z w.
+inline constexpr ::std::array<::std::string_view, kNq> kCoordinateNames = {{"q1", "q2"}};
+/// Entries of qd. A quaternion has three: the angular velocity in the child's axes.
+inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(q1)", "d(q2)"}};
+inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"crank", "rod"}};
+inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
+inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {{"g", "m", "l", "I"}};
+/// Bodies that take an external wrench, in the order of Inputs::wrenches.
+inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {};
+
+/// The initial state of the description: coordinates. Its speeds are zero.
+inline constexpr ::std::array<double, kNq> kInitialCoordinates = {{0.0, 0.0}};
+/// Limits of the coordinates as described, infinite where there are none. The equations do not enforce them.
+inline constexpr ::std::array<double, kNq> kLowerLimits = {{
+    -::std::numeric_limits<double>::infinity(), -::std::numeric_limits<double>::infinity()}};
+inline constexpr ::std::array<double, kNq> kUpperLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
+/// Where the unit quaternions (x y z w) start in q.
+inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
+
+/// What the functions take besides the state.
+template <class S>
+struct Inputs {
+  S t = S(0.0);  ///< time, s
+  /// Runtime parameters in SI units, in the order of kParameterNames; the values of the description unless changed.
+  ::std::array<S, kParameterCount> parameters = {{S(9.81), S(1.3), S(0.42), S(0.05)}};
+  /// Six per body of kWrenchBodyNames: force x y z at its centre of mass, N, and torque x y z, N m, both in world axes.
+  ::std::array<S, 6 * kWrenchCount> wrenches = {};
+};
+
+// Arguments of the functions below; arrays must not overlap.
+//
+//   q    [2] coordinates: q1, q2
+//   qd   [2] speeds: d(q1), d(q2)
+//   qdd  [2] rates of the speeds
+//   tau  [2] generalized forces: N m for a speed in rad/s, N for one in m/s
+//
+// Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
+// <runtime_parameters/runtime_parameters_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.
+
+/// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+/// tau [2] is the result.
+/// Operations: 37 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
+
+/// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+/// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
+/// Operations: 11 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix(const S* q, const Inputs<S>& in, S* M);
+
+/// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+/// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
+/// Operations: 30 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
+
+/// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+/// M [2 x 2], symmetric and written in full, and c [2] are the results.
+/// Operations: 38 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
+
+/// Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+/// qdot [2] is the result, per second.
+/// Operations: 0 multiplications, 0 additions (reduced formulation).
+template <class S>
+void coordinate_rates(const S* q, const S* qd, S* qdot);
+
+/// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+/// e [2] is the result, in J.
+/// Operations: 21 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
+template <class S>
+void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
+
+/// Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+/// body's axes and p, m, is its origin. W [2 x 3 x 4] is the result.
+/// Operations: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation).
+template <class S>
+void body_poses(const S* q, const Inputs<S>& in, S* W);
+
+extern template void inverse_dynamics<double>(const double*, const double*, const double*, const Inputs<double>&, double*);
+extern template void inverse_dynamics<float>(const float*, const float*, const float*, const Inputs<float>&, float*);
+extern template void mass_matrix<double>(const double*, const Inputs<double>&, double*);
+extern template void mass_matrix<float>(const float*, const Inputs<float>&, float*);
+extern template void bias<double>(const double*, const double*, const Inputs<double>&, double*);
+extern template void bias<float>(const float*, const float*, const Inputs<float>&, float*);
+extern template void mass_matrix_and_bias<double>(const double*, const double*, const Inputs<double>&, double*, double*);
+extern template void mass_matrix_and_bias<float>(const float*, const float*, const Inputs<float>&, float*, float*);
+extern template void coordinate_rates<double>(const double*, const double*, double*);
+extern template void coordinate_rates<float>(const float*, const float*, float*);
+extern template void energy<double>(const double*, const double*, const Inputs<double>&, double*);
+extern template void energy<float>(const float*, const float*, const Inputs<float>&, float*);
+extern template void body_poses<double>(const double*, const Inputs<double>&, double*);
+extern template void body_poses<float>(const float*, const Inputs<float>&, float*);
+
+}  // namespace alembert::mechanisms::runtime_parameters

@@ -1,0 +1,126 @@
+// tori_mated: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "tori_mated". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// Sizes and names, the inputs, and the functions over plain arrays. Needs the standard library only.
+//
+// A torus in sliding contact with a fixed torus.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace alembert::mechanisms::tori_mated {
+
+inline constexpr std::string_view kName = "tori_mated";
+
+inline constexpr int kNq = 5;  ///< coordinates: size of q
+inline constexpr int kNv = 5;  ///< speeds: size of qd, qdd, tau, c; M is kNv x kNv
+inline constexpr int kBodyCount = 1;
+inline constexpr int kFrameCount = 0;
+inline constexpr int kParameterCount = 0;  ///< runtime parameters
+inline constexpr int kWrenchCount = 0;  ///< bodies with an external wrench
+
+/// Entries of q. A quaternion has four, x y z w.
+inline constexpr ::std::array<::std::string_view, kNq> kCoordinateNames = {{"u1", "v1", "u2", "v2", "turn"}};
+/// Entries of qd. A quaternion has three: the angular velocity in the child's axes.
+inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(u1)", "d(v1)", "d(u2)", "d(v2)", "d(turn)"}};
+inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"ring"}};
+inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
+inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
+/// Bodies that take an external wrench, in the order of Inputs::wrenches.
+inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {};
+
+/// The initial state of the description: coordinates. Its speeds are zero.
+inline constexpr ::std::array<double, kNq> kInitialCoordinates = {{0.0, 0.0, 0.0, 0.0, 0.0}};
+/// Limits of the coordinates as described, infinite where there are none. The equations do not enforce them.
+inline constexpr ::std::array<double, kNq> kLowerLimits = {{
+    -::std::numeric_limits<double>::infinity(), -::std::numeric_limits<double>::infinity(),
+    -::std::numeric_limits<double>::infinity(), -::std::numeric_limits<double>::infinity(),
+    -::std::numeric_limits<double>::infinity()}};
+inline constexpr ::std::array<double, kNq> kUpperLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity(),
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity(),
+    ::std::numeric_limits<double>::infinity()}};
+/// Where the unit quaternions (x y z w) start in q.
+inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
+
+/// What the functions take besides the state.
+template <class S>
+struct Inputs {
+  S t = S(0.0);  ///< time, s
+  /// Runtime parameters in SI units, in the order of kParameterNames; the values of the description unless changed.
+  ::std::array<S, kParameterCount> parameters = {};
+  /// Six per body of kWrenchBodyNames: force x y z at its centre of mass, N, and torque x y z, N m, both in world axes.
+  ::std::array<S, 6 * kWrenchCount> wrenches = {};
+};
+
+// Arguments of the functions below; arrays must not overlap.
+//
+//   q    [5] coordinates: u1, v1, u2, v2, turn
+//   qd   [5] speeds: d(u1), d(v1), d(u2), d(v2), d(turn)
+//   qdd  [5] rates of the speeds
+//   tau  [5] generalized forces: N m for a speed in rad/s, N for one in m/s
+//
+// Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
+// <tori_mated/tori_mated_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.
+
+/// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+/// tau [5] is the result.
+/// Operations: 215 multiplications, 158 additions, 10 sin/cos/tan (reduced formulation).
+template <class S>
+void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
+
+/// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+/// M [5 x 5] is the result, symmetric and written in full, in SI units of tau/qdd.
+/// Operations: 219 multiplications, 144 additions, 8 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix(const S* q, const Inputs<S>& in, S* M);
+
+/// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+/// tau = M(q) qdd + c(q, qd). c [5] is the result, in units of tau.
+/// Operations: 203 multiplications, 141 additions, 10 sin/cos/tan (reduced formulation).
+template <class S>
+void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
+
+/// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+/// M [5 x 5], symmetric and written in full, and c [5] are the results.
+/// Operations: 424 multiplications, 290 additions, 10 sin/cos/tan (reduced formulation).
+template <class S>
+void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
+
+/// Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+/// qdot [5] is the result, per second.
+/// Operations: 0 multiplications, 0 additions (reduced formulation).
+template <class S>
+void coordinate_rates(const S* q, const S* qd, S* qdot);
+
+/// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+/// e [2] is the result, in J.
+/// Operations: 100 multiplications, 57 additions, 10 sin/cos/tan (reduced formulation).
+template <class S>
+void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
+
+/// Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+/// body's axes and p, m, is its origin. W [1 x 3 x 4] is the result.
+/// Operations: 61 multiplications, 30 additions, 10 sin/cos/tan (reduced formulation).
+template <class S>
+void body_poses(const S* q, const Inputs<S>& in, S* W);
+
+extern template void inverse_dynamics<double>(const double*, const double*, const double*, const Inputs<double>&, double*);
+extern template void inverse_dynamics<float>(const float*, const float*, const float*, const Inputs<float>&, float*);
+extern template void mass_matrix<double>(const double*, const Inputs<double>&, double*);
+extern template void mass_matrix<float>(const float*, const Inputs<float>&, float*);
+extern template void bias<double>(const double*, const double*, const Inputs<double>&, double*);
+extern template void bias<float>(const float*, const float*, const Inputs<float>&, float*);
+extern template void mass_matrix_and_bias<double>(const double*, const double*, const Inputs<double>&, double*, double*);
+extern template void mass_matrix_and_bias<float>(const float*, const float*, const Inputs<float>&, float*, float*);
+extern template void coordinate_rates<double>(const double*, const double*, double*);
+extern template void coordinate_rates<float>(const float*, const float*, float*);
+extern template void energy<double>(const double*, const double*, const Inputs<double>&, double*);
+extern template void energy<float>(const float*, const float*, const Inputs<float>&, float*);
+extern template void body_poses<double>(const double*, const Inputs<double>&, double*);
+extern template void body_poses<float>(const float*, const Inputs<float>&, float*);
+
+}  // namespace alembert::mechanisms::tori_mated

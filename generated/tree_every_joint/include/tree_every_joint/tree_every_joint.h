@@ -1,0 +1,114 @@
+/*
+tree_every_joint: equations of motion as straight-line code.
+Written by alembert 0.1.0 from the description of the mechanism "tree_every_joint". Do not edit: change the description.
+Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+
+The interface for C and for whatever can call C. Every function is re-entrant, takes no memory from the heap, and
+returns 0, or 1 if an array that it needs is NULL, having written nothing then.
+
+Arguments; arrays must not overlap:
+
+  q           [22] coordinates: x, y, z, attitude.x, attitude.y, attitude.z, attitude.w, shoulder, slide, screw, twist, reach and 10 more
+  qd          [20] speeds: d(x), d(y), d(z), d(attitude).x, d(attitude).y, d(attitude).z, d(shoulder), d(slide), d(screw), d(twist), d(reach), d(pitch) and 8 more
+  qdd         [20] rates of the speeds
+  tau         [20] generalized forces: N m for a speed in rad/s, N for one in m/s
+  t           time, s
+  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  wrenches    [2 x 6] per body of tree_every_joint_wrench_body_names the force x y z at its centre of mass, N, and the torque
+              x y z, N m, both in world axes; NULL for none
+
+Angles are in rad and lengths in m.
+*/
+#pragma once
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  tree_every_joint_nq = 22,
+  tree_every_joint_nv = 20,
+  tree_every_joint_body_count = 10,
+  tree_every_joint_frame_count = 1,
+  tree_every_joint_parameter_count = 0,
+  tree_every_joint_wrench_count = 2
+};
+
+/* Names, each list ended by NULL. */
+extern const char* const tree_every_joint_coordinate_names[22 + 1];
+extern const char* const tree_every_joint_speed_names[20 + 1];
+extern const char* const tree_every_joint_body_names[10 + 1];
+extern const char* const tree_every_joint_frame_names[1 + 1];
+extern const char* const tree_every_joint_parameter_names[0 + 1];
+extern const char* const tree_every_joint_wrench_body_names[2 + 1];
+
+/* The initial coordinates of the description; its speeds are zero. */
+extern const double tree_every_joint_initial_coordinates[22];
+/* Values of the runtime parameters in the description, and a 0 after the last. */
+extern const double tree_every_joint_default_parameters[0 + 1];
+
+/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
+   tau [20] is the result.
+   Operations: 960 multiplications, 942 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
+                                      const double* parameters, const double* wrenches, double* tau);
+
+/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
+   M [20 x 20] is the result, symmetric and written in full, in SI units of tau/qdd.
+   Operations: 906 multiplications, 920 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
+                                 double* M);
+
+/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
+   tau = M(q) qdd + c(q, qd). c [20] is the result, in units of tau.
+   Operations: 925 multiplications, 873 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_bias(const double* q, const double* qd, double t, const double* parameters,
+                          const double* wrenches, double* c);
+
+/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
+   M [20 x 20], symmetric and written in full, and c [20] are the results.
+   Operations: 1805 multiplications, 1753 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
+                                        const double* wrenches, double* M, double* c);
+
+/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
+   qdot [22] is the result, per second.
+   Operations: 32 multiplications, 16 additions (reduced formulation).
+ */
+int tree_every_joint_coordinate_rates(const double* q, const double* qd, double* qdot);
+
+/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
+   e [2] is the result, in J.
+   Operations: 812 multiplications, 713 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_energy(const double* q, const double* qd, double t, const double* parameters,
+                            const double* wrenches, double* e);
+
+/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
+   body's axes and p, m, is its origin. W [10 x 3 x 4] is the result.
+   Operations: 286 multiplications, 287 additions, 16 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
+
+/* Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
+   are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
+   Operations: 82 multiplications, 88 additions, 4 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_frame_poses(const double* q, double t, const double* parameters, const double* wrenches,
+                                 double* F);
+
+/* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 20 matrix J, row by row, such that J qd is
+   its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
+   prescribed in time adds. J [1 x 6 x 20] is the result.
+   Operations: 534 multiplications, 399 additions, 4 sin/cos/tan (reduced formulation).
+ */
+int tree_every_joint_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,
+                                     double* J);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,116 @@
+// tree_every_joint: equations of motion as straight-line code.
+// Written by alembert 0.1.0 from the description of the mechanism "tree_every_joint". Do not edit: change the description.
+// Generated output belongs to its user, who may use it, change it and pass it on without restriction. No warranty.
+//
+// The interface for C++ with vectors and matrices of Eigen. Over plain arrays: tree_every_joint_raw.hpp; in C: tree_every_joint.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <alembert/version.hpp>
+#include <array>
+
+#include "tree_every_joint_raw.hpp"
+
+#if ALEMBERT_VERSION_MAJOR != 0
+#error "tree_every_joint was generated for version 0 of the alembert runtime, and <alembert/version.hpp> is of another: generate it anew or install version 0"
+#endif
+
+namespace alembert::mechanisms::tree_every_joint {
+
+/// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
+/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of tree_every_joint_raw.hpp.
+template <class S = double>
+struct Mechanism {
+  using Scalar = S;
+  using Inputs = ::alembert::mechanisms::tree_every_joint::Inputs<S>;
+  static constexpr int kNq = ::alembert::mechanisms::tree_every_joint::kNq;
+  static constexpr int kNv = ::alembert::mechanisms::tree_every_joint::kNv;
+  static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
+  using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
+  using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
+  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
+
+  /// The initial coordinates of the description.
+  static CoordinateVector initial_coordinates() {
+    CoordinateVector q;
+    for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::tree_every_joint::kInitialCoordinates[static_cast<unsigned>(i)]);
+    return q;
+  }
+
+  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
+                                      const Inputs& in = Inputs()) {
+    SpeedVector tau;
+    ::alembert::mechanisms::tree_every_joint::inverse_dynamics<S>(q.data(), qd.data(), qdd.data(), in, tau.data());
+    return tau;
+  }
+
+  /// Mass matrix, symmetric, in full.
+  static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    SpeedMatrix M;
+    ::alembert::mechanisms::tree_every_joint::mass_matrix<S>(q.data(), in, M.data());
+    return M;
+  }
+
+  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    SpeedVector c;
+    ::alembert::mechanisms::tree_every_joint::bias<S>(q.data(), qd.data(), in, c.data());
+    return c;
+  }
+
+  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
+                                   SpeedVector& c) {
+    ::alembert::mechanisms::tree_every_joint::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
+  }
+
+  /// Rates of the coordinates, N(q) qd.
+  static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
+    CoordinateVector qdot;
+    ::alembert::mechanisms::tree_every_joint::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
+    return qdot;
+  }
+
+  /// Kinetic and potential energy, J.
+  static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
+    ::Eigen::Matrix<S, 2, 1> e;
+    ::alembert::mechanisms::tree_every_joint::energy<S>(q.data(), qd.data(), in, e.data());
+    return e;
+  }
+
+  /// Poses of the bodies of kBodyNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::tree_every_joint::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::tree_every_joint::kBodyCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::tree_every_joint::kBodyCount> poses;
+    ::alembert::mechanisms::tree_every_joint::body_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Poses of the frames of kFrameNames in the world.
+  static ::std::array<Pose, ::alembert::mechanisms::tree_every_joint::kFrameCount> frame_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 12 * ::alembert::mechanisms::tree_every_joint::kFrameCount> entries;
+    ::std::array<Pose, ::alembert::mechanisms::tree_every_joint::kFrameCount> poses;
+    ::alembert::mechanisms::tree_every_joint::frame_poses<S>(q.data(), in, entries.data());
+    for (unsigned i = 0; i < poses.size(); ++i)
+      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
+    return poses;
+  }
+
+  /// Jacobians of the frames of kFrameNames in the world: rows 0-2 give the angular velocity, rows 3-5 that of the origin.
+  static ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::tree_every_joint::kFrameCount> frame_jacobians(
+      const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<S, 6 * kNv * ::alembert::mechanisms::tree_every_joint::kFrameCount> entries;
+    ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::tree_every_joint::kFrameCount> jacobians;
+    ::alembert::mechanisms::tree_every_joint::frame_jacobians<S>(q.data(), in, entries.data());
+    for (unsigned f = 0; f < jacobians.size(); ++f)
+      for (int r = 0; r < 6; ++r)
+        for (int k = 0; k < kNv; ++k) jacobians[f](r, k) = entries[static_cast<unsigned>((6 * static_cast<int>(f) + r) * kNv + k)];
+    return jacobians;
+  }
+};
+
+}  // namespace alembert::mechanisms::tree_every_joint
