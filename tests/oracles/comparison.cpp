@@ -131,10 +131,13 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
     for (const State& state : states) taylor.push_back(numeric_lagrangian(description, state));
     std::vector<Dynamics> subject = taylor;
     if (!executable.empty()) {
-      const std::vector<Answer> answers = ask_alembert(executable, file, states);
-      for (std::size_t i = 0; i < states.size(); ++i) subject[i] = answers[i].dynamics;
-      append(lines, base, subject, taylor);
-      append_forward(lines, base, answers, states);
+      for (const char* formulation : {"factored", "reduced", "auto"}) {
+        base.formulation = formulation;
+        const std::vector<Answer> answers = ask_alembert(executable, file, states, formulation);
+        for (std::size_t i = 0; i < states.size(); ++i) subject[i] = answers[i].dynamics;
+        append(lines, base, subject, taylor);
+        append_forward(lines, base, answers, states);
+      }
     }
     const Description for_engines = equivalent.empty() ? description : read_description(equivalent);
     if (!equivalent.empty() && executable.empty()) {
@@ -155,8 +158,8 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
 }
 
 void print_table(const std::vector<Comparison>& lines) {
-  std::printf("%-22s %-18s %-8s %12s %8s  %s\n", "mechanism", "function", "oracle", "worst error", "within",
-              "verdict");
+  std::printf("%-22s %-18s %-11s %-8s %12s %8s  %s\n", "mechanism", "function", "formulation", "oracle",
+              "worst error", "within", "verdict");
   for (const Comparison& line : lines) {
     const bool measured =
         line.verdict == Comparison::Verdict::pass || line.verdict == Comparison::Verdict::fail;
@@ -165,9 +168,9 @@ void print_table(const std::vector<Comparison>& lines) {
       std::snprintf(error, sizeof error, "%.1e", line.error);
       std::snprintf(tolerance, sizeof tolerance, "%.0e", line.tolerance);
     }
-    std::printf("%-22s %-18s %-8s %12s %8s  %s%s%s\n", line.mechanism.c_str(), line.function.c_str(),
-                line.oracle.c_str(), error, tolerance, to_string(line.verdict), line.note.empty() ? "" : "  ",
-                line.note.c_str());
+    std::printf("%-22s %-18s %-11s %-8s %12s %8s  %s%s%s\n", line.mechanism.c_str(), line.function.c_str(),
+                line.formulation.c_str(), line.oracle.c_str(), error, tolerance, to_string(line.verdict),
+                line.note.empty() ? "" : "  ", line.note.c_str());
   }
 }
 

@@ -15,6 +15,7 @@ namespace alembert::oracles {
 struct Comparison {
   enum class Verdict { pass, fail, not_expressible, not_installed };
   std::string mechanism, function, oracle;
+  std::string formulation;  ///< of the equations under test; empty: an oracle is under test
   double error = 0, tolerance = 0;
   Verdict verdict = Verdict::pass;
   std::string note;  ///< why it failed to run, or is not expressible
@@ -29,9 +30,9 @@ struct BadlyConditioned : std::runtime_error {
 /// BadlyConditioned if they are too few.
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
 
-/// Compares `alembert evaluate` (or, if `executable` is empty, the numeric Lagrangian) with all oracles.
-/// Engines are given `equivalent` instead, if it is not empty: a description of the same mechanism in their
-/// words.
+/// Compares `alembert evaluate`, by every formulation (or, if `executable` is empty, the numeric Lagrangian)
+/// with all oracles. Engines are given `equivalent` instead, if it is not empty: a description of the same
+/// mechanism in their words.
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
                                 std::uint64_t seed, const std::string& equivalent = "");
 

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
       const bool fails = line.verdict == Comparison::Verdict::fail;
       if (fails) bad.push_back(line);
       if (!fails && line.verdict != Comparison::Verdict::pass) continue;
-      Summary& summary = summaries[line.oracle + " " + line.function];
+      Summary& summary = summaries[line.oracle + " " + line.function + " " + line.formulation];
       ++summary.compared;
       summary.failed += fails ? 1 : 0;
       summary.worst = std::max(summary.worst, line.error);
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   }
   std::filesystem::remove(file);
   for (const auto& [name, summary] : summaries) {
-    std::printf("%-28s %6d compared, %d failed, worst error %.1e\n", name.c_str(), summary.compared,
+    std::printf("%-36s %6d compared, %d failed, worst error %.1e\n", name.c_str(), summary.compared,
                 summary.failed, summary.worst);
   }
   std::printf("%d random mechanisms from seed %llu: %s\n", count, static_cast<unsigned long long>(seed),
