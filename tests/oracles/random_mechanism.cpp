@@ -3,179 +3,34 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <random>
-#include <regex>
 #include <stdexcept>
 #include <vector>
 
 #include "oracles/comparison.hpp"
+#include "oracles/random_expressions.hpp"
 
 namespace alembert::oracles {
 
 namespace {
 
-constexpr int kMaximumSpeeds = 11;
-constexpr int kMaximumSpeedsOfTransform = 6;
-
-std::string decimal(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.4g", value);
-  return buffer;
-}
-
-std::string list(const std::vector<std::string>& items) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < items.size(); ++i) text += (i > 0 ? ", \"" : "\"") + items[i] + "\"";
-  return text + "]";
-}
-
-class Writer {
+class Writer : private RandomExpressions {
  public:
-  explicit Writer(std::uint64_t seed) : random_(seed), joints_only_(chance(0.5)) {}
+  explicit Writer(std::uint64_t seed) : RandomExpressions(seed), joints_only_(chance(0.5)) {}
 
   std::string write() {
     const int bodies = 1 + below(5);
     for (int i = 0; i < bodies; ++i) write_body(i);
     if (chance(0.3)) std::reverse(bodies_.begin(), bodies_.end());  // children before parents
     std::string text = "gravity: " + list({gravity(), decimal(between(-3, 3)), gravity()}) + "\n";
-    text += "coordinates:\n" + coordinates_;
-    if (!definitions_.empty()) text += "definitions:\n" + definitions_;
+    text += "coordinates:\n" + coordinates();
+    if (!definitions().empty()) text += "definitions:\n" + definitions();
     text += "bodies:\n";
     for (const std::string& body : bodies_) text += body;
     return "alembert: 1\nname: random_mechanism\n" + parameters_in(text) + text;
   }
 
  private:
-  /// Declarations of the parameters that the text mentions: some are drawn in vain.
-  std::string parameters_in(const std::string& text) const {
-    std::string declarations;
-    for (const auto& [name, line] : parameters_) {
-      if (std::regex_search(text, std::regex("\\b" + name + "\\b"))) declarations += line;
-    }
-    return declarations.empty() ? "" : "parameters:\n" + declarations;
-  }
-
-  // Numbers are taken from the generator one by one and in a fixed order, so that a seed means one text.
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  int below(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-  bool chance(double p) { return between(0, 1) < p; }
-  std::string constant(double low, double high) {
-    const std::string value = decimal(between(low, high));
-    if (!chance(0.25)) return value;
-    const std::string name = "p" + std::to_string(parameter_count_++);
-    const bool runtime = chance(0.5);
-    parameters_[name] =
-        "  " + name + ": " + (runtime ? "{value: " + value + ", runtime: true}" : value) + "\n";
-    return name;
-  }
   std::string gravity() { return chance(0.7) ? constant(-9, 9) : "0"; }
-
-  // Coordinates. What a transform depends on is counted, since it may have six speeds at most.
-  bool has_room(int speeds) const {
-    return speeds_ + speeds <= kMaximumSpeeds &&
-           static_cast<int>(used_.size()) + used_speeds_of_quaternions_ + speeds <= kMaximumSpeedsOfTransform;
-  }
-  std::string new_coordinate(double low = -1.5, double high = 1.5) {
-    const std::string name = "q" + std::to_string(reals_.size());
-    const std::string initial = decimal(between(low / 2, high / 2));
-    coordinates_ += "  - {name: " + name + ", initial: " + initial + ", limits: [" + decimal(low) + ", " +
-                    decimal(high) + "]}\n";
-    reals_.push_back(name);
-    used_.push_back(name);
-    ++speeds_;
-    return name;
-  }
-  std::string new_quaternion() {
-    const std::string name = "r" + std::to_string(quaternions_++);
-    coordinates_ += "  - {name: " + name + ", type: quaternion}\n";
-    speeds_ += 3;
-    used_speeds_of_quaternions_ += 3;
-    return name;
-  }
-  /// An earlier coordinate, if the transform may still depend on it, or a number.
-  std::string old_coordinate() {
-    if (reals_.empty()) return decimal(between(-1, 1));
-    const std::string name = reals_[static_cast<std::size_t>(below(static_cast<int>(reals_.size())))];
-    if (std::find(used_.begin(), used_.end(), name) == used_.end()) {
-      if (static_cast<int>(used_.size()) + used_speeds_of_quaternions_ + reserved_ >=
-          kMaximumSpeedsOfTransform)
-        return "0.3";
-      used_.push_back(name);
-    }
-    return name;
-  }
-
-  /// A smooth function of x, defined for |x| <= 1.5, of x alone.
-  std::string curved(const std::string& x) {
-    const std::string a = constant(0.3, 1.2), b = constant(0.1, 0.4);
-    switch (below(17)) {
-      case 0:
-        return a + "*" + x + " + " + b;
-      case 1:
-        return a + "*" + x + " + " + b + "*sin(" + x + ")";
-      case 2:
-        return x + " + " + b + "*" + x + "^2";
-      case 3:
-        return "atan(" + x + ") - " + a;
-      case 4:
-        return "sinh(" + b + "*" + x + ")/" + b;
-      case 5:
-        return a + "*tanh(" + x + ")";
-      case 6:
-        return "sqrt(1.2 + (" + x + " - 2)^2)";
-      case 7:
-        return "log(3 + " + x + ")*" + a;
-      case 8:
-        return "exp(" + b + "*" + x + ")";
-      case 9:
-        return "atan2(sin(" + x + ") + " + b + ", 2 + cos(" + x + "))*2";
-      case 10:
-        return "asin(0.6*sin(" + x + "/2))*2";
-      case 11:
-        return "acos(0.5*sin(" + x + "/2 + 0.1))";
-      case 12:
-        return "-" + x + "^3/6 - " + x;
-      case 13:
-        return a + "/(2.5 + " + x + ")";
-      case 14:
-        return "tan(" + b + "*" + x + ")*2";
-      case 15:
-        return "cosh(" + x + "/2 - 1)";
-      default:
-        return "(2 + sin(" + x + "))^1.5/2";
-    }
-  }
-  /// A function that moves with x, and perhaps with earlier coordinates and time.
-  std::string function(const std::string& x) {
-    std::string f = chance(0.35) ? x : curved(x);
-    if (chance(0.3)) f += " + " + decimal(between(0.1, 0.4)) + "*sin(" + old_coordinate() + ")";
-    if (chance(0.15)) f = "(" + f + ")*(1 + 0.2*cos(" + old_coordinate() + "))";
-    if (chance(0.2)) f += " + " + decimal(between(0.1, 0.5)) + "*sin(" + decimal(between(0.5, 2)) + "*t)";
-    if (!chance(0.2)) return f;
-    const std::string name = "d" + std::to_string(definition_count_++);
-    definitions_ += "  " + name + ": \"" + f + "\"\n";
-    return name;
-  }
-  std::string axis() {
-    switch (below(5)) {
-      case 0:
-        return "x";
-      case 1:
-        return "y";
-      case 2:
-        return "z";
-      default: {
-        const std::string x = decimal(between(-1, 1)), y = decimal(between(-1, 1)),
-                          z = decimal(between(0.2, 1));
-        return "[" + x + ", " + y + ", " + z + "]";
-      }
-    }
-  }
   std::string shift() {
     const std::string x = constant(-0.5, 0.5), y = constant(-0.5, 0.5), z = constant(-0.5, 0.5);
     return "{translate: " + list({x, y, z}) + "}";
@@ -308,10 +163,10 @@ class Writer {
 
   std::string mate() {
     const bool first = chance(0.3);
-    reserved_ = 5;
+    reserve(5);
     const std::string a = surface(first);
     const std::string b = surface(chance(0.7) != first);
-    reserved_ = 0;
+    reserve(0);
     std::string spin;
     if (has_room(1)) spin = ", spin: \"" + function(new_coordinate()) + "\"";
     return "{mate: [" + a + ", " + b + "]" + spin + "}";
@@ -345,7 +200,7 @@ class Writer {
         return "{rotate: {quaternion: " + new_quaternion() + "}}";
       }
       case 9:
-        return used_.empty() && has_room(5) ? mate() : "";
+        return depends_on_nothing() && has_room(5) ? mate() : "";
       default: {
         const std::string inner = moving_factor(1);
         if (inner.empty()) return "";
@@ -355,8 +210,7 @@ class Writer {
   }
 
   void write_body(int index) {
-    used_.clear();
-    used_speeds_of_quaternions_ = 0;
+    begin_transform();
     std::string text = "  - name: body" + std::to_string(index) + "\n";
     if (index > 0 && chance(0.8)) text += "    parent: body" + std::to_string(below(index)) + "\n";
     text += "    transform:\n";
@@ -402,16 +256,8 @@ class Writer {
            ", xz: " + decimal(I[4]) + ", yz: " + decimal(I[5]) + "}\n";
   }
 
-  std::mt19937_64 random_;
-  bool joints_only_;                               // nothing that multibody engines have no words for
-  std::map<std::string, std::string> parameters_;  // the line of each
-  std::string coordinates_, definitions_;
+  bool joints_only_;  // nothing that multibody engines have no words for
   std::vector<std::string> bodies_;
-  std::vector<std::string> reals_;
-  std::vector<std::string> used_;       // real coordinates in the transform being written
-  int used_speeds_of_quaternions_ = 0;  // in the same
-  int reserved_ = 0;                    // speeds that the transform being written will still need
-  int speeds_ = 0, quaternions_ = 0, parameter_count_ = 0, definition_count_ = 0;
 };
 
 }  // namespace
