@@ -42,6 +42,10 @@ Vec3 symbols(ExprGraph& g, const std::string& name) {
 std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& forms) {
   ExprGraph g;
   const Expr zero = g.zero();
+  // Constants of no particular value: sums and products of them are folded, as they are in the real
+  // expressions.
+  std::int64_t next = 1;
+  const auto number = [&] { return g.rational(Rational(next += 2, 1009)); };
   const auto frame_motion = [&](const std::string& name, bool tilted) {
     Vec3 om = symbols(g, name + "w"), al = symbols(g, name + "a");
     if (p.first) {
@@ -52,31 +56,27 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   };
   const FrameMotion joint = frame_motion("j", false);
   const FrameMotion twist = p.twisted ? frame_motion("t", true) : joint;
-  const Vec3 length{{p.length ? g.symbol("a") : zero, zero, zero}};
-  const Vec3 offset{{zero, zero, p.offset ? g.symbol("d") : zero}};
+  const Vec3 length{{p.length ? number() : zero, zero, zero}};
+  const Vec3 offset{{zero, zero, p.offset ? number() : zero}};
   std::array<FrameMotion, 4> motions{joint, twist, twist, twist};
   motions[2].acc = twist.at(length);
   motions[3].acc = motions[2].at(offset);
 
   NodeMass mass{zero, zeros<3, 1>(g), zeros<3, 3>(g), forms};
-  const auto entry = [&](std::size_t e, const char* name) {
-    return (p.entries & bit(e)) != 0 ? g.symbol(name) : zero;
-  };
-  const std::array<Expr, 3> K{entry(0, "Kxx"), entry(1, "Kyy"), entry(2, "Kzz")};
-  // J of the pattern as independent symbols where sums of K do not vanish: only what is zero matters.
+  const auto entry = [&](std::size_t e) { return (p.entries & bit(e)) != 0 ? number() : zero; };
+  const std::array<Expr, 3> K{entry(0), entry(1), entry(2)};
   for (std::size_t i = 0; i < 3; ++i) mass.inertia(i, i) = K[(i + 1) % 3] + K[(i + 2) % 3];
   const std::array<std::size_t, 3> rows{0, 0, 1}, columns{1, 2, 2};
-  static constexpr const char* kNames[] = {"Kxy", "Kxz", "Kyz"};
   for (std::size_t k = 0; k < 3; ++k) {
-    mass.inertia(rows[k], columns[k]) = mass.inertia(columns[k], rows[k]) = -entry(3 + k, kNames[k]);
+    mass.inertia(rows[k], columns[k]) = mass.inertia(columns[k], rows[k]) = -entry(3 + k);
   }
-  mass.moment = {{entry(6, "hx"), entry(7, "hy"), entry(8, "hz")}};
-  mass.mass = entry(9, "m");
+  mass.moment = {{entry(6), entry(7), entry(8)}};
+  mass.mass = entry(9);
 
   std::array<ForceMoment, 4> at;
   for (std::size_t k = 0; k < 4; ++k) {
     at[k] = {zeros<3, 1>(g), zeros<3, 1>(g)};
-    if ((p.points & bit(k)) != 0) at[k].force = g.symbol("point" + std::to_string(k)) * motions[k].acc;
+    if ((p.points & bit(k)) != 0) at[k].force = number() * motions[k].acc;
     if (kMassFrames[k] == p.frame) {
       const ForceMoment inertia = inertia_forces(motions[k], mass, g);
       at[k] = {at[k].force + inertia.force, at[k].moment + inertia.moment};
@@ -95,8 +95,8 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   std::vector<Expr> roots;
   if (p.first) {
     // Turned back by the twist, only the moment about the axis is wanted.
-    Expr moment = p.twisted ? g.symbol("c") * total.moment[2] : total.moment[2];
-    if (p.twisted) moment += g.symbol("s") * total.moment[1];
+    Expr moment = p.twisted ? number() * total.moment[2] : total.moment[2];
+    if (p.twisted) moment += number() * total.moment[1];
     roots.push_back(moment + at[0].moment[2]);
   } else {
     if (p.twisted) {
@@ -195,8 +195,6 @@ class RegroupingSearch {
         if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
         for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
           const int count = std::popcount(zeros) - std::popcount(points);
-          // Points are only worth it if the mass itself goes.
-          if (points != 0 && (zeros & bit(kMass)) == 0) continue;
           if (count != links_.movable_count(i)) continue;
           consider({frame, zeros, points, {}});
         }

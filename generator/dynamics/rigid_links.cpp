@@ -191,6 +191,14 @@ void RigidLinks::place() {
     } else if (children[i].empty() && link.parent >= 0) {
       const CommonNormal d = common_normal(link.before);
       reframe(i, shift({0, 0, -d.last_shift}));
+      // Nothing follows, so the frame may turn until an entry of the inertia vanishes.
+      const Matrix4d& S = link.inertia;
+      const double size = kSmall * S.cwiseAbs().maxCoeff();
+      if (std::abs(S(0, 3)) > size && std::abs(S(1, 3)) > size) {
+        reframe(i, turn(2, std::atan2(S(1, 3), S(0, 3))));
+      } else if (std::abs(S(0, 3)) <= size && std::abs(S(1, 3)) <= size && std::abs(S(0, 1)) > size) {
+        reframe(i, turn(2, 0.5 * std::atan2(2 * S(0, 1), S(0, 0) - S(1, 1))));
+      }
     }
   }
   for (std::size_t i = 0; i < links_.size(); ++i) {

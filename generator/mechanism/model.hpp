@@ -1,6 +1,7 @@
-// The typed mechanism: what a description says, in SI units, immutable once loaded, every part with its place.
-// Expressions are over the graph's symbols: coordinates by their names (a quaternion `base` has base.x base.y
-// base.z base.w), runtime parameters by their names, time as `t`. Other parameters are already folded in.
+// The typed mechanism: what a description says, in SI units, immutable once loaded, every part with its
+// place. Expressions are over the graph's symbols: coordinates by their names (a quaternion `base` has base.x
+// base.y base.z base.w), runtime parameters by their names, time as `t`. Other parameters are already folded
+// in.
 #pragma once
 
 #include <memory>
@@ -24,8 +25,9 @@ struct Parameter {
 
 enum class CoordinateType { real, quaternion };
 
-/// q of size `nq` from index `first_q`; speeds of size `nv` from `first_speed`. Real: 1 and 1. Quaternion (order x y z w, rotation of
-/// the child relative to its parent): 4 and 3, the speeds being the angular velocity in the child's axes.
+/// q of size `nq` from index `first_q`; speeds of size `nv` from `first_speed`. Real: 1 and 1. Quaternion
+/// (order x y z w, rotation of the child relative to its parent): 4 and 3, the speeds being the angular
+/// velocity in the child's axes.
 struct Coordinate {
   std::string name;
   CoordinateType type = CoordinateType::real;
@@ -43,26 +45,55 @@ struct Coordinate {
 struct Transform;
 
 /// Shift by `offset`, in the axes reached so far.
-struct Translation { Vec3 offset; };
+struct Translation {
+  Vec3 offset;
+};
 /// Rotation about coordinate axis 0, 1 or 2.
-struct AxisRotation { int axis; Expr angle; };
+struct AxisRotation {
+  int axis;
+  Expr angle;
+};
 /// Rotation about a constant unit vector.
-struct VectorRotation { Vec3 axis; Expr angle; };
+struct VectorRotation {
+  Vec3 axis;
+  Expr angle;
+};
 /// Rotation by a quaternion coordinate (index into Mechanism::coordinates).
-struct QuaternionRotation { int coordinate; };
+struct QuaternionRotation {
+  int coordinate;
+};
 /// A rigid motion written out: rotation and translation.
-struct RigidMatrix { Mat3 rotation; Vec3 translation; };
-/// [b p n f]: tangent b, n normal (Frenet, or b x reference normalised), p = n x b; f the point (method.md section 5).
-struct CurveFrame { Vec3 point; Expr along; std::optional<Vec3> reference; };
+struct RigidMatrix {
+  Mat3 rotation;
+  Vec3 translation;
+};
+/// [b p n f]: tangent b, n normal (Frenet, or b x reference normalised), p = n x b; f the point (method.md
+/// section 5).
+struct CurveFrame {
+  Vec3 point;
+  Expr along;
+  std::optional<Vec3> reference;
+};
 /// [p0 p1 n f] with n = f_u x f_v normalised, negated if `flip`, p0 = f_u normalised, p1 = n x p0.
-struct SurfaceFrame { Vec3 point; Expr u, v; bool flip = false; };
+struct SurfaceFrame {
+  Vec3 point;
+  Expr u, v;
+  bool flip = false;
+};
 /// S1 Rz(spin) S2^-1.
-struct Mate { SurfaceFrame first, second; Expr spin; };
+struct Mate {
+  SurfaceFrame first, second;
+  Expr spin;
+};
 /// Inverse of a product of factors.
-struct Inverse { std::shared_ptr<const Transform> of; };
+struct Inverse {
+  std::shared_ptr<const Transform> of;
+};
 
 struct Factor {
-  std::variant<Translation, AxisRotation, VectorRotation, QuaternionRotation, RigidMatrix, CurveFrame, SurfaceFrame, Mate, Inverse> value;
+  std::variant<Translation, AxisRotation, VectorRotation, QuaternionRotation, RigidMatrix, CurveFrame,
+               SurfaceFrame, Mate, Inverse>
+      value;
   SourceLocation where;
 };
 
@@ -71,7 +102,8 @@ struct Transform {
   std::vector<Factor> factors;
 };
 
-/// Mass, centre of mass (body frame) and inertia about it (body axes): constants or functions of runtime parameters.
+/// Mass, centre of mass (body frame) and inertia about it (body axes): constants or functions of runtime
+/// parameters.
 struct MassProperties {
   Expr mass;
   Vec3 com;

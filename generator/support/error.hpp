@@ -50,7 +50,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
 /// ` (did you mean 'X'?)` or nothing; appended to messages about unknown names.
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
-/// `text` with control characters and quotes escaped and its length bounded, safe to show in a one-line message.
+/// `text` with control characters and quotes escaped and its length bounded, safe to show in a one-line
+/// message.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
 }  // namespace alembert

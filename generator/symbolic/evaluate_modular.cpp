@@ -33,13 +33,10 @@ std::uint64_t hash(Op op, Modular a, Modular b = {}) {
 
 constexpr std::uint64_t kPi = reduce(scramble(0x3141592653589793u));
 
+// A double stands for itself only: as mantissa * 2^exponent it would not do, since 2^61 = 1 here, and a
+// residue of rounding such as 2^-62 would be the same element as 1/2.
 Modular from_double(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(std::abs(x), &exponent);
-  const std::uint64_t mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-  // 2^61 = 1
-  const int shift = ((exponent - 53) % 61 + 61) % 61;
-  const std::uint64_t value = multiply(reduce(mantissa), reduce(std::uint64_t{1} << shift));
+  const std::uint64_t value = reduce(scramble(std::bit_cast<std::uint64_t>(std::abs(x))));
   return {x < 0 ? negate(value) : value, 0};
 }
 

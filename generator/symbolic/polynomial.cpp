@@ -67,7 +67,7 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
       const bool plain_number = node.op == Op::rational || node.op == Op::real;
       if (plain_number) {
         const Ref power = build_.integer_power(of, next.halves / 2);
-        x.number = build_.product(x.number, power);
+        x.number = exact(build_.product(x.number, power));
         continue;
       }
       if (node.op == Op::pi_multiple && build_.rational_of(of) != Rational(1)) {
@@ -108,6 +108,12 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
   }
 }
 
+Ref Algebra::exact(Ref number) const {
+  // A rational that overflowed has become a double: what should cancel no longer does.
+  if (build_.op(number) == Op::real) throw TooLarge();
+  return number;
+}
+
 PolynomialTerm Algebra::monomial(Ref x) {
   PolynomialTerm out{kOne, {}};
   multiply_into(out, x, 2);
@@ -116,7 +122,7 @@ PolynomialTerm Algebra::monomial(Ref x) {
 
 PolynomialTerm Algebra::multiply(const PolynomialTerm& x, const PolynomialTerm& y) {
   spend(1);
-  PolynomialTerm out{build_.product(x.number, y.number), x.powers};
+  PolynomialTerm out{exact(build_.product(x.number, y.number)), x.powers};
   for (const Power& power : y.powers) multiply_into(out, power.base, power.halves);
   return out;
 }
@@ -133,7 +139,7 @@ Polynomial Algebra::sorted(std::vector<PolynomialTerm> terms) {
   Polynomial out;
   for (PolynomialTerm& term : terms) {
     if (!out.empty() && out.back().powers == term.powers) {
-      out.back().number = build_.sum(out.back().number, term.number);
+      out.back().number = exact(build_.sum(out.back().number, term.number));
       if (out.back().number == kZero) out.pop_back();
     } else {
       out.push_back(std::move(term));

@@ -76,6 +76,7 @@ class Algebra {
   bool less(const Monomial& x, const Monomial& y) const;  ///< lexicographic, compatible with products
 
  private:
+  Ref exact(Ref number) const;  ///< the number itself; throws TooLarge if it is a rounded one
   void multiply_into(PolynomialTerm& x, Ref base, int halves);
   void put(Monomial& into, Ref base, int halves);
   PolynomialTerm multiply(const PolynomialTerm& x, const PolynomialTerm& y);

@@ -178,7 +178,7 @@ class Numbering {
     while (slots < 2 * static_cast<std::size_t>(count)) slots *= 2;
     std::vector<std::uint32_t> table(slots, kNone);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Node& n = node(i);
+      const Node n = node(i);  // a copy: number_class makes nodes
       const LocalOperands operands = order_.operands[i];
       rooted_[i] = n.op == Op::sqrt || (n.arity() >= 1 && rooted_[operands.a >> 1]) ||
                    (n.arity() == 2 && rooted_[operands.b >> 1]);

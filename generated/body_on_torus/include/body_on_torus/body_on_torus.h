@@ -49,7 +49,7 @@ extern const double body_on_torus_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [3] is the result.
-   Operations: 113 multiplications, 79 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 108 multiplications, 73 additions, 6 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
@@ -62,14 +62,14 @@ int body_on_torus_mass_matrix(const double* q, double t, const double* parameter
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-   Operations: 104 multiplications, 69 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 99 multiplications, 63 additions, 6 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [3 x 3], symmetric and written in full, and c [3] are the results.
-   Operations: 146 multiplications, 96 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 141 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);

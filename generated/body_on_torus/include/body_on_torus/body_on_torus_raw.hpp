@@ -66,7 +66,7 @@ struct Inputs {
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [3] is the result.
-/// Operations: 113 multiplications, 79 additions, 6 sin/cos/tan (reduced formulation).
+/// Operations: 108 multiplications, 73 additions, 6 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -78,13 +78,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-/// Operations: 104 multiplications, 69 additions, 6 sin/cos/tan (reduced formulation).
+/// Operations: 99 multiplications, 63 additions, 6 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [3 x 3], symmetric and written in full, and c [3] are the results.
-/// Operations: 146 multiplications, 96 additions, 6 sin/cos/tan (reduced formulation).
+/// Operations: 141 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

@@ -49,27 +49,27 @@ extern const double chain6r_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 381 multiplications, 308 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 360 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 323 multiplications, 251 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 322 multiplications, 249 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 377 multiplications, 295 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 356 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                  double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 700 multiplications, 546 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 678 multiplications, 517 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);

@@ -68,25 +68,25 @@ struct Inputs {
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [6] is the result.
-/// Operations: 381 multiplications, 308 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 360 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 323 multiplications, 251 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 322 multiplications, 249 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-/// Operations: 377 multiplications, 295 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 356 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [6 x 6], symmetric and written in full, and c [6] are the results.
-/// Operations: 700 multiplications, 546 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 678 multiplications, 517 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

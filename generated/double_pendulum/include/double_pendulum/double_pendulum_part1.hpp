@@ -36,10 +36,10 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t2 = qd1 + qd0;
   const S t3 = sin(q1);
   const S t4 = cos(q1);
-  const S t5 = qdd1 + qdd0;
+  const S t5 = qdd0 + qdd1;
   const S t6 = S(0.08146499999999998) * t5 + S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t1) + t4 * (S(0.55) * qdd0 + S(9.81) * t0));
   tau[1] = t6;
-  tau[0] = S(0.40664500000000003) * qdd0 + S(8.235495) * t0 - (S(0.126225) * (t2 * t2 * t3 - t5 * t4) - t6);
+  tau[0] = S(8.235495) * t0 + S(0.406645) * qdd0 - (S(0.126225) * (t2 * t2 * t3 - t5 * t4) - t6);
 }
 
 // mass_matrix: 2 multiplications, 2 additions, 1 sin/cos/tan (reduced formulation).
@@ -48,7 +48,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   using ::std::cos;
   const S q1 = q[1];  // q2
   const S t0 = cos(q1);
-  M[0] = S(0.25245) * t0 + S(0.48811000000000004);
+  M[0] = S(0.25245) * t0 + S(0.48810999999999993);
   const S t2 = S(0.126225) * t0 + S(0.08146499999999998);
   M[1] = t2;
   M[2] = t2;
@@ -87,7 +87,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S qd1 = qd[1];  // d(q2)
   const S t0 = cos(q1);
   const S t1 = sin(q1);
-  M[0] = S(0.25245) * t0 + S(0.48811000000000004);
+  M[0] = S(0.25245) * t0 + S(0.48810999999999993);
   const S t3 = S(0.126225) * t0 + S(0.08146499999999998);
   M[1] = t3;
   M[2] = t3;

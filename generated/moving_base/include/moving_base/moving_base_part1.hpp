@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::moving_base {
 
-// inverse_dynamics: 67 multiplications, 46 additions, 8 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 62 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -32,59 +32,56 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qdd0 = qdd[0];  // dd(q1)
   const S qdd1 = qdd[1];  // dd(q2)
   const S time = in.t;  // t
-  const S t0 = sin(q0);
-  const S t1 = cos(q0);
-  const S t2 = time * (S(0.1) * time + S(0.4));
-  const S t3 = cos(t2);
-  const S t4 = sin(t2);
-  const S t5 = sin(S(3.4) * time);
-  const S t6 = t3 * t5;
-  const S t7 = cos(S(6.8) * time);
-  const S t8 = S(9.81) - S(2.312) * t7;
-  const S t9 = S(2.4276) * (t0 * t6) - t1 * t8;
-  const S t10 = S(0.2) * time + S(0.4);
-  const S t11 = t1 * t10;
-  const S t12 = t0 * t10;
-  const S t13 = t11 * t12;
-  const S t14 = qdd0 - t13;
-  const S t15 = t12 * t12;
-  const S t16 = cos(q1);
-  const S t17 = sin(q1);
-  const S t18 = S(2.4276) * (t6 * t1) + t0 * t8 + S(0.5) * t14;
-  const S t19 = S(0.2) * t1 - t12 * qd0;
-  const S t20 = t11 * t16 - qd0 * t17;
-  const S t21 = qd1 - (t12 - qd1);
-  const S t22 = qdd0 * t16 + (t17 * t19 + t20 * t21);
-  const S t23 = t16 * qd0 + t11 * t17;
-  const S t24 = qdd0 * t17 - (t16 * t19 - t21 * t23);
-  const S t25 = S(0.5) * (S(0.105) * t22 - S(0.01) * t24 + S(0.9159999999999999) * t18);
-  const S t26 = t16 * (S(0.105) * t18 + (S(0.032350000000000004) * t22 - S(0.0018) * t24)) + t17 * (S(0.000899999999999998) * t24 - S(0.0018) * t22 - S(0.01) * t18) + t25;
-  tau[0] = S(0.007999999999999981) * t9 + (S(0.0018799999999999997) * (qdd0 + t13) - (S(0.03151999999999999) * t14 + (S(0.0020799999999999924) * (t15 - t11 * t11) + S(8.000000000000003e-05) * t0))) + t26;
-  const S t28 = t11 * qd0;
-  const S t29 = t28 + S(0.2) * t0;
-  const S t30 = S(0.5) * (t28 + t29) - S(2.4276) * (t5 * t4);
-  const S t31 = t9 - S(0.5) * (t15 + qd0 * qd0);
-  const S t32 = t29 - qdd1;
-  const S t33 = t20 * t23;
-  const S t34 = S(0.032350000000000004) * (t32 + t33) - S(0.0018) * (t23 * t23 - t20 * t20) + S(0.000899999999999998) * (t32 - t33);
-  tau[1] = S(0.01) * (t17 * t30 - t16 * t31) - S(0.105) * (t16 * t30 + t17 * t31) - t34;
+  const S t0 = q1 + S(0.09495170634275626);
+  const S t1 = cos(t0);
+  const S t2 = sin(t0);
+  const S t3 = cos(q0);
+  const S t4 = sin(q0);
+  const S t5 = S(0.2) * time + S(0.4);
+  const S t6 = t4 * t5;
+  const S t7 = S(0.2) * t3 - qd0 * t6;
+  const S t8 = t3 * t5;
+  const S t9 = t1 * t8 - t2 * qd0;
+  const S t10 = qd1 - (t6 - qd1);
+  const S t11 = qdd0 * t1 + t2 * t7 + t9 * t10;
+  const S t12 = time * (S(0.1) * time + S(0.4));
+  const S t13 = cos(t12);
+  const S t14 = sin(t12);
+  const S t15 = sin(S(3.4) * time);
+  const S t16 = t13 * t15;
+  const S t17 = cos(S(6.8) * time);
+  const S t18 = S(9.81) - S(2.312) * t17;
+  const S t19 = t6 * t8;
+  const S t20 = qdd0 - t19;
+  const S t21 = S(2.4276) * (t3 * t16) + t4 * t18 + S(0.5) * t20;
+  const S t22 = t1 * qd0 + t2 * t8;
+  const S t23 = qdd0 * t2 - (t1 * t7 - t10 * t22);
+  const S t24 = S(0.5) * (S(0.10547511554864493) * t11 + S(0.9159999999999999) * t21) + (t1 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t11 + S(0.10547511554864493) * t21) + t2 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t11));
+  const S t25 = S(2.4276) * (t4 * t16) - t3 * t18;
+  const S t26 = t6 * t6;
+  tau[0] = t24 + (S(0.007999999999999981) * t25 + (S(0.0018799999999999997) * (qdd0 + t19) - (S(0.03151999999999999) * t20 + (S(0.0020799999999999924) * (t26 - t8 * t8) + S(8.000000000000003e-05) * t4))));
+  const S t28 = qd0 * t8;
+  const S t29 = t28 + S(0.2) * t4;
+  const S t30 = S(0.10547511554864493) * (t2 * (t25 - S(0.5) * (t26 + qd0 * qd0)) + t1 * (S(0.5) * (t28 + t29) - S(2.4276) * (t15 * t14)));
+  tau[1] = S(0.0012006741573033712) * (t9 * t9 - t22 * t22) + S(0.03325) * (qdd1 - t29) - S(0.031564157303370796) * (t9 * t22) - t30;
 }
 
-// mass_matrix: 4 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+// mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  M[0] = S(0.105) * t0 - t1 * (S(0.031450000000000006) * t1 + S(0.0036) * t0 + S(0.01)) + S(0.23170999999999997);
+  const S t0 = q1 + S(0.09495170634275626);
+  const S t1 = sin(t0);
+  const S t2 = cos(t0);
+  M[0] = t1 * (S(0.0024013483146067423) * t2 - S(0.0315641573033708) * t1) + S(0.10547511554864493) * t2 + S(0.2317670786516854);
   M[1] = S(0.0);
   M[2] = S(0.0);
   M[3] = S(0.03325);
 }
 
-// bias: 64 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
+// bias: 59 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -95,43 +92,40 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
-  const S t0 = sin(q1);
-  const S t1 = cos(q1);
-  const S t2 = sin(q0);
+  const S t0 = q1 + S(0.09495170634275626);
+  const S t1 = sin(t0);
+  const S t2 = cos(t0);
   const S t3 = cos(q0);
-  const S t4 = S(0.2) * time + S(0.4);
-  const S t5 = t2 * t4;
-  const S t6 = t4 * t3;
-  const S t7 = t5 * t6;
-  const S t8 = time * (S(0.1) * time + S(0.4));
-  const S t9 = cos(t8);
-  const S t10 = sin(t8);
-  const S t11 = sin(S(3.4) * time);
-  const S t12 = t9 * t11;
-  const S t13 = cos(S(6.8) * time);
-  const S t14 = S(9.81) - S(2.312) * t13;
-  const S t15 = S(0.5) * t7 - (S(2.4276) * (t3 * t12) + t2 * t14);
-  const S t16 = S(0.2) * t3 - t5 * qd0;
-  const S t17 = t6 * t1 - t0 * qd0;
-  const S t18 = qd1 - (t5 - qd1);
-  const S t19 = t0 * t16 + t17 * t18;
-  const S t20 = t1 * qd0 + t6 * t0;
-  const S t21 = t1 * t16 - t18 * t20;
-  const S t22 = S(0.5) * (S(0.9159999999999999) * t15 - (S(0.01) * t21 + S(0.105) * t19));
-  const S t23 = t5 * t5;
-  const S t24 = S(2.4276) * (t2 * t12) - t3 * t14;
-  const S t25 = S(0.0020799999999999924) * (t23 - t6 * t6) + S(8.000000000000003e-05) * t2 - S(0.03339999999999999) * t7 - S(0.007999999999999981) * t24;
-  c[0] = t0 * (S(0.01) * t15 - (S(0.0018) * t19 + S(0.000899999999999998) * t21)) - t1 * (S(0.105) * t15 - (S(0.0018) * t21 + S(0.032350000000000004) * t19)) - t22 - t25;
-  const S t27 = t6 * qd0;
-  const S t28 = t27 + S(0.2) * t2;
-  const S t29 = S(0.5) * (t27 + t28) - S(2.4276) * (t11 * t10);
-  const S t30 = t24 - S(0.5) * (t23 + qd0 * qd0);
-  const S t31 = t17 * t20;
-  const S t32 = S(0.032350000000000004) * (t28 + t31) - S(0.0018) * (t20 * t20 - t17 * t17) + S(0.000899999999999998) * (t28 - t31);
-  c[1] = S(0.01) * (t0 * t29 - t1 * t30) - S(0.105) * (t1 * t29 + t0 * t30) - t32;
+  const S t4 = sin(q0);
+  const S t5 = S(0.2) * time + S(0.4);
+  const S t6 = t4 * t5;
+  const S t7 = S(0.2) * t3 - t6 * qd0;
+  const S t8 = t5 * t3;
+  const S t9 = t8 * t2 - qd0 * t1;
+  const S t10 = qd1 - (t6 - qd1);
+  const S t11 = t1 * t7 + t9 * t10;
+  const S t12 = t6 * t8;
+  const S t13 = time * (S(0.1) * time + S(0.4));
+  const S t14 = cos(t13);
+  const S t15 = sin(t13);
+  const S t16 = sin(S(3.4) * time);
+  const S t17 = t14 * t16;
+  const S t18 = cos(S(6.8) * time);
+  const S t19 = S(9.81) - S(2.312) * t18;
+  const S t20 = S(0.5) * t12 - (S(2.4276) * (t3 * t17) + t4 * t19);
+  const S t21 = t2 * qd0 + t8 * t1;
+  const S t22 = t2 * t7 - t10 * t21;
+  const S t23 = S(0.5) * (S(0.10547511554864493) * t11 - S(0.9159999999999999) * t20) - (t1 * (S(0.0008429213483146) * t22 - S(0.0012006741573033712) * t11) + t2 * (S(0.0012006741573033712) * t22 - S(0.0324070786516854) * t11 + S(0.10547511554864493) * t20));
+  const S t24 = t6 * t6;
+  const S t25 = S(2.4276) * (t4 * t17) - t3 * t19;
+  c[0] = t23 - (S(0.0020799999999999924) * (t24 - t8 * t8) + S(8.000000000000003e-05) * t4 - S(0.03339999999999999) * t12 - S(0.007999999999999981) * t25);
+  const S t27 = t8 * qd0;
+  const S t28 = t27 + S(0.2) * t4;
+  const S t29 = S(0.03325) * t28 - S(0.0012006741573033712) * (t9 * t9 - t21 * t21) + S(0.031564157303370796) * (t9 * t21);
+  c[1] = S(-0.10547511554864493) * (t1 * (t25 - S(0.5) * (t24 + qd0 * qd0)) + t2 * (S(0.5) * (t27 + t28) - S(2.4276) * (t16 * t15))) - t29;
 }
 
-// mass_matrix_and_bias: 68 multiplications, 44 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -142,41 +136,38 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  M[0] = S(0.105) * t0 - t1 * (S(0.031450000000000006) * t1 + S(0.0036) * t0 + S(0.01)) + S(0.23170999999999997);
-  const S t3 = sin(q0);
+  const S t0 = q1 + S(0.09495170634275626);
+  const S t1 = sin(t0);
+  const S t2 = cos(t0);
+  M[0] = t1 * (S(0.0024013483146067423) * t2 - S(0.0315641573033708) * t1) + S(0.10547511554864493) * t2 + S(0.2317670786516854);
   const S t4 = cos(q0);
-  const S t5 = S(0.2) * time + S(0.4);
-  const S t6 = t3 * t5;
-  const S t7 = t5 * t4;
-  const S t8 = t6 * t7;
-  const S t9 = time * (S(0.1) * time + S(0.4));
-  const S t10 = cos(t9);
-  const S t11 = sin(t9);
-  const S t12 = sin(S(3.4) * time);
-  const S t13 = t10 * t12;
-  const S t14 = cos(S(6.8) * time);
-  const S t15 = S(9.81) - S(2.312) * t14;
-  const S t16 = S(0.5) * t8 - (S(2.4276) * (t4 * t13) + t3 * t15);
-  const S t17 = S(0.2) * t4 - t6 * qd0;
-  const S t18 = t0 * t7 - t1 * qd0;
-  const S t19 = qd1 - (t6 - qd1);
-  const S t20 = t1 * t17 + t18 * t19;
-  const S t21 = t0 * qd0 + t1 * t7;
-  const S t22 = t0 * t17 - t19 * t21;
-  const S t23 = S(0.5) * (S(0.9159999999999999) * t16 - (S(0.01) * t22 + S(0.105) * t20));
-  const S t24 = t6 * t6;
-  const S t25 = S(2.4276) * (t3 * t13) - t4 * t15;
-  const S t26 = S(0.0020799999999999924) * (t24 - t7 * t7) + S(8.000000000000003e-05) * t3 - S(0.03339999999999999) * t8 - S(0.007999999999999981) * t25;
-  c[0] = t1 * (S(0.01) * t16 - (S(0.0018) * t20 + S(0.000899999999999998) * t22)) - t0 * (S(0.105) * t16 - (S(0.0018) * t22 + S(0.032350000000000004) * t20)) - t23 - t26;
-  const S t28 = t7 * qd0;
-  const S t29 = t28 + S(0.2) * t3;
-  const S t30 = S(0.5) * (t28 + t29) - S(2.4276) * (t12 * t11);
-  const S t31 = t25 - S(0.5) * (t24 + qd0 * qd0);
-  const S t32 = t18 * t21;
-  const S t33 = S(0.032350000000000004) * (t29 + t32) - S(0.0018) * (t21 * t21 - t18 * t18) + S(0.000899999999999998) * (t29 - t32);
-  c[1] = S(0.01) * (t1 * t30 - t0 * t31) - S(0.105) * (t0 * t30 + t1 * t31) - t33;
+  const S t5 = sin(q0);
+  const S t6 = S(0.2) * time + S(0.4);
+  const S t7 = t5 * t6;
+  const S t8 = S(0.2) * t4 - t7 * qd0;
+  const S t9 = t6 * t4;
+  const S t10 = t2 * t9 - t1 * qd0;
+  const S t11 = qd1 - (t7 - qd1);
+  const S t12 = t1 * t8 + t10 * t11;
+  const S t13 = t7 * t9;
+  const S t14 = time * (S(0.1) * time + S(0.4));
+  const S t15 = cos(t14);
+  const S t16 = sin(t14);
+  const S t17 = sin(S(3.4) * time);
+  const S t18 = t15 * t17;
+  const S t19 = cos(S(6.8) * time);
+  const S t20 = S(9.81) - S(2.312) * t19;
+  const S t21 = S(0.5) * t13 - (S(2.4276) * (t4 * t18) + t5 * t20);
+  const S t22 = t2 * qd0 + t1 * t9;
+  const S t23 = t2 * t8 - t11 * t22;
+  const S t24 = S(0.5) * (S(0.10547511554864493) * t12 - S(0.9159999999999999) * t21) - (t1 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t12) + t2 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t12 + S(0.10547511554864493) * t21));
+  const S t25 = t7 * t7;
+  const S t26 = S(2.4276) * (t5 * t18) - t4 * t20;
+  c[0] = t24 - (S(0.0020799999999999924) * (t25 - t9 * t9) + S(8.000000000000003e-05) * t5 - S(0.03339999999999999) * t13 - S(0.007999999999999981) * t26);
+  const S t28 = t9 * qd0;
+  const S t29 = t28 + S(0.2) * t5;
+  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t10 * t10 - t22 * t22) + S(0.031564157303370796) * (t10 * t22);
+  c[1] = S(-0.10547511554864493) * (t1 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t2 * (S(0.5) * (t28 + t29) - S(2.4276) * (t17 * t16))) - t30;
   M[1] = S(0.0);
   M[2] = S(0.0);
   M[3] = S(0.03325);

@@ -64,25 +64,25 @@ struct Inputs {
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
-/// Operations: 67 multiplications, 46 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 62 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 4 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+/// Operations: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-/// Operations: 64 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 59 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 68 multiplications, 44 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

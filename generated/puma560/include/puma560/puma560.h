@@ -49,7 +49,7 @@ extern const double puma560_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 188 multiplications, 155 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 190 multiplications, 154 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);
@@ -62,14 +62,14 @@ int puma560_mass_matrix(const double* q, double t, const double* parameters, con
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 168 multiplications, 124 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 168 multiplications, 120 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                  double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 261 multiplications, 204 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 261 multiplications, 200 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);

@@ -49,7 +49,7 @@ extern const double rolling_wheels_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 69 multiplications, 47 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 64 multiplications, 43 additions, 8 sin/cos/tan (reduced formulation).
  */
 int rolling_wheels_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                     const double* parameters, const double* wrenches, double* tau);
@@ -62,14 +62,14 @@ int rolling_wheels_mass_matrix(const double* q, double t, const double* paramete
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 55 multiplications, 35 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 50 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
  */
 int rolling_wheels_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                         double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 94 multiplications, 63 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 89 multiplications, 59 additions, 8 sin/cos/tan (reduced formulation).
  */
 int rolling_wheels_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);

@@ -49,7 +49,7 @@ extern const double stanford_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 135 multiplications, 108 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 135 multiplications, 105 additions, 8 sin/cos/tan (reduced formulation).
  */
 int stanford_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                               const double* parameters, const double* wrenches, double* tau);
@@ -62,14 +62,14 @@ int stanford_mass_matrix(const double* q, double t, const double* parameters, co
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 126 multiplications, 92 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 126 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation).
  */
 int stanford_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                   double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 179 multiplications, 129 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 179 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
  */
 int stanford_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                   const double* wrenches, double* M, double* c);

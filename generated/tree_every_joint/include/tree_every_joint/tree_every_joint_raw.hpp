@@ -92,25 +92,25 @@ struct Inputs {
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [20] is the result.
-/// Operations: 960 multiplications, 942 additions, 16 sin/cos/tan (reduced formulation).
+/// Operations: 956 multiplications, 936 additions, 16 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [20 x 20] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 906 multiplications, 920 additions, 16 sin/cos/tan (reduced formulation).
+/// Operations: 908 multiplications, 916 additions, 16 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [20] is the result, in units of tau.
-/// Operations: 925 multiplications, 873 additions, 16 sin/cos/tan (reduced formulation).
+/// Operations: 921 multiplications, 867 additions, 16 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [20 x 20], symmetric and written in full, and c [20] are the results.
-/// Operations: 1805 multiplications, 1753 additions, 16 sin/cos/tan (reduced formulation).
+/// Operations: 1803 multiplications, 1743 additions, 16 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
