@@ -1,4 +1,4 @@
-// Frames on curves and surfaces (method.md section 5): rotation matrices whose columns follow a curve's
+// Frames on curves and surfaces (README.md, 4): rotation matrices whose columns follow a curve's
 // tangent or a surface's normal.
 #pragma once
 

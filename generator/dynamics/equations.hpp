@@ -18,8 +18,8 @@
 
 namespace alembert {
 
-/// factored: eq. (13) of the paper, literally. reduced: the same equations by twists and wrenches (method.md
-/// section 3).
+/// factored: eq. (13) of the paper, literally. reduced: the same equations by twists and wrenches (README.md,
+/// 2).
 enum class Formulation { factored, reduced };
 std::string_view to_string(Formulation formulation);
 

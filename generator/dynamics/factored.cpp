@@ -1,4 +1,4 @@
-// Inverse dynamics by the paper's factored Lagrangian, eq. (13), literally (method.md section 2): kept as a
+// Inverse dynamics by the paper's factored Lagrangian, eq. (13), literally (README.md, 1): kept as a
 // formulation that can be selected and as a check of the reduced form, with which it shares only the
 // transforms of the bodies.
 #include <algorithm>

@@ -22,7 +22,7 @@ struct WrenchSymbols {
 };
 std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph);
 
-/// Q by the reduced form: outward twists and accelerations, inward forces (method.md section 3).
+/// Q by the reduced form: outward twists and accelerations, inward forces (README.md, 2).
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
                                            ExprGraph& graph);
 

@@ -3,7 +3,7 @@
 // Every transform is a product of elementary motions: a translation, a plane rotation about a coordinate
 // axis, or a rotation by a full matrix, each any function of the coordinates and time. A node of the tree is
 // the frame reached after one such motion; bodies hang on nodes. A node's twist and its rate come from
-// derivatives along the speeds, so the recursions of method.md section 3 need no joint types, and frames
+// derivatives along the speeds, so the recursions of README.md, 2 need no joint types, and frames
 // without mass cost nothing but their motion.
 #pragma once
 

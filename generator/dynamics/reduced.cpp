@@ -1,4 +1,4 @@
-// Inverse dynamics by the reduced form (method.md section 3), over the tree of elementary motions: O(n).
+// Inverse dynamics by the reduced form (README.md, 2), over the tree of elementary motions: O(n).
 #include "dynamics/body_forces.hpp"
 #include "dynamics/formulations.hpp"
 

@@ -67,8 +67,8 @@ struct RigidMatrix {
   Mat3 rotation;
   Vec3 translation;
 };
-/// [b p n f]: tangent b, n normal (Frenet, or b x reference normalised), p = n x b; f the point (method.md
-/// section 5).
+/// [b p n f]: tangent b, n normal (Frenet, or b x reference normalised), p = n x b; f the point
+/// (generator/dynamics/README.md).
 struct CurveFrame {
   Vec3 point;
   Expr along;
