@@ -14,6 +14,10 @@ struct BadFile {
   const char* place;  ///< LINE:COL, or LINE: alone
 };
 
+void PrintTo(const BadFile& file, std::ostream* out) {
+  *out << file.name;
+}
+
 std::string repeat(const std::string& text, std::size_t times) {
   std::string out;
   out.reserve(text.size() * times);

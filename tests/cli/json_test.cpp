@@ -82,6 +82,9 @@ struct BadState {
   const char* line;
   const char* message;
 };
+void PrintTo(const BadState& state, std::ostream* out) {
+  *out << state.name;
+}
 class EvaluateRejects : public testing::TestWithParam<BadState> {};
 TEST_P(EvaluateRejects, WithPlaceAndReason) {
   const TemporaryFolder folder;
