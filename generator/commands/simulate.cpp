@@ -26,6 +26,8 @@ class Integrator {
 
   const EvaluationState& state() const { return state_; }
   DynamicsEvaluator& evaluator() { return evaluator_; }
+  /// Time is set from the number of steps, not summed, so that it does not drift.
+  void set_time(double t) { state_.t = t; }
 
   /// False if M is not positive definite or a value is not finite: the state is then left as it was.
   bool rk4(double h) {
@@ -95,9 +97,6 @@ class Integrator {
   DynamicsEvaluator evaluator_;
   EvaluationState state_;
   std::vector<double> tau_;
-
- public:
-  void set_time(double t) { state_.t = t; }
 };
 
 struct CloseFile {
