@@ -98,18 +98,7 @@ class TreeBuilder {
 }  // namespace
 
 MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
-  // Masses flow from the tips to the root.
-  std::vector<Split> splits(links_.size());
-  std::vector<Matrix4d> inertias;
-  for (const RigidLink& link : links_) inertias.push_back(link.inertia);
-  for (std::size_t i = links_.size(); i-- > 0;) {
-    auto split = this->split(i, regroupings[i], inertias[i]);
-    if (!split) split = this->split(i, Regrouping{}, inertias[i]);
-    splits[i] = *split;
-    if (links_[i].parent >= 0)
-      inertias[static_cast<std::size_t>(links_[i].parent)] += to_parent(i, splits[i].moved);
-  }
-
+  const std::vector<Split> splits = flow(regroupings).splits;
   TreeBuilder builder(graph);
   std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
   for (std::size_t i = 0; i < links_.size(); ++i) {

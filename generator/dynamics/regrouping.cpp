@@ -137,7 +137,9 @@ class RegroupingSearch {
       for (std::size_t i = n; i-- > 0;) better = improve(i, candidates[i]) || better;
       if (!better) break;
     }
-    for (std::size_t i = 0; i < n; ++i) choices_[i].forms = best_forms(i);
+    const RigidLinks::Flow flow = links_.flow(choices_);
+    for (std::size_t i = 0; i < n; ++i)
+      choices_[i].forms = best_forms(pattern(i, choices_[i], flow.splits[i]));
     return choices_;
   }
 
@@ -211,11 +213,10 @@ class RegroupingSearch {
   }
 
   /// Cost of link i and of the ancestors that its choice can reach, with all choices as they are.
-  std::size_t chain_cost(std::size_t i, const Regrouping& how, const std::vector<Matrix4d>& inertias,
-                         const std::vector<Matrix4d>& moved) {
+  std::size_t chain_cost(std::size_t i, const Regrouping& how, const RigidLinks::Flow& flow) {
     std::size_t sum = 0;
     Regrouping here = how;
-    Matrix4d inertia = inertias[i];
+    Matrix4d inertia = flow.inertias[i];
     for (std::size_t step = 0; step <= kAncestors; ++step) {
       auto split = links_.split(i, here, inertia);
       if (!split) return ~std::size_t{0};
@@ -223,7 +224,7 @@ class RegroupingSearch {
       const int parent = links_.links()[i].parent;
       if (parent < 0) break;
       const std::size_t p = static_cast<std::size_t>(parent);
-      inertia = inertias[p] + links_.to_parent(i, split->moved - moved[i]);
+      inertia = flow.inertias[p] + links_.to_parent(i, split->moved - flow.splits[i].moved);
       i = p;
       here = choices_[i];
     }
@@ -231,24 +232,11 @@ class RegroupingSearch {
   }
 
   bool improve(std::size_t i, const std::vector<Regrouping>& candidates) {
-    // Inertias and moved parts under the present choices.
-    const std::size_t n = choices_.size();
-    std::vector<Matrix4d> inertias, moved(n, Matrix4d::Zero());
-    for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
-    for (std::size_t k = n; k-- > 0;) {
-      auto split = links_.split(k, choices_[k], inertias[k]);
-      if (!split) {
-        choices_[k] = Regrouping{};
-        split = links_.split(k, choices_[k], inertias[k]);
-      }
-      moved[k] = split->moved;
-      const int parent = links_.links()[k].parent;
-      if (parent >= 0) inertias[static_cast<std::size_t>(parent)] += links_.to_parent(k, moved[k]);
-    }
-    std::size_t best = chain_cost(i, choices_[i], inertias, moved);
+    const RigidLinks::Flow flow = links_.flow(choices_);
+    std::size_t best = chain_cost(i, choices_[i], flow);
     bool better = false;
     for (const Regrouping& how : candidates) {
-      const std::size_t sum = chain_cost(i, how, inertias, moved);
+      const std::size_t sum = chain_cost(i, how, flow);
       if (sum >= best) continue;
       best = sum;
       choices_[i] = how;
@@ -257,19 +245,8 @@ class RegroupingSearch {
     return better;
   }
 
-  std::array<MomentForm, 3> best_forms(std::size_t i) {
-    std::vector<Matrix4d> inertias;
-    for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
-    for (std::size_t k = choices_.size(); k-- > i + 1;) {
-      const auto split = links_.split(k, choices_[k], inertias[k]);
-      const int parent = links_.links()[k].parent;
-      if (split && parent >= 0)
-        inertias[static_cast<std::size_t>(parent)] += links_.to_parent(k, split->moved);
-    }
-    const auto split = links_.split(i, choices_[i], inertias[i]);
+  std::array<MomentForm, 3> best_forms(const LinkPattern& p) {
     std::array<MomentForm, 3> best{};
-    if (!split) return best;
-    const LinkPattern p = pattern(i, choices_[i], *split);
     std::size_t least = ~std::size_t{0};
     for (unsigned mask = 0; mask < 8; ++mask) {
       std::array<MomentForm, 3> forms;

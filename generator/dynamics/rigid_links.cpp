@@ -322,4 +322,19 @@ std::optional<RigidLinks::Split> RigidLinks::split(std::size_t i, const Regroupi
   return out;
 }
 
+RigidLinks::Flow RigidLinks::flow(const std::vector<Regrouping>& regroupings) const {
+  Flow out;
+  for (const RigidLink& link : links_) out.inertias.push_back(link.inertia);
+  out.splits.resize(links_.size());
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    auto split = this->split(i, regroupings[i], out.inertias[i]);
+    if (!split) split = this->split(i, Regrouping{}, out.inertias[i]);
+    out.splits[i] = *split;
+    if (links_[i].parent >= 0) {
+      out.inertias[static_cast<std::size_t>(links_[i].parent)] += to_parent(i, out.splits[i].moved);
+    }
+  }
+  return out;
+}
+
 }  // namespace alembert

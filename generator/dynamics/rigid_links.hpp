@@ -83,6 +83,14 @@ class RigidLinks {
   };
   std::optional<Split> split(std::size_t i, const Regrouping& how, const Eigen::Matrix4d& inertia) const;
 
+  /// Inertias flowing from the tips to the root: what each link has once its children have handed over their
+  /// parts, and how it splits that. A link whose entries cannot be zeroed keeps everything.
+  struct Flow {
+    std::vector<Eigen::Matrix4d> inertias;
+    std::vector<Split> splits;
+  };
+  Flow flow(const std::vector<Regrouping>& regroupings) const;
+
   /// What the parent receives of a part moved by link i: X d X^T.
   Eigen::Matrix4d to_parent(std::size_t i, const Eigen::Matrix4d& moved) const;
 
