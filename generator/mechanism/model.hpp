@@ -4,6 +4,7 @@
 // in.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,12 +111,29 @@ struct MassProperties {
   Mat3 inertia;  ///< symmetric
 };
 
+enum class ShapeKind { box, sphere, ellipsoid, cylinder, capsule, torus, tube, surface };
+
+/// What a viewer draws for a body. Sizes in metres: box, the edges x y z; sphere, the radius; ellipsoid, the
+/// semi-axes x y z; cylinder and capsule, radius and length along z (a capsule's between the centres of its
+/// caps), centred; torus, the radius of its centre line about z and of its tube; tube, its radius.
+struct Shape {
+  ShapeKind kind = ShapeKind::sphere;
+  std::vector<double> sizes;
+  Vec3 point;  ///< tube: a curve in u; surface: a function of u and v; both over symbols of their own
+  Expr u, v;
+  std::array<double, 2> u_range{}, v_range{};
+  Transform transform;  ///< from the body's frame, constant; runtime parameters at their defaults
+  std::optional<std::array<double, 3>> color;  ///< red green blue, 0 to 1
+  SourceLocation where;
+};
+
 struct Body {
   std::string name;
   int parent = -1;  ///< index of an earlier body, or -1 for the world: bodies are ordered parents first
   Transform transform;
   MassProperties mass_properties;
   bool external_wrench = false;
+  std::vector<Shape> geometry;
   SourceLocation where;
 };
 
@@ -127,6 +145,30 @@ struct Frame {
   SourceLocation where;
 };
 
+/// World position of the origin of a frame, as `position(frame).x .y .z` in the equations of a constraint.
+/// The symbols stand in its place until the kinematics are known.
+struct FramePosition {
+  int frame;  ///< index into Mechanism::frames
+  Vec3 symbols;
+};
+
+enum class ConstraintType {
+  pfaffian,   ///< rows linear in the speeds (and affine with time): row(q, u, t) = 0
+  rolling,    ///< no slip in the tangent plane of a mate: two rows (eq. 16)
+  holonomic,  ///< equation(q, t) = 0
+};
+
+struct Constraint {
+  std::string name;
+  ConstraintType type = ConstraintType::holonomic;
+  std::vector<Expr> equations;  ///< pfaffian: over coordinates, speed symbols and t; holonomic: coordinates,
+                                ///< t, and Mechanism::frame_positions; rolling: none
+  int body = -1;           ///< rolling: the body whose transform has the mate, ...
+  std::size_t factor = 0;  ///< ... and which factor that is
+  std::size_t rows() const { return type == ConstraintType::rolling ? 2 : equations.size(); }
+  SourceLocation where;
+};
+
 struct Mechanism {
   std::string name;
   std::string description;
@@ -135,7 +177,9 @@ struct Mechanism {
   std::vector<Coordinate> coordinates;
   std::vector<Body> bodies;
   std::vector<Frame> frames;
-  Expr time;  ///< the symbol t
+  std::vector<Constraint> constraints;
+  std::vector<FramePosition> frame_positions;  ///< those that constraints use
+  Expr time;                                   ///< the symbol t
   int nq = 0, nv = 0;
   SourceLocation where;
 };
