@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -25,6 +26,21 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
     options.dump_stage = common.dump_stage;
   }
   return compile_mechanism(read_source(common.file), options);
+}
+
+std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const FunctionKind kind : all_function_kinds()) known.emplace_back(to_string(kind));
+  std::vector<FunctionKind> kinds;
+  for (const std::string& name : names) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found == known.end()) {
+      throw InputError({std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1},
+                       "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
+    }
+    kinds.push_back(all_function_kinds()[static_cast<std::size_t>(found - known.begin())]);
+  }
+  return kinds;
 }
 
 namespace {
@@ -77,10 +93,12 @@ int run(int argc, char** argv) {
                     "write nothing; exit 1 if a file differs from what would be written");
   command->callback([&] { result = run_generate(common, generate); });
 
-  bool report_json = false;
+  ReportOptions report;
   command = add_command(app, "report", "operations of each function", common);
-  command->add_flag("--json", report_json, "as JSON");
-  command->callback([&] { result = run_report(common, report_json); });
+  command->add_option("--functions", report.functions, "functions to count (default: all of dynamics)")
+      ->delimiter(',');
+  command->add_flag("--json", report.json, "as JSON");
+  command->callback([&] { result = run_report(common, report); });
 
   bool evaluate_json = false;
   command = add_command(app, "evaluate",

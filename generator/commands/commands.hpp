@@ -21,6 +21,9 @@ struct CommonOptions {
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions);
 
+/// The functions with these names, as `--functions` takes them; an unknown name is an InputError.
+std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
+
 struct GenerateOptions {
   std::string out_dir;
   std::string depfile, stamp;
@@ -33,7 +36,11 @@ struct GenerateOptions {
 };
 int run_generate(const CommonOptions& common, const GenerateOptions& options);
 
-int run_report(const CommonOptions& common, bool json);
+struct ReportOptions {
+  std::vector<std::string> functions;  ///< none: all whose operations are worth counting
+  bool json = false;
+};
+int run_report(const CommonOptions& common, const ReportOptions& options);
 int run_evaluate(const CommonOptions& common, bool json);
 int run_check(const CommonOptions& common);
 

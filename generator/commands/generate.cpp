@@ -12,16 +12,6 @@ namespace alembert {
 
 namespace {
 
-FunctionKind function_kind(const std::string& name) {
-  std::vector<std::string> names;
-  for (const FunctionKind kind : all_function_kinds()) {
-    names.emplace_back(to_string(kind));
-    if (names.back() == name) return kind;
-  }
-  throw InputError({std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1},
-                   "there is no function '" + printable(name) + "'" + did_you_mean(name, names));
-}
-
 std::string_view to_string(FileState state) {
   switch (state) {
     case FileState::created:
@@ -39,9 +29,7 @@ std::string_view to_string(FileState state) {
 }  // namespace
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
-  std::vector<FunctionKind> functions;
-  for (const std::string& name : options.functions) functions.push_back(function_kind(name));
-  const CompiledMechanism compiled = compile(common, functions);
+  const CompiledMechanism compiled = compile(common, function_kinds(options.functions));
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;

@@ -19,13 +19,20 @@ constexpr const char* kConvention =
 
 }  // namespace
 
-int run_report(const CommonOptions& common, bool json) {
-  const CompiledMechanism compiled =
-      compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix, FunctionKind::bias,
-                       FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics,
-                       FunctionKind::coordinate_rates, FunctionKind::energy});
+int run_report(const CommonOptions& common, const ReportOptions& options) {
+  std::vector<FunctionKind> functions = function_kinds(options.functions);
+  if (functions.empty()) {
+    functions = {FunctionKind::inverse_dynamics,
+                 FunctionKind::mass_matrix,
+                 FunctionKind::bias,
+                 FunctionKind::mass_matrix_and_bias,
+                 FunctionKind::forward_dynamics,
+                 FunctionKind::coordinate_rates,
+                 FunctionKind::energy};
+  }
+  const CompiledMechanism compiled = compile(common, functions);
   const Mechanism& mechanism = *compiled.mechanism;
-  if (json) {
+  if (options.json) {
     nlohmann::ordered_json out;
     out["mechanism"] = mechanism.name;
     out["coordinates"] = mechanism.nq;
