@@ -1,0 +1,48 @@
+// Rows of a motion (see the header).
+#include "commands/csv_writer.hpp"
+
+#include <fmt/format.h>
+
+namespace alembert {
+
+namespace {
+
+std::string header(const Mechanism& mechanism) {
+  std::string out = "t";
+  const auto names = [&](const std::string& name, int size) {
+    static constexpr const char* kParts[] = {".x", ".y", ".z", ".w"};
+    for (int i = 0; i < size; ++i) out += "," + name + (size == 1 ? "" : kParts[i]);
+  };
+  for (const Coordinate& c : mechanism.coordinates) names(c.name, c.nq());
+  for (const Coordinate& c : mechanism.coordinates) names("d(" + c.name + ")", c.nv());
+  return out + ",kinetic,potential,energy\n";
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const Mechanism& mechanism, const std::string& path)
+    : mechanism_(mechanism), path_(path), file_(path == "-" ? stdout : std::fopen(path.c_str(), "w")) {
+  if (!file_) fail();
+  put(header(mechanism));
+}
+
+void CsvWriter::write(const TrajectoryPoint& point) {
+  std::string out = fmt::format("{:.17g}", point.state.t);
+  for (const double x : point.state.q) out += fmt::format(",{:.17g}", x);
+  for (const double x : point.state.qd) out += fmt::format(",{:.17g}", x);
+  put(out + fmt::format(",{:.17g},{:.17g},{:.17g}\n", point.kinetic, point.potential, point.energy()));
+}
+
+void CsvWriter::flush() {
+  if (std::fflush(file_.get()) != 0) fail();
+}
+
+void CsvWriter::put(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
+}
+
+void CsvWriter::fail() const {
+  throw InputError(mechanism_.where, "cannot write " + printable(path_, 300));
+}
+
+}  // namespace alembert

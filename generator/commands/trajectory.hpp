@@ -1,0 +1,47 @@
+// The motion of a mechanism in time, by fixed steps through the interpreter, without forces. In: a compiled
+// mechanism, a state, a step. Out: points of the motion to whoever wants them (CSV, pages, scenes), and what
+// stopped it, if something did.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "commands/dynamics_evaluator.hpp"
+#include "pipeline.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+
+/// One moment of a motion.
+struct TrajectoryPoint {
+  EvaluationState state;  ///< t, q and qd (speeds) of the moment; parameters and wrenches
+  double kinetic = 0;     ///< J
+  double potential = 0;   ///< J
+  double energy() const { return kinetic + potential; }
+};
+
+enum class IntegrationMethod { rk4, semi_implicit_euler };
+
+struct TrajectoryOptions {
+  double duration = 10;  ///< s
+  double step = 1e-3;    ///< s
+  long every = 10;       ///< a point each so many steps, besides the first and the last
+  IntegrationMethod method = IntegrationMethod::rk4;
+  std::function<void(double done)> progress;  ///< called now and then with the fraction that is done, 0 to 1
+};
+
+/// Functions that must have been compiled for a motion.
+std::vector<FunctionKind> trajectory_functions();
+
+/// Number of steps that the options ask for, or none if that makes no sense.
+std::optional<long> step_count(const TrajectoryOptions& options);
+
+/// Integrates from `start` and gives each point to `take`, in order, as soon as it is known.
+/// \return nothing if the motion reached its end, else why it stopped, where and when; the points up to there
+/// were given. Throws InputError if the options make no sensible number of steps.
+std::optional<InputError> integrate(const CompiledMechanism& compiled, const EvaluationState& start,
+                                    const TrajectoryOptions& options,
+                                    const std::function<void(const TrajectoryPoint&)>& take);
+
+}  // namespace alembert
