@@ -140,6 +140,8 @@ std::string text_row(std::string_view name, std::span<const double> values) {
   return out + "\n";
 }
 
+constexpr std::size_t kPoseSize = 12;  // rows [R | p]
+
 }  // namespace
 
 int run_evaluate(const CommonOptions& common, bool json) {
@@ -148,7 +150,8 @@ int run_evaluate(const CommonOptions& common, bool json) {
                      "evaluate reads states from standard input, so the description must be a file");
   }
   const CompiledMechanism compiled =
-      compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias});
+      compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias,
+                       FunctionKind::coordinate_rates, FunctionKind::body_poses});
   const Mechanism& mechanism = *compiled.mechanism;
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   DynamicsEvaluator evaluator(compiled);
@@ -169,8 +172,10 @@ int run_evaluate(const CommonOptions& common, bool json) {
                                   c = std::span(values).subspan(nv * nv);
     const std::vector<double> qdd = evaluator.forward_dynamics(state, tau);
     if (json) {
-      fmt::print("{{\"tau\": {}, \"M\": {}, \"c\": {}, \"qdd\": {}}}\n", json_array(tau), json_matrix(M, nv),
-                 json_array(c), qdd.empty() ? "null" : json_array(qdd));
+      fmt::print("{{\"tau\": {}, \"M\": {}, \"c\": {}, \"qdd\": {}, \"qdot\": {}, \"poses\": {}}}\n",
+                 json_array(tau), json_matrix(M, nv), json_array(c), qdd.empty() ? "null" : json_array(qdd),
+                 json_array(evaluator(FunctionKind::coordinate_rates, state)),
+                 json_matrix(evaluator(FunctionKind::body_poses, state), kPoseSize));
     } else {
       std::string out = text_row("tau", tau);
       for (std::size_t r = 0; r < nv; ++r) out += text_row(r == 0 ? "M" : "", M.subspan(r * nv, nv));

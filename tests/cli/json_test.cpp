@@ -69,6 +69,10 @@ TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {
   EXPECT_NEAR(first["c"][0].get<double>(), bias, 1e-14);
   EXPECT_NEAR(first["tau"][0].get<double>(), mass * 1.1 + bias, 1e-14);
   EXPECT_NEAR(first["qdd"][0].get<double>(), 1.1, 1e-14);
+  EXPECT_EQ(first["qdot"][0].get<double>(), 0.7);
+  ASSERT_EQ(first["poses"].size(), 1u);
+  EXPECT_NEAR(first["poses"][0][3].get<double>(), -0.5 * std::sin(0.3), 1e-15);
+  EXPECT_NEAR(first["poses"][0][11].get<double>(), -0.5 * std::cos(0.3), 1e-15);
   ASSERT_TRUE(std::getline(lines, line));
   const json second = json::parse(line);
   // The bob is at (-l sin q, 0, -l cos q): dx/dq = -l cos q.
