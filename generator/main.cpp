@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
   command->add_option("--out-dir", generate.out_dir, "folder of the files to be written")->required();
   command
       ->add_option("--functions", generate.functions,
-                   "functions to write (default: all but forward_dynamics)")
+                   "functions to write (default: all but forward_dynamics, body_jacobians, body_inertias)")
       ->delimiter(',');
   command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
       ->delimiter(',');

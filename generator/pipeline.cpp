@@ -83,6 +83,9 @@ bool depends_on_formulation(FunctionKind kind) {
     case FunctionKind::body_poses:
     case FunctionKind::frame_poses:
     case FunctionKind::frame_jacobians:
+    case FunctionKind::constraints:
+    case FunctionKind::body_jacobians:
+    case FunctionKind::body_inertias:
       return false;
   }
   return false;
@@ -166,10 +169,30 @@ const CompiledFunction& CompiledMechanism::function(FunctionKind kind) const {
 
 std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
   std::vector<FunctionKind> kinds;
+  const auto wanted = [&](FunctionKind kind) {
+    switch (kind) {
+      case FunctionKind::inverse_dynamics:
+      case FunctionKind::mass_matrix:
+      case FunctionKind::bias:
+      case FunctionKind::mass_matrix_and_bias:
+      case FunctionKind::coordinate_rates:
+      case FunctionKind::energy:
+      case FunctionKind::body_poses:
+        return true;
+      case FunctionKind::frame_poses:
+      case FunctionKind::frame_jacobians:
+        return !mechanism.frames.empty();
+      case FunctionKind::constraints:
+        return !mechanism.constraints.empty();
+      case FunctionKind::forward_dynamics:
+      case FunctionKind::body_jacobians:
+      case FunctionKind::body_inertias:
+        return false;
+    }
+    return false;
+  };
   for (const FunctionKind kind : all_function_kinds()) {
-    const bool of_frames = kind == FunctionKind::frame_poses || kind == FunctionKind::frame_jacobians;
-    if (kind == FunctionKind::forward_dynamics || (of_frames && mechanism.frames.empty())) continue;
-    kinds.push_back(kind);
+    if (wanted(kind)) kinds.push_back(kind);
   }
   return kinds;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
+#include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
 
@@ -28,15 +29,22 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
                  FunctionKind::mass_matrix_and_bias,
                  FunctionKind::forward_dynamics,
                  FunctionKind::coordinate_rates,
-                 FunctionKind::energy};
+                 FunctionKind::energy,
+                 FunctionKind::constraints};
   }
-  const CompiledMechanism compiled = compile(common, functions);
+  CompiledMechanism compiled = compile(common, functions);
   const Mechanism& mechanism = *compiled.mechanism;
+  const std::size_t rows = constraint_rows(mechanism).size();
+  if (rows == 0) {
+    std::erase_if(compiled.functions,
+                  [](const CompiledFunction& f) { return f.kind == FunctionKind::constraints; });
+  }
   if (options.json) {
     nlohmann::ordered_json out;
     out["mechanism"] = mechanism.name;
     out["coordinates"] = mechanism.nq;
     out["speeds"] = mechanism.nv;
+    if (rows > 0) out["constraint_rows"] = rows;
     for (const CompiledFunction& f : compiled.functions) {
       out["functions"][std::string(to_string(f.kind))] = {
           {"mul", f.count.mul},   {"add", f.count.add},     {"div", f.count.div},
@@ -45,8 +53,8 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
     fmt::print("{}\n", out.dump(2));
     return 0;
   }
-  fmt::print("{}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq, mechanism.nv,
-             mechanism.bodies.size());
+  fmt::print("{}: {} coordinates, {} speeds, {} bodies{}\n", mechanism.name, mechanism.nq, mechanism.nv,
+             mechanism.bodies.size(), rows > 0 ? fmt::format(", {} rows of constraints", rows) : "");
   fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", "function", "x", "+", "x and +", "div",
              "trig", "other", "formulation");
   for (const CompiledFunction& f : compiled.functions) {

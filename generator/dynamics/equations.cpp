@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "dynamics/constraints.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/rigid_links.hpp"
 #include "dynamics/state_checks.hpp"
@@ -56,6 +57,27 @@ Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
   throw InternalError("there is no speed of that index");
 }
 
+std::vector<OutputExpressions> constraint_outputs(const Kinematics& kinematics) {
+  const ConstraintEquations equations =
+      constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives, kinematics.graph);
+  const std::uint32_t rows = static_cast<std::uint32_t>(equations.position.size());
+  std::vector<OutputExpressions> outputs{
+      {"P", rows, static_cast<std::uint32_t>(kinematics.mechanism.nv), equations.P},
+      {"gamma", rows, 1, equations.gamma},
+      {"velocity", rows, 1, equations.velocity},
+      {"position", rows, 1, equations.position}};
+  // All at once, so that what they share is found.
+  std::vector<Expr> flat;
+  for (const OutputExpressions& output : outputs)
+    flat.insert(flat.end(), output.values.begin(), output.values.end());
+  flat = value_number(flat);
+  auto next = flat.begin();
+  for (OutputExpressions& output : outputs) {
+    for (Expr& value : output.values) value = *next++;
+  }
+  return outputs;
+}
+
 }  // namespace
 
 std::string_view to_string(Formulation formulation) {
@@ -90,6 +112,12 @@ std::string_view to_string(FunctionKind kind) {
       return "frame_poses";
     case FunctionKind::frame_jacobians:
       return "frame_jacobians";
+    case FunctionKind::constraints:
+      return "constraints";
+    case FunctionKind::body_jacobians:
+      return "body_jacobians";
+    case FunctionKind::body_inertias:
+      return "body_inertias";
   }
   return "";
 }
@@ -104,7 +132,10 @@ std::span<const FunctionKind> all_function_kinds() {
                                      FunctionKind::energy,
                                      FunctionKind::body_poses,
                                      FunctionKind::frame_poses,
-                                     FunctionKind::frame_jacobians};
+                                     FunctionKind::frame_jacobians,
+                                     FunctionKind::constraints,
+                                     FunctionKind::body_jacobians,
+                                     FunctionKind::body_inertias};
   return kKinds;
 }
 
@@ -192,6 +223,12 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
       return {{"J", 6 * frames, nv,
                value_number(frame_jacobians(mechanism, kinematics.derivatives, poses, graph))}};
     }
+    case FunctionKind::constraints:
+      return constraint_outputs(kinematics);
+    case FunctionKind::body_jacobians:
+      return {{"J", 6 * bodies, nv, value_number(body_jacobians(mechanism, kinematics.tree, graph))}};
+    case FunctionKind::body_inertias:
+      return {{"inertias", bodies, 10, body_inertias(mechanism)}};
   }
   return {};
 }

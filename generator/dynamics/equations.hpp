@@ -61,12 +61,19 @@ enum class FunctionKind {
   body_poses,
   frame_poses,
   frame_jacobians,
+  constraints,
+  body_jacobians,
+  body_inertias,
 };
 std::string_view to_string(FunctionKind kind);
 std::span<const FunctionKind> all_function_kinds();
 
 /// The results of one function as expressions over the bound symbols: tau; M; c; M and c; qdd; qdot; energy
-/// (kinetic, potential); poses (rows [R | p] of each body); frames (likewise); J (6 x nv of each frame).
+/// (kinetic, potential); poses (rows [R | p] of each body); frames (likewise); J (6 x nv of each frame); P,
+/// gamma, velocity and position of the constraints (constraints.hpp); J (6 x nv of each body's centre of
+/// mass); inertias (10 of each body: mass, centre of mass, inertia about it xx yy zz xy xz yz, body axes).
+///
+/// The equations of motion are those of the tree: constraints act through M ud + c = tau + P^T lambda.
 std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
                                                 const EquationsOfMotion& equations, FunctionKind kind);
 

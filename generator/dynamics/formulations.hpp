@@ -54,5 +54,10 @@ std::vector<Expr> frame_poses(const Mechanism& mechanism, const MotionTree& tree
 /// world axes.
 std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
                                   std::span<const Expr> poses, ExprGraph& graph);
+/// Jacobians of the bodies, 6 x nv each, row major: angular velocity, then velocity of the centre of mass,
+/// world axes.
+std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+/// Ten of each body: mass, centre of mass, inertia about it xx yy zz xy xz yz, all in the body's axes.
+std::vector<Expr> body_inertias(const Mechanism& mechanism);
 
 }  // namespace alembert

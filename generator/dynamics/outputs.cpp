@@ -1,4 +1,6 @@
-// What else can be asked for: energies, poses of bodies and frames, Jacobians of frames.
+// What else can be asked for: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
+#include <map>
+
 #include "dynamics/formulations.hpp"
 #include "symbolic/passes.hpp"
 
@@ -110,6 +112,81 @@ std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivat
                                        partial.values[3], partial.values[7], partial.values[11]};
       for (std::size_t r = 0; r < 6; ++r) out[(6 * f + r) * nv + k] = column[r];
     }
+  }
+  return out;
+}
+
+namespace {
+
+/// Angular velocity and velocity of a point along one speed, in world axes.
+struct WorldTwist {
+  Vec3 angular, linear;
+};
+
+/// Twists of a node's origin along each speed that moves it.
+using TwistOfSpeed = std::map<int, WorldTwist>;
+
+/// Twists of the point at `arm` from the one that they are of.
+TwistOfSpeed at_arm(TwistOfSpeed twists, const Vec3& arm) {
+  for (auto& [speed, twist] : twists) twist.linear = twist.linear + cross(twist.angular, arm);
+  return twists;
+}
+
+std::vector<TwistOfSpeed> node_twists(const Mechanism& mechanism, const MotionTree& tree,
+                                      std::span<const Pose> poses, ExprGraph& graph) {
+  std::vector<TwistOfSpeed> all;
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const MotionNode& node = tree.nodes[i];
+    const bool root = node.parent < 0;
+    const Pose from = root ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
+    TwistOfSpeed twists = root ? TwistOfSpeed{} : all[static_cast<std::size_t>(node.parent)];
+    const bool shifts = node.motion.kind == MotionKind::translation;
+    if (shifts) twists = at_arm(std::move(twists), from.rotation * node.motion.offset);
+    for (const TwistPartial& partial : node.partials) {
+      if (partial.speed == mechanism.nv) continue;  // time
+      const WorldTwist none{zeros<3, 1>(graph), zeros<3, 1>(graph)};
+      WorldTwist& twist = twists.try_emplace(partial.speed, none).first->second;
+      if (shifts) {
+        twist.linear = twist.linear + from.rotation * partial.direction;
+      } else {
+        twist.angular = twist.angular + poses[i].rotation * partial.direction;
+      }
+    }
+    all.push_back(std::move(twists));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const std::vector<Pose> poses = node_poses(tree, graph);
+  const std::vector<TwistOfSpeed> twists = node_twists(mechanism, tree, poses, graph);
+  const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
+  std::vector<Expr> out(mechanism.bodies.size() * 6 * nv, graph.zero());
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const BodyPlace& place = tree.places[b];
+    if (place.node < 0) continue;
+    const std::size_t node = static_cast<std::size_t>(place.node);
+    const Vec3 arm = poses[node].rotation * center_at_node(mechanism.bodies[b], place);
+    for (const auto& [speed, twist] : at_arm(twists[node], arm)) {
+      for (std::size_t r = 0; r < 3; ++r) {
+        out[(6 * b + r) * nv + static_cast<std::size_t>(speed)] = twist.angular[r];
+        out[(6 * b + 3 + r) * nv + static_cast<std::size_t>(speed)] = twist.linear[r];
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<Expr> body_inertias(const Mechanism& mechanism) {
+  std::vector<Expr> out;
+  for (const Body& body : mechanism.bodies) {
+    const auto& [mass, com, inertia] = body.mass_properties;
+    out.push_back(mass);
+    out.insert(out.end(), com.entries.begin(), com.entries.end());
+    for (const auto& [r, c] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}})
+      out.push_back(inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)));
   }
   return out;
 }

@@ -119,6 +119,24 @@ std::vector<Expr> SpeedDerivatives::first_rate(std::span<const SpeedPartial> par
 
 std::vector<Expr> SpeedDerivatives::second_rate(std::span<const SpeedPartial> partials,
                                                 std::size_t count) const {
+  std::vector<Expr> result(count, graph_.zero());
+  for (const SpeedPartial& partial : partials) {
+    for (std::size_t i = 0; i < count; ++i) result[i] += partial.values[i] * rate(partial.speed);
+  }
+  add_quadratic_rate(partials, result);
+  return result;
+}
+
+std::vector<Expr> SpeedDerivatives::quadratic_rate(std::span<const SpeedPartial> partials,
+                                                   std::size_t count) const {
+  std::vector<Expr> result(count, graph_.zero());
+  add_quadratic_rate(partials, result);
+  return result;
+}
+
+void SpeedDerivatives::add_quadratic_rate(std::span<const SpeedPartial> partials,
+                                          std::vector<Expr>& result) const {
+  const std::size_t count = result.size();
   std::vector<Expr> flat;
   for (const SpeedPartial& partial : partials)
     flat.insert(flat.end(), partial.values.begin(), partial.values.end());
@@ -137,17 +155,12 @@ std::vector<Expr> SpeedDerivatives::second_rate(std::span<const SpeedPartial> pa
   for (const auto& [key, sums] : pairs) coefficients.insert(coefficients.end(), sums.begin(), sums.end());
   coefficients = simplify(coefficients);
 
-  std::vector<Expr> result(count, graph_.zero());
-  for (const SpeedPartial& partial : partials) {
-    for (std::size_t i = 0; i < count; ++i) result[i] += partial.values[i] * rate(partial.speed);
-  }
   std::size_t offset = 0;
   for (const auto& [key, sums] : pairs) {
     const Expr product = speed(key.first) * speed(key.second);
     for (std::size_t i = 0; i < count; ++i) result[i] += coefficients[offset + i] * product;
     offset += count;
   }
-  return result;
 }
 
 std::vector<Expr> SpeedDerivatives::coordinate_rate_matrix() const {

@@ -30,6 +30,8 @@ class SpeedDerivatives {
   /// Given g = sum_k D_k u_k (+ D_t), its rate: sum_k D_k ud_k + sum_kl (D_l D_k) u_k u_l, time counting as a
   /// speed that is 1.
   std::vector<Expr> second_rate(std::span<const SpeedPartial> partials, std::size_t count) const;
+  /// The part of second_rate that has no rates: sum_kl (D_l D_k) u_k u_l.
+  std::vector<Expr> quadratic_rate(std::span<const SpeedPartial> partials, std::size_t count) const;
 
   Expr speed(int index) const;  ///< u_k; 1 for time
   Expr rate(int index) const;   ///< ud_k; 0 for time
@@ -41,6 +43,8 @@ class SpeedDerivatives {
   std::vector<Expr> coordinate_rate_matrix() const;
 
  private:
+  void add_quadratic_rate(std::span<const SpeedPartial> partials, std::vector<Expr>& result) const;
+
   struct Variable {
     Expr symbol;
     int coordinate;  ///< -1: time

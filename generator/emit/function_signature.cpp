@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "mechanism/constraint_rows.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -23,6 +24,15 @@ const std::vector<FunctionSignature>& table() {
       {"body_poses", {q}, true, {{"W", ArraySize::bodies_times_12}}},
       {"frame_poses", {q}, true, {{"F", ArraySize::frames_times_12}}},
       {"frame_jacobians", {q}, true, {{"J", ArraySize::frames_times_6_speeds}}},
+      {"constraints",
+       {q, qd},
+       true,
+       {{"P", ArraySize::constraints_times_speeds},
+        {"gamma", ArraySize::constraints},
+        {"velocity", ArraySize::constraints},
+        {"position", ArraySize::constraints}}},
+      {"body_jacobians", {q}, true, {{"J", ArraySize::bodies_times_6_speeds}}},
+      {"body_inertias", {}, true, {{"inertias", ArraySize::bodies_times_10}}},
   };
   return rows;
 }
@@ -88,6 +98,14 @@ std::size_t array_size(ArraySize size, const Mechanism& mechanism) {
       return 12 * mechanism.frames.size();
     case ArraySize::frames_times_6_speeds:
       return 6 * nv * mechanism.frames.size();
+    case ArraySize::constraints:
+      return constraint_rows(mechanism).size();
+    case ArraySize::constraints_times_speeds:
+      return constraint_rows(mechanism).size() * nv;
+    case ArraySize::bodies_times_6_speeds:
+      return 6 * nv * mechanism.bodies.size();
+    case ArraySize::bodies_times_10:
+      return 10 * mechanism.bodies.size();
   }
   throw InternalError("emit: array of unknown size");
 }

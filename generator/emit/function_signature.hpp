@@ -19,7 +19,11 @@ enum class ArraySize {
   two,
   bodies_times_12,
   frames_times_12,
-  frames_times_6_speeds
+  frames_times_6_speeds,
+  constraints,
+  constraints_times_speeds,
+  bodies_times_6_speeds,
+  bodies_times_10
 };
 
 struct ResultArray {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "emit/literals.hpp"
+#include "mechanism/constraint_rows.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t kWidth = 110;
 
 struct Names {
-  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies;
+  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints;
 };
 
 Names names_of(const Mechanism& mechanism) {
@@ -40,6 +41,7 @@ Names names_of(const Mechanism& mechanism) {
   for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime) names.parameters.push_back(parameter.name);
+  for (const ConstraintRow& row : constraint_rows(mechanism)) names.constraints.push_back(row.name);
   return names;
 }
 
@@ -83,6 +85,13 @@ std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
       const double none = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
       out.push_back(text(!c.limits ? none : lower ? c.limits->first : c.limits->second));
     }
+  return out;
+}
+
+std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view yes, std::string_view no) {
+  std::vector<std::string> out;
+  for (const ConstraintRow& row : constraint_rows(mechanism))
+    out.emplace_back(row.type == ConstraintType::holonomic ? yes : no);
   return out;
 }
 
@@ -140,6 +149,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"parameter_count", std::to_string(names.parameters.size())},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},
       {"quaternion_count", std::to_string(quaternions)},
+      {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},
   };
@@ -162,6 +172,8 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"lower_limits", cpp_array(limits(mechanism, true))},
       {"upper_limits", cpp_array(limits(mechanism, false))},
       {"quaternion_offsets", cpp_array(quaternions)},
+      {"constraint_names", cpp_array(literals(names.constraints))},
+      {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
       {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})"))},
   };
 }
@@ -175,6 +187,8 @@ Slots c_constant_slots(const Mechanism& mechanism) {
       {"frame_names", c_array(literals(names.frames), "nullptr")},
       {"parameter_names", c_array(literals(names.parameters), "nullptr")},
       {"wrench_names", c_array(literals(names.wrench_bodies), "nullptr")},
+      {"constraint_names", c_array(literals(names.constraints), "nullptr")},
+      {"holonomic", c_array(holonomic(mechanism, "1", "0"), "0")},
       {"initial", c_array(initial_coordinates(mechanism), "")},
       {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
   };

@@ -160,6 +160,48 @@ TEST_P(Laws, EnergyChangesByThePowerOfTheForces) {
   expect_equal(std::vector<Expr>{change}, std::vector<Expr>{power}, 1e-9);
 }
 
+/// Kinetic energy of the bodies by their Jacobians and inertias: T = 1/2 sum m |v|^2 + om . R I R^T om.
+TEST_P(Laws, BodyJacobiansAndInertiasGiveTheKineticEnergy) {
+  const Mechanism& mechanism = *loaded.mechanism;
+  const std::vector<Expr> kinetic{energies(mechanism, kinematics.tree, *loaded.graph)[0]};
+  for (const std::uint32_t id : postorder(kinetic)) {
+    if (Expr(*loaded.graph, Ref(id, false)) == mechanism.time)
+      GTEST_SKIP() << "its motion is prescribed in part";
+  }
+  const std::vector<Expr> J = function_outputs(kinematics, equations, FunctionKind::body_jacobians)[0].values;
+  const std::vector<Expr> inertias =
+      function_outputs(kinematics, equations, FunctionKind::body_inertias)[0].values;
+  const std::vector<Expr> poses = body_poses(mechanism, kinematics.tree, *loaded.graph);
+  ASSERT_EQ(J.size(), 6 * nv * mechanism.bodies.size());
+  ASSERT_EQ(inertias.size(), 10 * mechanism.bodies.size());
+  unsigned finite = 0;
+  for (unsigned seed = 1; seed <= kStates; ++seed) {
+    std::vector<Expr> speeds;
+    for (std::size_t k = 0; k < nv; ++k) speeds.push_back(kinematics.derivatives.speed(static_cast<int>(k)));
+    const std::vector<double> u = loaded.values(speeds, seed), Jv = loaded.values(J, seed),
+                              Iv = loaded.values(inertias, seed), Wv = loaded.values(poses, seed);
+    const double expected = loaded.values(kinetic, seed)[0];
+    if (!std::isfinite(expected)) continue;
+    ++finite;
+    double sum = 0;
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+      const auto n = static_cast<Eigen::Index>(nv);
+      const Eigen::Matrix<double, 6, 1> twist =
+          Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>>(&Jv[6 * nv * b], 6, n) *
+          Eigen::Map<const Eigen::VectorXd>(u.data(), n);
+      const Eigen::Matrix3d R =
+          Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(&Wv[12 * b]).leftCols<3>();
+      const double* i = &Iv[10 * b];
+      Eigen::Matrix3d inertia;
+      inertia << i[4], i[7], i[8], i[7], i[5], i[9], i[8], i[9], i[6];
+      const Eigen::Vector3d om = R.transpose() * twist.head<3>();
+      sum += 0.5 * i[0] * twist.tail<3>().squaredNorm() + 0.5 * om.dot(inertia * om);
+    }
+    EXPECT_NEAR(sum, expected, 1e-11 * (1 + std::abs(expected))) << "at state " << seed;
+  }
+  EXPECT_GE(finite, kStates / 2);
+}
+
 /// Solving for the accelerations by the straight-line factorisation gives back the forces.
 TEST_P(Laws, ForwardDynamicsInvertsInverseDynamics) {
   const std::vector<OutputExpressions> outputs =

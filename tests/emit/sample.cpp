@@ -181,6 +181,11 @@ Sample every_function() {
   m.bodies[2].external_wrench = true;
   m.frames.resize(1);
   m.frames[0].name = "tip";
+  m.constraints.resize(2);
+  m.constraints[0].name = "no_slip";
+  m.constraints[0].type = ConstraintType::rolling;
+  m.constraints[1].name = "closed";
+  m.constraints[1].equations.resize(1);
   std::uint64_t seed = 1;
   for (const FunctionSignature& signature : function_signatures()) {
     const bool smooth = signature.name == "mass_matrix" || signature.name == "energy";
@@ -196,6 +201,7 @@ Sample evil() {
   s.mechanism.coordinates[0].name = kEvilText;
   s.mechanism.bodies[1].name = kEvilText;
   s.mechanism.frames[0].name = kEvilText;
+  s.mechanism.constraints[1].name = kEvilText;
   s.mechanism.parameters[0].name = kEvilText;
   for (Program& program : s.programs) {
     program.formulation = kEvilText;

@@ -140,6 +140,12 @@ TEST(Compiled, EqualsTheInterpreterBitForBit) {
     compare("frame_poses");
     all::frame_jacobians(q, a.in, out.data());
     compare("frame_jacobians");
+    all::constraints(q, qd, a.in, out.data(), out.data() + 18, out.data() + 21, out.data() + 24);
+    compare("constraints");
+    all::body_jacobians(q, a.in, out.data());
+    compare("body_jacobians");
+    all::body_inertias(a.in, out.data());
+    compare("body_inertias");
   }
   EXPECT_GT(finite, values / 2) << "the samples test little: too many values are not finite";
 }
@@ -213,6 +219,56 @@ TEST(Compiled, EigenAndCLayersPassEverythingOn) {
       const double entry = jacobian(r, k), expected = raw[static_cast<std::size_t>(6 * r + k)];
       expect_same_bits({&entry, 1}, {&expected, 1}, "frame_jacobians");
     }
+}
+
+TEST(Compiled, ConstraintsAndBodiesGoThroughTheLayers) {
+  static_assert(Model::kNc == 3 && Model::kNbodies == 3);
+  static_assert(big::Mechanism<double>::kNc == 0 && big::Mechanism<double>::kConstraintNames.empty());
+  const Arguments a = random_arguments(all::kNq, all::kNv, 11);
+  const Eigen::Map<const Model::CoordinateVector> q(a.q.data());
+  const Eigen::Map<const Model::SpeedVector> qd(a.qd.data());
+  const double *p = a.in.parameters.data(), *w = a.in.wrenches.data();
+  std::vector<double> raw(200), c(200);
+  const auto same = [&](const auto& eigen, std::size_t first, const char* what) {
+    for (Eigen::Index r = 0; r < eigen.rows(); ++r)
+      for (Eigen::Index k = 0; k < eigen.cols(); ++k) {
+        const double entry = eigen(r, k);
+        const std::size_t i = first + static_cast<std::size_t>(r * eigen.cols() + k);
+        expect_same_bits({&entry, 1}, {&raw[i], 1}, what);
+        expect_same_bits({&c[i], 1}, {&raw[i], 1}, what);
+      }
+  };
+  Model::ConstraintMatrix P;
+  Model::ConstraintVector gamma, velocity, position;
+  Model::constraints(q, qd, a.in, P, gamma, velocity, position);
+  all::constraints(a.q.data(), a.qd.data(), a.in, raw.data(), raw.data() + 18, raw.data() + 21,
+                   raw.data() + 24);
+  ASSERT_EQ(sample_all_constraints(a.q.data(), a.qd.data(), a.in.t, p, w, c.data(), c.data() + 18,
+                                   c.data() + 21, c.data() + 24),
+            0);
+  same(P, 0, "P");
+  same(gamma, 18, "gamma");
+  same(velocity, 21, "velocity");
+  same(position, 24, "position");
+  all::body_jacobians(a.q.data(), a.in, raw.data());
+  ASSERT_EQ(sample_all_body_jacobians(a.q.data(), a.in.t, p, w, c.data()), 0);
+  same(Model::body_jacobians(q, a.in), 0, "body_jacobians");
+  all::body_inertias(a.in, raw.data());
+  ASSERT_EQ(sample_all_body_inertias(a.in.t, p, w, c.data()), 0);
+  same(Model::body_inertias(a.in), 0, "body_inertias");
+
+  EXPECT_STREQ(Model::kConstraintNames[0], "no_slip[0]");
+  EXPECT_STREQ(Model::kConstraintNames[1], "no_slip[1]");
+  EXPECT_STREQ(Model::kConstraintNames[2], "closed");
+  EXPECT_EQ(Model::kHolonomic, (std::array<bool, 3>{false, false, true}));
+  EXPECT_EQ(sample_all_nc, 3);
+  EXPECT_STREQ(sample_all_constraint_names[2], "closed");
+  EXPECT_EQ(sample_all_constraint_names[3], nullptr);
+  EXPECT_EQ(sample_all_holonomic[1], 0);
+  EXPECT_EQ(sample_all_holonomic[2], 1);
+  EXPECT_EQ(sample_big_nc, 0);
+  EXPECT_EQ(sample_big_constraint_names[0], nullptr);
+  EXPECT_STREQ(alembert::mechanisms::sample_evil::kConstraintNames[2], sample::kEvilText);
 }
 
 TEST(Compiled, TextOfTheUserComesThroughAsItIs) {

@@ -30,6 +30,8 @@ const char* const body_on_torus_body_names[1 + 1] = {"slider", nullptr};
 const char* const body_on_torus_frame_names[0 + 1] = {nullptr};
 const char* const body_on_torus_parameter_names[0 + 1] = {nullptr};
 const char* const body_on_torus_wrench_body_names[0 + 1] = {nullptr};
+const char* const body_on_torus_constraint_names[0 + 1] = {nullptr};
+const int body_on_torus_holonomic[0 + 1] = {0};
 const double body_on_torus_initial_coordinates[3] = {0.0, 0.0, 0.0};
 const double body_on_torus_default_parameters[0 + 1] = {0.0};
 

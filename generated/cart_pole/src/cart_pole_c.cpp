@@ -30,6 +30,8 @@ const char* const cart_pole_body_names[2 + 1] = {"cart", "pole", nullptr};
 const char* const cart_pole_frame_names[0 + 1] = {nullptr};
 const char* const cart_pole_parameter_names[0 + 1] = {nullptr};
 const char* const cart_pole_wrench_body_names[1 + 1] = {"cart", nullptr};
+const char* const cart_pole_constraint_names[0 + 1] = {nullptr};
+const int cart_pole_holonomic[0 + 1] = {0};
 const double cart_pole_initial_coordinates[2] = {0.0, 0.1};
 const double cart_pole_default_parameters[0 + 1] = {0.0};
 

@@ -32,6 +32,8 @@ const char* const chain6r_body_names[6 + 1] = {
 const char* const chain6r_frame_names[0 + 1] = {nullptr};
 const char* const chain6r_parameter_names[0 + 1] = {nullptr};
 const char* const chain6r_wrench_body_names[0 + 1] = {nullptr};
+const char* const chain6r_constraint_names[0 + 1] = {nullptr};
+const int chain6r_holonomic[0 + 1] = {0};
 const double chain6r_initial_coordinates[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double chain6r_default_parameters[0 + 1] = {0.0};
 

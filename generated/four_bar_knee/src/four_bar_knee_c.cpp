@@ -30,6 +30,8 @@ const char* const four_bar_knee_body_names[2 + 1] = {"thigh", "shank", nullptr};
 const char* const four_bar_knee_frame_names[1 + 1] = {"ankle", nullptr};
 const char* const four_bar_knee_parameter_names[0 + 1] = {nullptr};
 const char* const four_bar_knee_wrench_body_names[1 + 1] = {"shank", nullptr};
+const char* const four_bar_knee_constraint_names[0 + 1] = {nullptr};
+const int four_bar_knee_holonomic[0 + 1] = {0};
 const double four_bar_knee_initial_coordinates[2] = {0.0, 1.3};
 const double four_bar_knee_default_parameters[0 + 1] = {0.0};
 

@@ -32,6 +32,8 @@ const char* const free_body_body_names[1 + 1] = {"body", nullptr};
 const char* const free_body_frame_names[1 + 1] = {"nose", nullptr};
 const char* const free_body_parameter_names[0 + 1] = {nullptr};
 const char* const free_body_wrench_body_names[1 + 1] = {"body", nullptr};
+const char* const free_body_constraint_names[0 + 1] = {nullptr};
+const int free_body_holonomic[0 + 1] = {0};
 const double free_body_initial_coordinates[7] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
 const double free_body_default_parameters[0 + 1] = {0.0};
 

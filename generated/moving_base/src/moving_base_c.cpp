@@ -30,6 +30,8 @@ const char* const moving_base_body_names[3 + 1] = {"base", "upper", "lower", nul
 const char* const moving_base_frame_names[0 + 1] = {nullptr};
 const char* const moving_base_parameter_names[0 + 1] = {nullptr};
 const char* const moving_base_wrench_body_names[0 + 1] = {nullptr};
+const char* const moving_base_constraint_names[0 + 1] = {nullptr};
+const int moving_base_holonomic[0 + 1] = {0};
 const double moving_base_initial_coordinates[2] = {0.0, 0.0};
 const double moving_base_default_parameters[0 + 1] = {0.0};
 

@@ -30,6 +30,8 @@ const char* const pendulum_body_names[1 + 1] = {"rod", nullptr};
 const char* const pendulum_frame_names[0 + 1] = {nullptr};
 const char* const pendulum_parameter_names[0 + 1] = {nullptr};
 const char* const pendulum_wrench_body_names[0 + 1] = {nullptr};
+const char* const pendulum_constraint_names[0 + 1] = {nullptr};
+const int pendulum_holonomic[0 + 1] = {0};
 const double pendulum_initial_coordinates[1] = {0.3};
 const double pendulum_default_parameters[0 + 1] = {0.0};
 

@@ -32,6 +32,8 @@ const char* const puma560_body_names[6 + 1] = {
 const char* const puma560_frame_names[1 + 1] = {"flange", nullptr};
 const char* const puma560_parameter_names[0 + 1] = {nullptr};
 const char* const puma560_wrench_body_names[0 + 1] = {nullptr};
+const char* const puma560_constraint_names[0 + 1] = {nullptr};
+const int puma560_holonomic[0 + 1] = {0};
 const double puma560_initial_coordinates[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double puma560_default_parameters[0 + 1] = {0.0};
 

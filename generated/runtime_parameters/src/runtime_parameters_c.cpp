@@ -30,6 +30,8 @@ const char* const runtime_parameters_body_names[2 + 1] = {"crank", "rod", nullpt
 const char* const runtime_parameters_frame_names[0 + 1] = {nullptr};
 const char* const runtime_parameters_parameter_names[4 + 1] = {"g", "m", "l", "I", nullptr};
 const char* const runtime_parameters_wrench_body_names[0 + 1] = {nullptr};
+const char* const runtime_parameters_constraint_names[0 + 1] = {nullptr};
+const int runtime_parameters_holonomic[0 + 1] = {0};
 const double runtime_parameters_initial_coordinates[2] = {0.0, 0.0};
 const double runtime_parameters_default_parameters[4 + 1] = {9.81, 1.3, 0.42, 0.05, 0.0};
 

@@ -30,6 +30,8 @@ const char* const spherical_pendulum_body_names[1 + 1] = {"bob", nullptr};
 const char* const spherical_pendulum_frame_names[0 + 1] = {nullptr};
 const char* const spherical_pendulum_parameter_names[0 + 1] = {nullptr};
 const char* const spherical_pendulum_wrench_body_names[1 + 1] = {"bob", nullptr};
+const char* const spherical_pendulum_constraint_names[0 + 1] = {nullptr};
+const int spherical_pendulum_holonomic[0 + 1] = {0};
 const double spherical_pendulum_initial_coordinates[4] = {0.0, 0.0, 0.0, 1.0};
 const double spherical_pendulum_default_parameters[0 + 1] = {0.0};
 

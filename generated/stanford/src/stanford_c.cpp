@@ -32,6 +32,8 @@ const char* const stanford_body_names[6 + 1] = {
 const char* const stanford_frame_names[0 + 1] = {nullptr};
 const char* const stanford_parameter_names[0 + 1] = {nullptr};
 const char* const stanford_wrench_body_names[0 + 1] = {nullptr};
+const char* const stanford_constraint_names[0 + 1] = {nullptr};
+const int stanford_holonomic[0 + 1] = {0};
 const double stanford_initial_coordinates[6] = {0.0, 0.0, 0.5, 0.0, 0.0, 0.0};
 const double stanford_default_parameters[0 + 1] = {0.0};
 

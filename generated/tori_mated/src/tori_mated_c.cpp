@@ -30,6 +30,8 @@ const char* const tori_mated_body_names[1 + 1] = {"ring", nullptr};
 const char* const tori_mated_frame_names[0 + 1] = {nullptr};
 const char* const tori_mated_parameter_names[0 + 1] = {nullptr};
 const char* const tori_mated_wrench_body_names[0 + 1] = {nullptr};
+const char* const tori_mated_constraint_names[0 + 1] = {nullptr};
+const int tori_mated_holonomic[0 + 1] = {0};
 const double tori_mated_initial_coordinates[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
 const double tori_mated_default_parameters[0 + 1] = {0.0};
 

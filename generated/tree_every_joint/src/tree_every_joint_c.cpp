@@ -37,6 +37,8 @@ const char* const tree_every_joint_body_names[10 + 1] = {
 const char* const tree_every_joint_frame_names[1 + 1] = {"drill_tip", nullptr};
 const char* const tree_every_joint_parameter_names[0 + 1] = {nullptr};
 const char* const tree_every_joint_wrench_body_names[2 + 1] = {"trunk", "drill", nullptr};
+const char* const tree_every_joint_constraint_names[0 + 1] = {nullptr};
+const int tree_every_joint_holonomic[0 + 1] = {0};
 const double tree_every_joint_initial_coordinates[22] = {
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
     0.0};

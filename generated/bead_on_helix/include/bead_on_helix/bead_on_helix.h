@@ -31,7 +31,8 @@ enum {
   bead_on_helix_body_count = 1,
   bead_on_helix_frame_count = 0,
   bead_on_helix_parameter_count = 0,
-  bead_on_helix_wrench_count = 1
+  bead_on_helix_wrench_count = 1,
+  bead_on_helix_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const bead_on_helix_body_names[1 + 1];
 extern const char* const bead_on_helix_frame_names[0 + 1];
 extern const char* const bead_on_helix_parameter_names[0 + 1];
 extern const char* const bead_on_helix_wrench_body_names[1 + 1];
+extern const char* const bead_on_helix_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int bead_on_helix_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double bead_on_helix_initial_coordinates[2];

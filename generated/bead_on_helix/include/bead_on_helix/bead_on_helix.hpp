@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::bead_on_helix::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::bead_on_helix::kNq;
   static constexpr int kNv = ::alembert::mechanisms::bead_on_helix::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::bead_on_helix::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::bead_on_helix::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::bead_on_helix::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::bead_on_helix::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

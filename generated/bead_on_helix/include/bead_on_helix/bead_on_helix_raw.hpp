@@ -21,6 +21,7 @@ inline constexpr int kBodyCount = 1;
 inline constexpr int kFrameCount = 0;
 inline constexpr int kParameterCount = 0;  ///< runtime parameters
 inline constexpr int kWrenchCount = 1;  ///< bodies with an external wrench
+inline constexpr int kNc = 0;  ///< rows of the constraints
 
 /// Entries of q. A quaternion has four, x y z w.
 inline constexpr ::std::array<::std::string_view, kNq> kCoordinateNames = {{"s", "spin"}};
@@ -31,6 +32,10 @@ inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {{"bead"}};
+/// Rows of the constraints.
+inline constexpr ::std::array<const char*, kNc> kConstraintNames = {};
+/// Whether the row is the rate of an equation in the coordinates alone, which then has to hold as well.
+inline constexpr ::std::array<bool, kNc> kHolonomic = {};
 
 /// The initial state of the description: coordinates. Its speeds are zero.
 inline constexpr ::std::array<double, kNq> kInitialCoordinates = {{0.0, 0.0}};

@@ -31,7 +31,8 @@ enum {
   body_on_torus_body_count = 1,
   body_on_torus_frame_count = 0,
   body_on_torus_parameter_count = 0,
-  body_on_torus_wrench_count = 0
+  body_on_torus_wrench_count = 0,
+  body_on_torus_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const body_on_torus_body_names[1 + 1];
 extern const char* const body_on_torus_frame_names[0 + 1];
 extern const char* const body_on_torus_parameter_names[0 + 1];
 extern const char* const body_on_torus_wrench_body_names[0 + 1];
+extern const char* const body_on_torus_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int body_on_torus_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double body_on_torus_initial_coordinates[3];

@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::body_on_torus::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::body_on_torus::kNq;
   static constexpr int kNv = ::alembert::mechanisms::body_on_torus::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::body_on_torus::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::body_on_torus::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   cart_pole_body_count = 2,
   cart_pole_frame_count = 0,
   cart_pole_parameter_count = 0,
-  cart_pole_wrench_count = 1
+  cart_pole_wrench_count = 1,
+  cart_pole_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const cart_pole_body_names[2 + 1];
 extern const char* const cart_pole_frame_names[0 + 1];
 extern const char* const cart_pole_parameter_names[0 + 1];
 extern const char* const cart_pole_wrench_body_names[1 + 1];
+extern const char* const cart_pole_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int cart_pole_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double cart_pole_initial_coordinates[2];

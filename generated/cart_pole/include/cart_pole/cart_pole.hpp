@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::cart_pole::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::cart_pole::kNq;
   static constexpr int kNv = ::alembert::mechanisms::cart_pole::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::cart_pole::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::cart_pole::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::cart_pole::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::cart_pole::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

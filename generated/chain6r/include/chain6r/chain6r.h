@@ -31,7 +31,8 @@ enum {
   chain6r_body_count = 6,
   chain6r_frame_count = 0,
   chain6r_parameter_count = 0,
-  chain6r_wrench_count = 0
+  chain6r_wrench_count = 0,
+  chain6r_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const chain6r_body_names[6 + 1];
 extern const char* const chain6r_frame_names[0 + 1];
 extern const char* const chain6r_parameter_names[0 + 1];
 extern const char* const chain6r_wrench_body_names[0 + 1];
+extern const char* const chain6r_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int chain6r_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double chain6r_initial_coordinates[6];

@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::chain6r_90::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::chain6r_90::kNq;
   static constexpr int kNv = ::alembert::mechanisms::chain6r_90::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::chain6r_90::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::chain6r_90::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r_90::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::chain6r_90::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::chain6r_90::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

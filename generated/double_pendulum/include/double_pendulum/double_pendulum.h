@@ -31,7 +31,8 @@ enum {
   double_pendulum_body_count = 2,
   double_pendulum_frame_count = 0,
   double_pendulum_parameter_count = 0,
-  double_pendulum_wrench_count = 0
+  double_pendulum_wrench_count = 0,
+  double_pendulum_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const double_pendulum_body_names[2 + 1];
 extern const char* const double_pendulum_frame_names[0 + 1];
 extern const char* const double_pendulum_parameter_names[0 + 1];
 extern const char* const double_pendulum_wrench_body_names[0 + 1];
+extern const char* const double_pendulum_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int double_pendulum_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double double_pendulum_initial_coordinates[2];

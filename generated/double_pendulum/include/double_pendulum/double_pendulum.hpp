@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::double_pendulum::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::double_pendulum::kNq;
   static constexpr int kNv = ::alembert::mechanisms::double_pendulum::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::double_pendulum::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::double_pendulum::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::double_pendulum::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::double_pendulum::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::double_pendulum::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   four_bar_knee_body_count = 2,
   four_bar_knee_frame_count = 1,
   four_bar_knee_parameter_count = 0,
-  four_bar_knee_wrench_count = 1
+  four_bar_knee_wrench_count = 1,
+  four_bar_knee_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const four_bar_knee_body_names[2 + 1];
 extern const char* const four_bar_knee_frame_names[1 + 1];
 extern const char* const four_bar_knee_parameter_names[0 + 1];
 extern const char* const four_bar_knee_wrench_body_names[1 + 1];
+extern const char* const four_bar_knee_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int four_bar_knee_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double four_bar_knee_initial_coordinates[2];

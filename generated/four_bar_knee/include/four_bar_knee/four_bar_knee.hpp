@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::four_bar_knee::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::four_bar_knee::kNq;
   static constexpr int kNv = ::alembert::mechanisms::four_bar_knee::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::four_bar_knee::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::four_bar_knee::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::four_bar_knee::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::four_bar_knee::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   free_body_body_count = 1,
   free_body_frame_count = 1,
   free_body_parameter_count = 0,
-  free_body_wrench_count = 1
+  free_body_wrench_count = 1,
+  free_body_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const free_body_body_names[1 + 1];
 extern const char* const free_body_frame_names[1 + 1];
 extern const char* const free_body_parameter_names[0 + 1];
 extern const char* const free_body_wrench_body_names[1 + 1];
+extern const char* const free_body_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int free_body_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double free_body_initial_coordinates[7];

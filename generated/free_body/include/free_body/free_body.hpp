@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::free_body::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::free_body::kNq;
   static constexpr int kNv = ::alembert::mechanisms::free_body::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::free_body::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::free_body::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::free_body::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   moving_base_body_count = 3,
   moving_base_frame_count = 0,
   moving_base_parameter_count = 0,
-  moving_base_wrench_count = 0
+  moving_base_wrench_count = 0,
+  moving_base_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const moving_base_body_names[3 + 1];
 extern const char* const moving_base_frame_names[0 + 1];
 extern const char* const moving_base_parameter_names[0 + 1];
 extern const char* const moving_base_wrench_body_names[0 + 1];
+extern const char* const moving_base_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int moving_base_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double moving_base_initial_coordinates[2];

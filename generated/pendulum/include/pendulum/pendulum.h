@@ -31,7 +31,8 @@ enum {
   pendulum_body_count = 1,
   pendulum_frame_count = 0,
   pendulum_parameter_count = 0,
-  pendulum_wrench_count = 0
+  pendulum_wrench_count = 0,
+  pendulum_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const pendulum_body_names[1 + 1];
 extern const char* const pendulum_frame_names[0 + 1];
 extern const char* const pendulum_parameter_names[0 + 1];
 extern const char* const pendulum_wrench_body_names[0 + 1];
+extern const char* const pendulum_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int pendulum_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double pendulum_initial_coordinates[1];

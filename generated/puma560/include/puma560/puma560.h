@@ -31,7 +31,8 @@ enum {
   puma560_body_count = 6,
   puma560_frame_count = 1,
   puma560_parameter_count = 0,
-  puma560_wrench_count = 0
+  puma560_wrench_count = 0,
+  puma560_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const puma560_body_names[6 + 1];
 extern const char* const puma560_frame_names[1 + 1];
 extern const char* const puma560_parameter_names[0 + 1];
 extern const char* const puma560_wrench_body_names[0 + 1];
+extern const char* const puma560_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int puma560_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double puma560_initial_coordinates[6];

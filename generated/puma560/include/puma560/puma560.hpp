@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::puma560::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::puma560::kNq;
   static constexpr int kNv = ::alembert::mechanisms::puma560::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::puma560::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::puma560::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::puma560::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::puma560::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::puma560::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

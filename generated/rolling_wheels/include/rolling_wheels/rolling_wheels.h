@@ -31,7 +31,8 @@ enum {
   rolling_wheels_body_count = 2,
   rolling_wheels_frame_count = 0,
   rolling_wheels_parameter_count = 0,
-  rolling_wheels_wrench_count = 1
+  rolling_wheels_wrench_count = 1,
+  rolling_wheels_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const rolling_wheels_body_names[2 + 1];
 extern const char* const rolling_wheels_frame_names[0 + 1];
 extern const char* const rolling_wheels_parameter_names[0 + 1];
 extern const char* const rolling_wheels_wrench_body_names[1 + 1];
+extern const char* const rolling_wheels_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int rolling_wheels_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double rolling_wheels_initial_coordinates[2];

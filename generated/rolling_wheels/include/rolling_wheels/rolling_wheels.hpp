@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::rolling_wheels::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::rolling_wheels::kNq;
   static constexpr int kNv = ::alembert::mechanisms::rolling_wheels::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::rolling_wheels::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::rolling_wheels::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::rolling_wheels::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::rolling_wheels::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

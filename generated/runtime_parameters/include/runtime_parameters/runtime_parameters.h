@@ -31,7 +31,8 @@ enum {
   runtime_parameters_body_count = 2,
   runtime_parameters_frame_count = 0,
   runtime_parameters_parameter_count = 4,
-  runtime_parameters_wrench_count = 0
+  runtime_parameters_wrench_count = 0,
+  runtime_parameters_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const runtime_parameters_body_names[2 + 1];
 extern const char* const runtime_parameters_frame_names[0 + 1];
 extern const char* const runtime_parameters_parameter_names[4 + 1];
 extern const char* const runtime_parameters_wrench_body_names[0 + 1];
+extern const char* const runtime_parameters_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int runtime_parameters_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double runtime_parameters_initial_coordinates[2];

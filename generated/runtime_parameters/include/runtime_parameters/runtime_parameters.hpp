@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::runtime_parameters::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::runtime_parameters::kNq;
   static constexpr int kNv = ::alembert::mechanisms::runtime_parameters::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::runtime_parameters::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::runtime_parameters::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   spherical_pendulum_body_count = 1,
   spherical_pendulum_frame_count = 0,
   spherical_pendulum_parameter_count = 0,
-  spherical_pendulum_wrench_count = 1
+  spherical_pendulum_wrench_count = 1,
+  spherical_pendulum_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const spherical_pendulum_body_names[1 + 1];
 extern const char* const spherical_pendulum_frame_names[0 + 1];
 extern const char* const spherical_pendulum_parameter_names[0 + 1];
 extern const char* const spherical_pendulum_wrench_body_names[1 + 1];
+extern const char* const spherical_pendulum_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int spherical_pendulum_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double spherical_pendulum_initial_coordinates[4];

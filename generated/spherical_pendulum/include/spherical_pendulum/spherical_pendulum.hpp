@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::spherical_pendulum::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::spherical_pendulum::kNq;
   static constexpr int kNv = ::alembert::mechanisms::spherical_pendulum::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::spherical_pendulum::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::spherical_pendulum::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::spherical_pendulum::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::spherical_pendulum::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::spherical_pendulum::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   stanford_body_count = 6,
   stanford_frame_count = 0,
   stanford_parameter_count = 0,
-  stanford_wrench_count = 0
+  stanford_wrench_count = 0,
+  stanford_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const stanford_body_names[6 + 1];
 extern const char* const stanford_frame_names[0 + 1];
 extern const char* const stanford_parameter_names[0 + 1];
 extern const char* const stanford_wrench_body_names[0 + 1];
+extern const char* const stanford_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int stanford_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double stanford_initial_coordinates[6];

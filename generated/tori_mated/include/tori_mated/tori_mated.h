@@ -31,7 +31,8 @@ enum {
   tori_mated_body_count = 1,
   tori_mated_frame_count = 0,
   tori_mated_parameter_count = 0,
-  tori_mated_wrench_count = 0
+  tori_mated_wrench_count = 0,
+  tori_mated_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const tori_mated_body_names[1 + 1];
 extern const char* const tori_mated_frame_names[0 + 1];
 extern const char* const tori_mated_parameter_names[0 + 1];
 extern const char* const tori_mated_wrench_body_names[0 + 1];
+extern const char* const tori_mated_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int tori_mated_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double tori_mated_initial_coordinates[5];

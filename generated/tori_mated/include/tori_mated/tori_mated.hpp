@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::tori_mated::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::tori_mated::kNq;
   static constexpr int kNv = ::alembert::mechanisms::tori_mated::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::tori_mated::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::tori_mated::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::tori_mated::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::tori_mated::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.

@@ -31,7 +31,8 @@ enum {
   tree_every_joint_body_count = 10,
   tree_every_joint_frame_count = 1,
   tree_every_joint_parameter_count = 0,
-  tree_every_joint_wrench_count = 2
+  tree_every_joint_wrench_count = 2,
+  tree_every_joint_nc = 0
 };
 
 /* Names, each list ended by NULL. */
@@ -41,6 +42,10 @@ extern const char* const tree_every_joint_body_names[10 + 1];
 extern const char* const tree_every_joint_frame_names[1 + 1];
 extern const char* const tree_every_joint_parameter_names[0 + 1];
 extern const char* const tree_every_joint_wrench_body_names[2 + 1];
+extern const char* const tree_every_joint_constraint_names[0 + 1];
+
+/* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
+extern const int tree_every_joint_holonomic[0 + 1];
 
 /* The initial coordinates of the description; its speeds are zero. */
 extern const double tree_every_joint_initial_coordinates[22];

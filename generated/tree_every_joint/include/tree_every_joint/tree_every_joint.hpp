@@ -25,10 +25,16 @@ struct Mechanism {
   using Inputs = ::alembert::mechanisms::tree_every_joint::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::tree_every_joint::kNq;
   static constexpr int kNv = ::alembert::mechanisms::tree_every_joint::kNv;
+  static constexpr int kNc = ::alembert::mechanisms::tree_every_joint::kNc;
+  static constexpr int kNbodies = ::alembert::mechanisms::tree_every_joint::kBodyCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
+  static constexpr auto kConstraintNames = ::alembert::mechanisms::tree_every_joint::kConstraintNames;
+  static constexpr auto kHolonomic = ::alembert::mechanisms::tree_every_joint::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
   /// The initial coordinates of the description.
