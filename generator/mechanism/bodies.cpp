@@ -208,6 +208,7 @@ void read_frames(Loading& loading, const YamlNode& list) {
       frame.transform =
           read_transform(loading, *transform, fmt::format("the transform of frame '{}'", frame.name));
     loading.mechanism.frames.push_back(std::move(frame));
+    loading.reader.declare_last_frame();
   }
 }
 

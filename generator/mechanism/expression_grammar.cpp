@@ -21,6 +21,7 @@ struct ParseState {
     int arguments;
   };
   std::vector<OpenCall> calls;
+  PostfixToken reference{};
 };
 
 namespace grammar {
@@ -42,10 +43,16 @@ struct function_name : pegtl::identifier {};
 struct open_call : pegtl::seq<function_name, blank, pegtl::one<'('>> {};
 struct close_call : pegtl::one<')'> {};
 struct call : pegtl::if_must<open_call, blank, argument, pegtl::star<pegtl::if_must<symbol<','>, argument>>, close_call> {};
+struct referring : pegtl::seq<pegtl::sor<TAO_PEGTL_STRING("position"), pegtl::one<'d'>>, pegtl::not_at<pegtl::identifier_other>> {};
+struct open_reference : pegtl::seq<referring, blank, pegtl::one<'('>> {};
+struct referent : pegtl::identifier {};
+struct close_reference : pegtl::one<')'> {};
+struct part : pegtl::identifier {};
+struct reference : pegtl::seq<pegtl::if_must<open_reference, blank, referent, blank, close_reference>, pegtl::opt<pegtl::if_must<pegtl::seq<blank, pegtl::one<'.'>>, blank, part>>> {};
 struct name : pegtl::identifier {};
 struct close_group : pegtl::one<')'> {};
 struct group : pegtl::if_must<symbol<'('>, expression, close_group> {};
-struct primary : pegtl::seq<pegtl::sor<number, call, name, group>, blank> {};
+struct primary : pegtl::seq<pegtl::sor<number, reference, call, name, group>, blank> {};
 
 struct raise : pegtl::if_must<symbol<'^'>, operand> {};
 struct power : pegtl::seq<primary, pegtl::opt<raise>> {};
@@ -83,6 +90,12 @@ template <>
 constexpr const char* Expected::message<grammar::close_call> = "an operator, ',' or ')'";
 template <>
 constexpr const char* Expected::message<grammar::close_group> = "an operator or ')'";
+template <>
+constexpr const char* Expected::message<grammar::referent> = "a name";
+template <>
+constexpr const char* Expected::message<grammar::close_reference> = "')' after the name";
+template <>
+constexpr const char* Expected::message<grammar::part> = "x, y or z after the point";
 template <>
 constexpr const char* Expected::message<pegtl::eof> = "an operator or the end of the expression";
 
@@ -141,6 +154,37 @@ struct Action<grammar::raise> : Nesting, PushOperator<PostfixToken::Kind::power>
 template <>
 struct Action<grammar::group> : Nesting, Push<PostfixToken::Kind::group> {};
 template <>
+struct Action<grammar::referring> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const std::size_t begin = in.iterator().byte;
+    state.reference = {PostfixToken::Kind::reference, begin, begin + in.size()};
+  }
+};
+template <>
+struct Action<grammar::referent> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    state.reference.referent = in.iterator().byte;
+    state.reference.referent_end = state.reference.referent + in.size();
+  }
+};
+template <>
+struct Action<grammar::part> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    state.reference.part = in.iterator().byte;
+  }
+};
+template <>
+struct Action<grammar::reference> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    state.reference.close = in.iterator().byte + in.size();
+    state.postfix.push_back(state.reference);
+  }
+};
+template <>
 struct Action<grammar::open_call> {
   template <typename Input>
   static void apply(const Input& in, ParseState& state) {
@@ -195,6 +239,7 @@ std::string note_for(std::string_view text, std::size_t offset) {
   if (c == '*' && offset > 0 && text[offset - 1] == '*') return "a power is written x^n";
   if (c == '.' && text.substr(0, offset).find_first_not_of(" \t\n\r") == std::string_view::npos)
     return "infinity and NaN are not values here";
+  if (c == '.' && offset > 0 && text[offset - 1] == ')') return "only d(NAME) and position(NAME) have parts";
   std::size_t end = offset;
   while (end > 0 && is_blank(text[end - 1])) --end;
   std::size_t begin = end;

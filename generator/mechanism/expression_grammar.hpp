@@ -9,14 +9,17 @@
 
 namespace alembert {
 
-/// One operation of an expression in postfix order.
+/// One operation of an expression in postfix order. A reference is `d(NAME)` or `position(NAME)`, with or
+/// without `.part`.
 struct PostfixToken {
-  enum class Kind { number, name, call, add, subtract, multiply, divide, power, negate, group };
+  enum class Kind { number, name, reference, call, add, subtract, multiply, divide, power, negate, group };
   Kind kind;
-  std::size_t begin,
-      end;  ///< of the number, name, operator; of a call: its name; of a group: parentheses included
-  std::size_t close = 0;  ///< of a call: one past its closing parenthesis
-  int arguments = 0;      ///< of a call
+  /// Of the number, name, operator; of a call or reference: its name; of a group: parentheses included.
+  std::size_t begin, end;
+  std::size_t close = 0;                       ///< of a call or reference: one past its end
+  int arguments = 0;                           ///< of a call
+  std::size_t referent = 0, referent_end = 0;  ///< of a reference: the name in parentheses
+  std::size_t part = 0;  ///< of a reference: the word after its point, 0 if there is none
 };
 
 /// A text is no expression. `offset` is where in it, `message` and `note` as InputError's.

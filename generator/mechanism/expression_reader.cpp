@@ -36,7 +36,7 @@ constexpr Function kFunctions[] = {
 };
 
 std::vector<std::string> function_names() {
-  std::vector<std::string> names = {"atan2"};
+  std::vector<std::string> names = {"atan2", "position"};
   for (const Function& function : kFunctions) names.emplace_back(function.name);
   return names;
 }
@@ -86,6 +86,12 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
       case PostfixToken::Kind::name:
         stack.push_back({name(reading, token), token.begin, token.end});
         break;
+      case PostfixToken::Kind::reference: {
+        const bool of_speed = node.text[token.begin] == 'd';
+        stack.push_back(
+            {of_speed ? speed(reading, token) : position(reading, token), token.begin, token.close});
+        break;
+      }
       case PostfixToken::Kind::group:
         stack.back().begin = token.begin;
         stack.back().end = token.end;
@@ -116,7 +122,9 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
     }
   }
   Value value = std::move(stack.back().value);
-  if (allowed == Allowed::transform && value.roughness != nullptr)
+  const bool smooth =
+      allowed == Allowed::transform || allowed == Allowed::pfaffian || allowed == Allowed::holonomic;
+  if (smooth && value.roughness != nullptr)
     throw error(reading, value.roughness->offset,
                 fmt::format("{} is not twice differentiable: {}", what, value.roughness->reason));
   return value;
@@ -143,72 +151,6 @@ Value ExpressionReader::number(const Reading& reading, const PostfixToken& token
   return out;
 }
 
-Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) const {
-  const std::string_view text =
-      std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
-  Value out;
-  std::string_view kind = "the time";
-  if (text == "pi") {
-    out.expr = graph_.pi();
-    out.initial = 3.14159265358979323846;
-    return out;
-  }
-  if (text == "t") {
-    out.expr = graph_.symbol("t");
-    out.dependence = Dependence::time;
-  } else {
-    if (text == "spline") throw error(reading, token.begin, "spline is not supported by this version");
-    if (function_arity(text) > 0)
-      throw error(reading, token.begin, fmt::format("function '{}' needs its argument in parentheses", text));
-    NameEntry* entry = scope_.find(text);
-    if (entry == nullptr) {
-      std::vector<std::string> candidates = scope_.names();
-      candidates.insert(candidates.end(), {"pi", "t"});
-      std::string note;
-      if (text == "nan" || text == "inf" || text == "infinity" || text == "NaN")
-        note = "infinity and NaN are not values here";
-      throw error(reading, token.begin,
-                  fmt::format("unknown name '{}'{}", printable(text), did_you_mean(text, candidates)), note);
-    }
-    entry->used = true;
-    if (entry->kind == NameKind::quaternion)
-      throw error(
-          reading, token.begin,
-          fmt::format("'{}' is a quaternion coordinate; it cannot stand in an expression", text),
-          fmt::format("use it as a factor 'rotate: {{quaternion: {}}}' or in a spherical or free joint",
-                      text));
-    // A coordinate that may not stand here is a better explanation than one that is read later.
-    const bool coordinate_here = entry->kind == NameKind::coordinate;
-    if (!entry->ready && !(coordinate_here &&
-                           (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters)))
-      throw error(reading, token.begin,
-                  fmt::format("{} '{}' (line {}) is used before it is defined", noun(entry->kind), text,
-                              entry->where.line));
-    out = entry->value;
-    if (coordinate_here) out.dependence = Dependence::coordinate;
-    kind = noun(entry->kind);
-    if (out.roughness != nullptr)
-      out.roughness = std::make_shared<const Roughness>(Roughness{
-          token.begin,
-          out.roughness->in_definition
-              ? out.roughness->reason
-              : fmt::format("'{}' (line {}) has {}", text, entry->where.line, out.roughness->reason),
-          true});
-  }
-  const auto refuse = [&](std::string_view why) {
-    return error(reading, token.begin,
-                 fmt::format("{} may not depend on {}: '{}' is {}{}", reading.what, why, text,
-                             text == "t" ? "" : "a ", kind));
-  };
-  if (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters) {
-    if (includes(out.dependence, Dependence::coordinate)) throw refuse("coordinates");
-    if (includes(out.dependence, Dependence::time)) throw refuse("time");
-  }
-  if (reading.allowed == Allowed::constants && includes(out.dependence, Dependence::runtime_parameter))
-    throw refuse("runtime parameters");
-  return out;
-}
-
 ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const PostfixToken& token,
                                                    const Operand& a, const Operand& b) const {
   Operand out{{}, a.begin, b.end};
@@ -217,6 +159,14 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
   const Expr x = a.value.expr, y = b.value.expr;
   const double u = a.value.initial, v = b.value.initial;
   double& value = out.value.initial;
+  const bool speeds_left = includes(a.value.dependence, Dependence::speed);
+  const bool speeds_right = includes(b.value.dependence, Dependence::speed);
+  if (token.kind == PostfixToken::Kind::multiply && speeds_left && speeds_right)
+    throw not_linear(reading, out, "is a product of speeds");
+  if (token.kind == PostfixToken::Kind::divide && speeds_right)
+    throw not_linear(reading, out, "divides by a speed");
+  if (token.kind == PostfixToken::Kind::power && (speeds_left || speeds_right))
+    throw not_linear(reading, out, "is a power of speeds");
   if (token.kind == PostfixToken::Kind::divide && (v == 0 || y.is_zero()))
     throw error(reading, b.begin,
                 fmt::format("division by zero: '{}' is 0{}", text_of(reading, b),
@@ -246,6 +196,7 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
         break;
       case PostfixToken::Kind::number:
       case PostfixToken::Kind::name:
+      case PostfixToken::Kind::reference:
       case PostfixToken::Kind::call:
       case PostfixToken::Kind::negate:
       case PostfixToken::Kind::group:
@@ -254,7 +205,7 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
   } catch (const std::domain_error&) {
     throw error(reading, a.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }
-  if (!std::isfinite(value))
+  if (!std::isfinite(value) && !std::isnan(u) && !std::isnan(v))
     throw error(reading, a.begin,
                 fmt::format("'{}' has no finite value{}", text_of(reading, out),
                             out.value.dependence == Dependence::none ? "" : " at the initial state"));
@@ -303,7 +254,11 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
                 fmt::format("function '{}' takes {} argument{}, found {}", function, arity,
                             arity == 1 ? "" : "s", token.arguments));
   Operand out{{}, token.begin, token.close};
+  bool known = true;
   for (const Operand& argument : arguments) {
+    if (includes(argument.value.dependence, Dependence::speed))
+      throw not_linear(reading, out, "is a function of speeds");
+    known = known && !std::isnan(argument.value.initial);
     out.value.dependence = out.value.dependence | argument.value.dependence;
     if (out.value.roughness == nullptr) out.value.roughness = argument.value.roughness;
   }
@@ -327,7 +282,7 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   } catch (const std::domain_error&) {
     throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }
-  if (!std::isfinite(out.value.initial))
+  if (!std::isfinite(out.value.initial) && known)
     throw error(reading, token.begin,
                 fmt::format("'{}' has no finite value{}", text_of(reading, out),
                             out.value.dependence == Dependence::none ? "" : " at the initial state"));
@@ -365,6 +320,13 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
 InputError ExpressionReader::error(const Reading& reading, std::size_t offset, const std::string& message,
                                    const std::string& note) const {
   return {document_.where(reading.node, offset), message, note};
+}
+
+InputError ExpressionReader::not_linear(const Reading& reading, const Operand& operation,
+                                        std::string_view how) const {
+  return error(
+      reading, operation.begin,
+      fmt::format("{} is not linear in the speeds: '{}' {}", reading.what, text_of(reading, operation), how));
 }
 
 void ExpressionReader::make_rough(Operand& result, const std::string& reason) {

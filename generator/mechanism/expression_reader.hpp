@@ -2,11 +2,14 @@
 // be wrong with an expression is found here, at the place of the subexpression that is wrong.
 #pragma once
 
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "mechanism/document.hpp"
 #include "mechanism/expression_grammar.hpp"
+#include "mechanism/model.hpp"
 #include "mechanism/scope.hpp"
 #include "symbolic/expr.hpp"
 #include "symbolic/matrix.hpp"
@@ -19,17 +22,22 @@ enum class Allowed {
   parameters,  ///< and runtime parameters
   motion,      ///< and coordinates and time
   transform,   ///< as motion, and must be twice differentiable
+  pfaffian,    ///< as transform, and linear in the speeds
+  holonomic,   ///< as transform, and positions of frames
 };
 
 class ExpressionReader {
  public:
-  ExpressionReader(const Document& document, ExprGraph& graph, Scope& scope)
-      : document_(document), graph_(graph), scope_(scope) {}
+  /// Speeds are those of the mechanism's coordinates; frames whose positions are used are noted in it.
+  ExpressionReader(const Document& document, ExprGraph& graph, Scope& scope, Mechanism& mechanism)
+      : document_(document), graph_(graph), scope_(scope), mechanism_(mechanism) {}
 
   /// Reads one expression; `what` says for what (`the mass`).
   Value read(const YamlNode& node, Allowed allowed, std::string_view what);
   /// A list of three expressions.
   Vec3 read_vector(const YamlNode& node, Allowed allowed, std::string_view what);
+  /// Makes the last frame of the mechanism known to expressions.
+  void declare_last_frame();
 
   const Document& document() const { return document_; }
   ExprGraph& graph() const { return graph_; }
@@ -49,6 +57,13 @@ class ExpressionReader {
 
   Value number(const Reading& reading, const PostfixToken& token) const;
   Value name(const Reading& reading, const PostfixToken& token) const;
+  Value speed(const Reading& reading, const PostfixToken& token) const;
+  Value position(const Reading& reading, const PostfixToken& token);
+  /// The entry of the coordinate whose speed is called `name` (qd_NAME; qd1 for q1), or null.
+  NameEntry* coordinate_of_speed(const Reading& reading, std::size_t offset, std::string_view name) const;
+  Value speed_of(const Reading& reading, std::size_t offset, NameEntry& coordinate,
+                 std::string_view part) const;
+  InputError unknown_name(const Reading& reading, std::size_t offset, std::string_view name) const;
   Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
   Operand call(const Reading& reading, const PostfixToken& token,
                const std::vector<Operand>& arguments) const;
@@ -57,12 +72,20 @@ class ExpressionReader {
   void check_call(const Reading& reading, std::string_view function, const Operand& x, Operand& result) const;
   InputError error(const Reading& reading, std::size_t offset, const std::string& message,
                    const std::string& note = {}) const;
+  /// An operation makes a row of speeds anything but linear; `how` says what it does with them.
+  InputError not_linear(const Reading& reading, const Operand& operation, std::string_view how) const;
   static void make_rough(Operand& result, const std::string& reason);
   std::string text_of(const Reading& reading, const Operand& operand) const;
 
   const Document& document_;
   ExprGraph& graph_;
   Scope& scope_;
+  Mechanism& mechanism_;
+  struct DeclaredFrame {
+    int index;          ///< in Mechanism::frames
+    int position = -1;  ///< in Mechanism::frame_positions, if it is used
+  };
+  std::map<std::string, DeclaredFrame, std::less<>> frames_;
 };
 
 }  // namespace alembert

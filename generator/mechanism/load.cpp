@@ -86,8 +86,6 @@ Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& gr
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",
                       "definitions", "bodies", "frames", "constraints"});
   root.require("alembert");
-  if (root.find("constraints") != nullptr)
-    throw InputError(root.where_key("constraints"), "constraints are not supported by this version");
 
   Loading loading(document, graph);
   Mechanism& mechanism = loading.mechanism;
@@ -119,6 +117,7 @@ Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& gr
   if (definitions != nullptr) read_definitions(loading, *definitions);
   read_bodies(loading, bodies);
   if (const YamlNode* frames = root.find("frames")) read_frames(loading, *frames);
+  if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
   check_matrices(loading);
   loading.scope.check_used();
   return std::move(loading.mechanism);

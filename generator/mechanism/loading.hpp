@@ -17,13 +17,13 @@ struct MatrixToCheck {
 };
 
 struct Loading {
-  Loading(const Document& d, ExprGraph& g) : document(d), graph(g), reader(d, g, scope) {}
+  Loading(const Document& d, ExprGraph& g) : document(d), graph(g), reader(d, g, scope, mechanism) {}
 
   const Document& document;
   ExprGraph& graph;
+  Mechanism mechanism;
   Scope scope;
   ExpressionReader reader;
-  Mechanism mechanism;
   /// Values at the initial state, by symbol.
   std::vector<std::pair<Expr, double>> initial_state;
   /// By coordinate: where a quaternion was used, if it was.
@@ -48,5 +48,8 @@ void check_matrices(const Loading& loading);
 /// Reads bodies and frames into the mechanism, parents first (bodies.cpp).
 void read_bodies(Loading& loading, const YamlNode& list);
 void read_frames(Loading& loading, const YamlNode& list);
+
+/// Reads constraints, once bodies and frames are known (constraints.cpp).
+void read_constraints(Loading& loading, const YamlNode& list);
 
 }  // namespace alembert

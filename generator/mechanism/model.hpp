@@ -163,8 +163,8 @@ struct Constraint {
   ConstraintType type = ConstraintType::holonomic;
   std::vector<Expr> equations;  ///< pfaffian: over coordinates, speed symbols and t; holonomic: coordinates,
                                 ///< t, and Mechanism::frame_positions; rolling: none
-  int body = -1;           ///< rolling: the body whose transform has the mate, ...
-  std::size_t factor = 0;  ///< ... and which factor that is
+  int body = -1;                ///< rolling: the body whose transform has the mate, ...
+  std::size_t factor = 0;       ///< ... and which factor that is
   std::size_t rows() const { return type == ConstraintType::rolling ? 2 : equations.size(); }
   SourceLocation where;
 };

@@ -157,6 +157,12 @@ void check_matrices(const Loading& loading) {
                      fmt::format("the left 3x3 part of the matrix is not a rotation {}", objection));
 }
 
+std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism) {
+  std::vector<Expr> out;
+  std::visit(Collector{mechanism, out}, factor.value);
+  return out;
+}
+
 bool depends_on(const Vec3& point, const Expr& symbol) {
   const std::vector<std::uint32_t> nodes = postorder(point.entries);
   return std::find(nodes.begin(), nodes.end(), symbol.ref().node()) != nodes.end();

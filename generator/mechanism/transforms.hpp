@@ -25,6 +25,8 @@ Factor rotation_by_quaternion(Loading& loading, const YamlNode& name, const std:
 /// Appends the factors that a joint stands for (joints.cpp).
 void append_joint(Loading& loading, const YamlNode& node, const std::string& what, Transform& transform);
 
+/// All expressions of a factor; those of a quaternion by its first symbol.
+std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
 /// Whether an expression has a symbol below it.
 bool depends_on(const Vec3& point, const Expr& symbol);
 /// Throws where a body's transform moves with more than six speeds, and at a coordinate that moves no body.

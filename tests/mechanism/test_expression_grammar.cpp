@@ -15,6 +15,9 @@ std::string postfix(std::string_view text) {
       case PostfixToken::Kind::name:
         out += piece;
         break;
+      case PostfixToken::Kind::reference:
+        out += std::string(text.substr(token.begin, token.close - token.begin));
+        break;
       case PostfixToken::Kind::call:
         out += piece + "/" + std::to_string(token.arguments);
         break;
@@ -37,6 +40,13 @@ std::string postfix(std::string_view text) {
   return out;
 }
 
+TEST(ExpressionGrammar, ReadsReferences) {
+  EXPECT_EQ(postfix("2*d(q1) - d"), "2 d(q1) * d -");
+  EXPECT_EQ(postfix("d ( base ) . x"), "d ( base ) . x");
+  EXPECT_EQ(postfix("-position(tip).y^2"), "position(tip).y 2 ^ ~");
+  EXPECT_EQ(postfix("dd(q)"), "q dd/1");
+  EXPECT_EQ(postfix("positions(q)"), "q positions/1");
+}
 TEST(ExpressionGrammar, BindsProductsBeforeSums) {
   EXPECT_EQ(postfix("a + b*c"), "a b c * +");
   EXPECT_EQ(postfix("a*b + c"), "a b * c +");
