@@ -9,6 +9,7 @@
 #include "oracles/comparison.hpp"
 #include "oracles/random_mechanism.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
+#include "oracles/taylor/poses.hpp"
 
 namespace alembert::oracles {
 namespace {

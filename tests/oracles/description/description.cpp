@@ -27,10 +27,18 @@ class Reader {
       names_[definition.first.as<std::string>()] = expression(definition.second);
     }
     read_bodies();
+    for (const YAML::Node& node : root_["frames"]) read_frame(node);
+    for (const YAML::Node& node : root_["constraints"]) read_constraint(node);
     return result_;
   }
 
  private:
+  static Expression variable(int index) {
+    auto symbol = std::make_shared<ExpressionNode>();
+    symbol->operation = Operation::coordinate;
+    symbol->coordinate = index;
+    return symbol;
+  }
   Expression expression(const YAML::Node& node) {
     return parse(node.as<std::string>(), [this](const std::string& name) -> Expression {
       const auto found = names_.find(name);
@@ -85,12 +93,7 @@ class Reader {
     }
     if (node.IsMap() && node["limits"])
       c.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
-    if (!c.quaternion) {
-      auto symbol = std::make_shared<ExpressionNode>();
-      symbol->operation = Operation::coordinate;
-      symbol->coordinate = c.first_q;
-      names_[c.name] = symbol;
-    }
+    if (!c.quaternion) names_[c.name] = variable(c.first_q);
     coordinates_[c.name] = result_.coordinates.size();
     result_.nq += c.quaternion ? 4 : 1;
     result_.nv += c.quaternion ? 3 : 1;
@@ -216,6 +219,67 @@ class Reader {
     }
   }
 
+  int body_index(const std::string& name) const {
+    for (std::size_t i = 0; i < result_.bodies.size(); ++i) {
+      if (result_.bodies[i].name == name) return static_cast<int>(i);
+    }
+    if (name != "world") throw std::runtime_error("unknown body '" + name + "'");
+    return -1;
+  }
+
+  /// Also gives the frame's position its place after coordinates and speeds.
+  void read_frame(const YAML::Node& node) {
+    Frame frame;
+    frame.name = node["name"].as<std::string>();
+    frame.body = body_index(node["body"].as<std::string>());
+    frame.transform = transform(node["transform"]);
+    const int first = result_.nq + result_.nv + 3 * static_cast<int>(result_.frames.size());
+    for (int i = 0; i < 3; ++i) names_["position(" + frame.name + ")." + "xyz"[i]] = variable(first + i);
+    result_.frames.push_back(std::move(frame));
+  }
+
+  /// `of` and `on` name a body and its parent, in either order, and the coordinates along their surfaces.
+  void find_rolling_mate(const YAML::Node& of, const YAML::Node& on, Constraint& constraint) const {
+    const auto fits = [this](const Surface& surface, const YAML::Node& side) {
+      return surface.u == coordinate(side[1]).first_q && surface.v == coordinate(side[2]).first_q;
+    };
+    for (const auto& [child, parent] : {std::pair(of, on), std::pair(on, of)}) {
+      const int body = body_index(child[0].as<std::string>());
+      if (body < 0) continue;
+      const Body& candidate = result_.bodies[static_cast<std::size_t>(body)];
+      if (candidate.parent != body_index(parent[0].as<std::string>())) continue;
+      for (std::size_t i = 0; i < candidate.transform.size(); ++i) {
+        const Mate* mate = std::get_if<Mate>(&candidate.transform[i].value);
+        if (mate == nullptr || !fits(mate->first, parent) || !fits(mate->second, child)) continue;
+        constraint.body = body;
+        constraint.factor = i;
+        return;
+      }
+    }
+    throw std::runtime_error("no mate for rolling constraint '" + constraint.name + "'");
+  }
+
+  void read_constraint(const YAML::Node& node) {
+    for (const Coordinate& c : result_.coordinates) {
+      const std::string rate = "d(" + c.name + ")";
+      const int first = result_.nq + c.first_speed;
+      if (!c.quaternion) names_[rate] = variable(first);
+      for (int i = 0; c.quaternion && i < 3; ++i) names_[rate + "." + "xyz"[i]] = variable(first + i);
+    }
+    Constraint constraint;
+    constraint.name = node["name"].as<std::string>();
+    const std::string type = node["type"].as<std::string>();
+    if (type == "rolling") {
+      constraint.kind = ConstraintKind::rolling;
+      find_rolling_mate(node["of"], node["on"], constraint);
+    } else {
+      constraint.kind = type == "pfaffian" ? ConstraintKind::pfaffian : ConstraintKind::holonomic;
+      for (const YAML::Node& equation : node[type == "pfaffian" ? "rows" : "equations"])
+        constraint.equations.push_back(expression(equation));
+    }
+    result_.constraints.push_back(std::move(constraint));
+  }
+
   YAML::Node root_;
   Description result_;
   std::map<std::string, Expression> names_;
@@ -223,6 +287,12 @@ class Reader {
 };
 
 }  // namespace
+
+std::size_t Description::constraint_rows() const {
+  std::size_t rows = 0;
+  for (const Constraint& constraint : constraints) rows += constraint.rows();
+  return rows;
+}
 
 double Description::parameter(const std::string& wanted) const {
   for (const auto& [key, value] : parameters) {

@@ -1,5 +1,5 @@
 // A mechanism as the oracles read it from its YAML file: numbers for everything that is constant, expression
-// trees for transforms. Joints are spelt out as the translations and rotations that they are.
+// trees for transforms and constraints. Joints are spelt out as the translations and rotations that they are.
 #pragma once
 
 #include <array>
@@ -67,14 +67,37 @@ struct Body {
   bool external_wrench = false;
 };
 
+/// A named frame on a body (-1: the world).
+struct Frame {
+  std::string name;
+  int body = -1;
+  std::vector<Factor> transform;
+};
+
+enum class ConstraintKind { pfaffian, rolling, holonomic };
+
+/// Equations are over a list of variables: the nq coordinates, the nv speeds, and the world position of each
+/// frame.
+struct Constraint {
+  std::string name;
+  ConstraintKind kind = ConstraintKind::holonomic;
+  std::vector<Expression> equations;  ///< none if rolling
+  int body = -1;                      ///< rolling: whose transform has the mate
+  std::size_t factor = 0;             ///< and which factor that is
+  std::size_t rows() const { return kind == ConstraintKind::rolling ? 2 : equations.size(); }
+};
+
 struct Description {
   std::string name;
   std::array<double, 3> gravity{0, 0, -9.81};
   std::vector<std::pair<std::string, double>> parameters;
   std::vector<Coordinate> coordinates;
   std::vector<Body> bodies;  ///< parents first
+  std::vector<Frame> frames;
+  std::vector<Constraint> constraints;
   int nq = 0, nv = 0;
 
+  std::size_t constraint_rows() const;
   double parameter(const std::string& name) const;  ///< throws if there is none
 };
 

@@ -103,9 +103,25 @@ class Parser {
       name += text_[at_++];
     }
     if (name.empty()) fail("expected a number, a name or a parenthesis");
-    if (peek() == '(') return call(name);
+    if (peek() == '(') return name == "d" || name == "position" ? quantity(name) : call(name);
     if (name == "pi") return number(std::numbers::pi);
     if (name == "t") return make(Operation::time, nullptr);
+    Expression value = lookup_(name);
+    if (!value) fail("unknown name '" + name + "'");
+    return value;
+  }
+  /// d(NAME), d(NAME).x or position(NAME).x: one name to whoever looks it up.
+  Expression quantity(std::string name) {
+    expect('(');
+    name += '(';
+    while (peek() != ')' && peek() != '\0') name += text_[at_++];
+    expect(')');
+    name += ')';
+    if (accept('.')) {
+      name += '.';
+      name += peek();
+      ++at_;
+    }
     Expression value = lookup_(name);
     if (!value) fail("unknown name '" + name + "'");
     return value;

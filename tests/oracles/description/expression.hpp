@@ -45,7 +45,7 @@ using Expression = std::shared_ptr<const ExpressionNode>;
 struct ExpressionNode {
   Operation operation = Operation::number;
   double number = 0;   ///< of a number
-  int coordinate = 0;  ///< of a coordinate: index into q
+  int coordinate = 0;  ///< of a coordinate: index into q (of a constraint's: into all its variables)
   std::array<Expression, 2> operand;
 };
 using Expression3 = std::array<Expression, 3>;

@@ -4,13 +4,8 @@
 #pragma once
 
 #include "oracles/state.hpp"
-#include "oracles/taylor/rigid_motion.hpp"
 
 namespace alembert::oracles {
-
-/// Poses in the world of all bodies, as jets along whatever q and t move along.
-std::vector<RigidMotion<Jet<double>>> world_poses(const Description& description,
-                                                  const std::vector<Jet<double>>& q, const Jet<double>& t);
 
 /// tau_k = sum over bodies of  (m (a - g) - f) . dv/du_k + (I al + om x I om - R^T tau_ext) . dom/du_k;
 /// M_kl = sum of  m dv/du_k . dv/du_l + dom/du_k . I dom/du_l;  c = tau at zero rates.

@@ -1,0 +1,152 @@
+// Rows by jets along the motion and along each speed; one dense solve (see the header).
+#include "oracles/taylor/numeric_constraints.hpp"
+
+#include <Eigen/Dense>
+#include <limits>
+
+#include "oracles/taylor/poses.hpp"
+
+namespace alembert::oracles {
+
+namespace {
+
+using T = Jet<double>;
+
+/// Values and rates of all rows along a motion of coordinates, speeds and time.
+struct RowJets {
+  std::vector<double> velocity, acceleration, position;
+};
+
+/// Coordinates, speeds and positions of frames, in the order of a constraint's variables.
+std::vector<T> variables(const Description& description, const std::vector<T>& q, const std::vector<T>& u,
+                         const T& t) {
+  std::vector<T> all = q;
+  all.insert(all.end(), u.begin(), u.end());
+  const auto poses = world_poses(description, q, t);
+  for (const Frame& frame : description.frames) {
+    RigidMotion<T> pose = product_of(frame.transform, q, t);
+    if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
+    all.insert(all.end(), pose.translation.begin(), pose.translation.end());
+  }
+  return all;
+}
+
+/// Velocity of the child's material point at the contact, seen from the parent, along the second surface's
+/// tangents, and its rate. With A the mate's transform and p the contact point in the child, that velocity is
+/// A' p: p is not differentiated, and is in the rate, where another point is in contact a moment later.
+void append_rolling(const Mate& mate, const std::vector<T>& q, const T& t, RowJets& out) {
+  const RigidMotion<T> second = surface_frame(mate.second, q, t);
+  const RigidMotion<T> A = product_of({Factor{mate}}, q, t);
+  // As jets of the first order: A' has value A.first and rate A.second.
+  RigidMotion<T> A_rate;
+  for (std::size_t i = 0; i < 3; ++i) {
+    A_rate.translation[i] = T(A.translation[i].first, A.translation[i].second, 0.0);
+    for (std::size_t k = 0; k < 3; ++k)
+      A_rate.column[k][i] = T(A.column[k][i].first, A.column[k][i].second, 0.0);
+  }
+  const Vector3<T> velocity = rotated(A_rate, second.translation) + A_rate.translation;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const T slip = dot(rotated(A, second.column[k]), velocity);
+    out.position.push_back(0);
+    out.velocity.push_back(slip.value);
+    out.acceleration.push_back(slip.first);
+  }
+}
+
+RowJets row_jets(const Description& description, const std::vector<T>& q, const std::vector<T>& u,
+                 const T& t) {
+  const std::vector<T> all = variables(description, q, u, t);
+  RowJets out;
+  for (const Constraint& constraint : description.constraints) {
+    if (constraint.kind == ConstraintKind::rolling) {
+      const Body& body = description.bodies[static_cast<std::size_t>(constraint.body)];
+      append_rolling(std::get<Mate>(body.transform[constraint.factor].value), q, t, out);
+      continue;
+    }
+    for (const Expression& equation : constraint.equations) {
+      const T row = evaluate(equation, all, t);
+      const bool holonomic = constraint.kind == ConstraintKind::holonomic;
+      out.position.push_back(holonomic ? row.value : 0);
+      out.velocity.push_back(holonomic ? row.first : row.value);
+      out.acceleration.push_back(holonomic ? row.second : row.first);
+    }
+  }
+  return out;
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+ConstraintRows numeric_constraints(const Description& description, const State& state) {
+  std::vector<T> u;
+  for (const double speed : state.speeds) u.emplace_back(speed);
+  const std::vector<double> no_rates(state.speeds.size(), 0.0);
+  const RowJets moving =
+      row_jets(description, trajectory(description, state, no_rates), u, T(state.time, 1.0, 0.0));
+  ConstraintRows rows;
+  rows.gamma = vector_of(moving.acceleration);
+  rows.velocity = vector_of(moving.velocity);
+  rows.position = vector_of(moving.position);
+  rows.P.resize(rows.gamma.size(), description.nv);
+  // Rows are affine in the speeds, so that a difference of two of their values is a column exactly.
+  const std::vector<T> rest(state.speeds.size(), T(0.0));
+  std::vector<T> still;
+  for (const double value : state.q) still.emplace_back(value);
+  const Eigen::VectorXd at_rest = vector_of(row_jets(description, still, rest, T(state.time)).velocity);
+  for (int k = 0; k < description.nv; ++k) {
+    std::vector<T> unit = rest;
+    unit[static_cast<std::size_t>(k)] = T(1.0);
+    const RowJets along = row_jets(description, unit_motion(description, state, k), unit, T(state.time));
+    rows.P.col(k) = vector_of(along.velocity) - at_rest;
+  }
+  return rows;
+}
+
+ConstrainedMotion constrained_motion(const Dynamics& dynamics, const ConstraintRows& rows) {
+  const Eigen::Index n = dynamics.bias.size(), m = rows.gamma.size();
+  const Eigen::VectorXd speed_scale = dynamics.mass_matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd M = speed_scale.asDiagonal() * dynamics.mass_matrix * speed_scale.asDiagonal();
+  const Eigen::MatrixXd half = rows.P * speed_scale.asDiagonal();
+  const Eigen::VectorXd row_scale = half.rowwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd P = row_scale.asDiagonal() * half;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + m, n + m);
+  K.topLeftCorner(n, n) = M;
+  K.topRightCorner(n, m) = -P.transpose();
+  K.bottomLeftCorner(m, n) = P;
+  Eigen::VectorXd right(n + m);
+  right.head(n) = speed_scale.cwiseProduct(dynamics.tau - dynamics.bias);
+  right.tail(m) = -row_scale.cwiseProduct(rows.gamma);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(1e-11);
+  solver.compute(K);
+  Eigen::VectorXd x = solver.solve(right);
+  x += solver.solve(right - K * x);
+  ConstrainedMotion result;
+  result.rates = speed_scale.cwiseProduct(x.head(n));
+  result.multipliers = row_scale.cwiseProduct(x.tail(m));
+  result.inconsistency = m == 0 ? 0 : (rows.P * result.rates + rows.gamma).cwiseAbs().maxCoeff();
+  if (m == 0) return result;
+  const Eigen::MatrixXd schur = P * M.ldlt().solve(P.transpose());
+  const Eigen::VectorXd unit = schur.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     unit.asDiagonal() * schur * unit.asDiagonal(), Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  result.condition =
+      values.minCoeff() > 0 ? values.maxCoeff() / values.minCoeff() : std::numeric_limits<double>::infinity();
+  return result;
+}
+
+State with_consistent_speeds(const Description& description, State state) {
+  const ConstraintRows rows = numeric_constraints(description, state);
+  if (rows.gamma.size() == 0) return state;
+  const Eigen::VectorXd change =
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(rows.P).solve(-rows.velocity);
+  for (std::size_t k = 0; k < state.speeds.size(); ++k)
+    state.speeds[k] += change[static_cast<Eigen::Index>(k)];
+  return state;
+}
+
+}  // namespace alembert::oracles
