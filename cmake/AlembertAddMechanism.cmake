@@ -8,6 +8,8 @@
 #                          [FORMULATION auto|factored|reduced]
 #                          [PARTS n]               source files to spread large functions over; default 4
 #                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
+#                          [TRIG vector|library]   sines and cosines of double: vectorised by alembert/sines_and_cosines.hpp
+#                                                  (the default), or one by one by the C library
 #                          [STATIC | SHARED | OBJECT])
 #
 # The target carries its include folder, the runtime library and its own optimisation flags, and its headers are a file set,
@@ -51,7 +53,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT" "FUNCTIONS;SCALARS")
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -82,6 +84,12 @@ function(alembert_add_mechanism)
   endif()
   if(NOT arg_PARTS MATCHES "^[1-9][0-9]?$" OR arg_PARTS GREATER 64)
     message(FATAL_ERROR "alembert_add_mechanism: PARTS must be 1 to 64, not ${arg_PARTS}")
+  endif()
+  if(NOT arg_TRIG)
+    set(arg_TRIG vector)
+  endif()
+  if(NOT arg_TRIG MATCHES "^(vector|library)$")
+    message(FATAL_ERROR "alembert_add_mechanism: TRIG must be vector or library, not ${arg_TRIG}")
   endif()
   set(name "${arg_NAME}")
   if(NOT name)
@@ -140,6 +148,9 @@ function(alembert_add_mechanism)
   # Unoptimised, straight-line code of this length is many times slower: its flags do not wait for the build type.
   set(gnu_like "$<CXX_COMPILER_ID:GNU,Clang,AppleClang>")
   target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-O2;-fno-math-errno>")
+  if(arg_TRIG STREQUAL vector)
+    target_compile_definitions(${arg_TARGET} PRIVATE ALEMBERT_VECTOR_TRIG)
+  endif()
   if(arg_FP_CONTRACT)
     target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-ffp-contract=${arg_FP_CONTRACT}>")
   endif()

@@ -6,7 +6,7 @@ set -eu
 packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev nlohmann-json3-dev"
 if [ "${1:-}" = tests ]; then
   packages="$packages git clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
-            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev"
+            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev"
 fi
 
 missing=""

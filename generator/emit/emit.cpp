@@ -198,7 +198,7 @@ std::string documented(const Function& function, const Slots& common, std::strin
 
 std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& functions,
                        const EmitOptions& options, const Slots& common) {
-  std::string declarations, externs, sign;
+  std::string declarations, externs, sign, sines_and_cosines;
   for (const Function& function : functions) {
     const std::string name(function.signature->name);
     declarations += fill_template(
@@ -208,8 +208,11 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
          {"arguments", wrapped_after("void " + name + "(", cpp_parameters(*function.signature, false))}});
     declarations += '\n';
     externs += instantiation("extern template", name, *function.signature, options.scalars, false);
-    for (const CodeBlock& block : function.body.blocks)
+    for (const CodeBlock& block : function.body.blocks) {
       if (block.calls_sign && sign.empty()) sign = fill_template("sign.hpp", {}) + "\n";
+      if (block.calls_sines_and_cosines && sines_and_cosines.empty())
+        sines_and_cosines = fill_template("sines_and_cosines.hpp", {}) + "\n";
+    }
   }
   if (declarations.ends_with("\n\n")) declarations.pop_back();
   std::string description;
@@ -217,7 +220,7 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
     description = "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   Slots slots = cpp_constant_slots(mechanism);
   slots["description"] = description;
-  slots["declarations"] = sign + declarations;
+  slots["declarations"] = sign + sines_and_cosines + declarations;
   slots["extern_templates"] = externs;
   return fill_template("mechanism_raw.hpp", slots, common);
 }

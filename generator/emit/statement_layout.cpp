@@ -23,6 +23,7 @@ StatementLayout::StatementLayout(const Program& program) : program_(program), si
   choose_names();
   assign_blocks();
   assign_crossings();
+  collect_angles();
 }
 
 void StatementLayout::collect_uses() {
@@ -117,6 +118,27 @@ void StatementLayout::assign_crossings() {
     free_places.pop();
     expiring[last[v]].push_back(place_[v]);
   }
+}
+
+void StatementLayout::collect_angles() {
+  angle_.assign(size_, kNoPlace);
+  std::uint32_t first = kNoPlace;
+  std::vector<std::uint32_t> place(size_, kNoPlace);
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    const Instruction& c = program_.code[v];
+    if (!live(v) || (c.op != Operation::sin && c.op != Operation::cos)) continue;
+    if (first == kNoPlace) first = v;
+    if (c.a >= first || block_[v] != block_[first]) continue;
+    if (place[c.a] == kNoPlace) {
+      place[c.a] = static_cast<std::uint32_t>(angles_.size());
+      angles_.push_back(c.a);
+    }
+    angle_[v] = place[c.a];
+  }
+  if (angles_.size() >= 2)
+    trig_call_ = first;
+  else
+    angle_.assign(size_, kNoPlace);
 }
 
 }  // namespace alembert

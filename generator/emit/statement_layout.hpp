@@ -47,6 +47,13 @@ class StatementLayout {
   /// Place in w, or kNoPlace.
   std::uint32_t place(std::uint32_t v) const { return place_[v]; }
   std::size_t crossing() const { return crossing_; }
+  /// The first sine or cosine. There, those of all angles that are known by then and are wanted in the same
+  /// block are computed together, if there are two or more; kNoPlace if there are not.
+  std::uint32_t trig_call() const { return trig_call_; }
+  /// The angles of that call.
+  const std::vector<std::uint32_t>& angles() const { return angles_; }
+  /// For a sine or cosine from that call the place of its angle, otherwise kNoPlace.
+  std::uint32_t angle(std::uint32_t v) const { return angle_[v]; }
   /// Results that value v is, in order: pairs of output array and index.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& results(std::uint32_t v) const {
     return results_[v];
@@ -60,13 +67,14 @@ class StatementLayout {
   void choose_names();
   void assign_blocks();
   void assign_crossings();
+  void collect_angles();
 
   const Program& program_;
   std::size_t size_;
-  std::vector<std::uint32_t> uses_, number_, block_, place_;
+  std::vector<std::uint32_t> uses_, number_, block_, place_, angle_, angles_;
   std::vector<bool> named_;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
-  std::uint32_t blocks_ = 1;
+  std::uint32_t blocks_ = 1, trig_call_ = kNoPlace;
   std::size_t crossing_ = 0;
 };
 

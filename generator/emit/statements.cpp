@@ -178,7 +178,38 @@ class Writer {
     return fmt::format("{} {} {}", a, sign, b);
   }
 
-  std::string call(const Instruction& c, std::uint32_t block) {
+  /// Sines and cosines of all angles of the layout's call, into arrays. Coordinates that follow each other in
+  /// q are taken from there.
+  void write_trig_call(std::uint32_t block) {
+    const std::vector<std::uint32_t>& angles = layout_.angles();
+    std::string list;
+    const InputSlot* first = nullptr;
+    bool consecutive = true;
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+      const Instruction& c = program_.code[angles[i]];
+      const InputSlot* slot = c.op == Operation::input ? &program_.inputs[c.a] : nullptr;
+      if (i == 0) first = slot;
+      consecutive &= slot != nullptr && first != nullptr && slot->kind == ArgumentKind::q &&
+                     first->kind == ArgumentKind::q && slot->index == first->index + i;
+    }
+    std::string source = "angle";
+    if (consecutive) {
+      source = first->index == 0 ? "q" : fmt::format("q + {}", first->index);
+    } else {
+      for (const std::uint32_t angle : angles)
+        list += (list.empty() ? "" : ", ") + operand(angle, block, Binding::sum);
+      line(block, fmt::format("const S angle[] = {{{}}};", list));
+    }
+    line(block, fmt::format("S sine[{0}], cosine[{0}];", angles.size()));
+    line(block, fmt::format("sines_and_cosines({}, {}, sine, cosine);", angles.size(), source));
+    states_[block].calls.emplace("sines_and_cosines");
+  }
+
+  std::string call(std::uint32_t v, std::uint32_t block) {
+    const Instruction& c = program_.code[v];
+    if (v == layout_.trig_call()) write_trig_call(block);
+    if (layout_.angle(v) != kNoPlace)
+      return fmt::format("{}[{}]", c.op == Operation::sin ? "sine" : "cosine", layout_.angle(v));
     const std::string_view name = call_name(c.op);
     states_[block].calls.emplace(name);
     const std::string a = operand(c.a, block, Binding::sum);
@@ -233,7 +264,7 @@ class Writer {
       case Operation::cosh:
       case Operation::tanh:
       case Operation::pow:
-        text = call(c, block);
+        text = call(v, block);
         break;
     }
     if (!layout_.named(v)) {
@@ -257,7 +288,9 @@ class Writer {
     CodeBlock& block = body_.blocks[b];
     for (const std::string& name : state.calls) {
       block.calls_sign |= name == "sign";
-      block.using_lines += name == "sign" ? "using detail::sign;\n" : fmt::format("using ::std::{};\n", name);
+      block.calls_sines_and_cosines |= name == "sines_and_cosines";
+      const bool own = name == "sign" || name == "sines_and_cosines";
+      block.using_lines += fmt::format("using {}::{};\n", own ? "detail" : "::std", name);
     }
     // Two inputs of a program may be the same element.
     std::map<std::pair<ArgumentKind, std::uint32_t>, const InputSlot*> loaded;

@@ -3,8 +3,8 @@
 //
 // A value is written into its user if it has one use only and the expression stays small; the operations and
 // their association stay those of the program, so that compiled code gives the interpreter's results bit for
-// bit. Results of function calls always get a name: that keeps the sine and cosine of an angle next to each
-// other.
+// bit. Results of function calls always get a name. Sines and cosines of two or more angles known at the
+// start come from one call, which a library can vectorise.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +23,7 @@ struct CodeBlock {
   std::string statement_lines;
   std::size_t statements = 0;
   bool calls_sign = false;
+  bool calls_sines_and_cosines = false;
 };
 
 /// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an

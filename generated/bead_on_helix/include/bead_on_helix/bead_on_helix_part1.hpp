@@ -23,8 +23,7 @@ namespace alembert::mechanisms::bead_on_helix {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
   const S qd0 = qd[0];  // d(s)
@@ -37,16 +36,19 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S t0 = cos(q0);
-  const S t1 = sin(q0);
-  const S t2 = S(0.5667292175235064) - q1;
-  const S t3 = cos(t2);
-  const S t4 = sin(t2);
-  const S t5 = t4 * t0;
+  const S t0 = S(0.5667292175235064) - q1;
+  const S angle[] = {q0, t0};
+  S sine[2], cosine[2];
+  sines_and_cosines(2, angle, sine, cosine);
+  const S t1 = sine[0];
+  const S t2 = cosine[0];
+  const S t3 = cosine[1];
+  const S t4 = sine[1];
+  const S t5 = t4 * t2;
   const S t6 = t1 * t3;
   const S t7 = t5 - S(0.18428853505018536) * t6;
   const S t8 = t1 * t4;
-  const S t9 = t3 * t0;
+  const S t9 = t3 * t2;
   const S t10 = t8 + S(0.18428853505018536) * t9;
   const S t11 = S(0.9828721869343219) * (t3 * f2) - (f0 * t7 + f1 * t10);
   const S t12 = S(0.15) * qdd0 + S(9.81);
@@ -65,11 +67,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t25 = S(0.9660377358490566) * (t15 * t15);
   const S t26 = t14 - t17;
   const S t27 = S(0.00013444705882352943) * t18 - S(1.1427778333825823e-05) * (t19 + t21) - S(1.0507420347208976e-05) * (t22 - t23) + S(1.7988235294117636e-05) * (t24 - t25) + S(0.00021805294117647063) * t26;
-  const S t28 = S(-0.9828721869343219) * (t0 * f4 - t1 * f3) - (S(0.013038404810405297) * t11 + (S(0.003259601202601324) * (t3 * (S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t12) - S(0.8) * (t4 * t13)) - t27));
+  const S t28 = S(-0.9828721869343219) * (t2 * f4 - t1 * f3) - (S(0.013038404810405297) * t11 + (S(0.003259601202601324) * (t3 * (S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t12) - S(0.8) * (t4 * t13)) - t27));
   const S t29 = t28 - S(0.18428853505018536) * f5;
   tau[1] = t29;
   const S t30 = t22 + t23;
-  const S t31 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t0 - t1 * f0);
+  const S t31 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t2 - t1 * f0);
   const S t32 = S(0.003259601202601324) * t30 + t31 + S(0.0009660377358490566) * t13;
   const S t33 = S(0.18428853505018536) * t5 - t6;
   const S t34 = t9 + S(0.18428853505018536) * t8;
@@ -80,7 +82,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t39 = S(0.00018113207547169812) * t13 - (t4 * t37 - t3 * t38);
   const S t40 = S(0.9828721869343219) * t32 + S(0.18428853505018536) * t39;
   const S t41 = S(0.0009828721869343218) * qdd0 + (t4 * t38 + t3 * t37);
-  const S t42 = t0 * (t0 * t40 + (t1 * t41 + S(0.2) * (t1 * t13 - qdd0 * t0)));
+  const S t42 = t2 * (t2 * t40 + (t1 * t41 + S(0.2) * (t1 * t13 - qdd0 * t2)));
   const S t43 = S(0.15) * (S(0.25) * t12 + (S(0.9828721869343219) * t39 - S(0.18428853505018536) * t32));
   const S t44 = t19 - t21;
   const S t45 = S(0.003259601202601324) * (S(0.18428853505018536) * t12 + S(0.7862977495474576) * qdd0) - (S(0.00021805294117647063) * t30 - (S(1.0507420347208976e-05) * t18 - S(1.7988235294117623e-05) * t44 - S(1.1427778333825823e-05) * (t36 - t25)));
@@ -88,7 +90,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t47 = t4 * (S(0.004) * t11 - (t33 * f4 - t34 * f3 - S(0.9828721869343219) * (t4 * f5)) + t46);
   const S t48 = S(0.0008) * t13 + S(0.0001120474293105127) * qdd0;
   const S t49 = S(0.9828721869343219) * (t3 * (S(0.013038404810405297) * t31 + S(0.004) * t35 - (S(0.9828721869343219) * (t3 * f5) - (t10 * f4 + t7 * f3)) - t45) - t47 + t48);
-  tau[0] = S(0.18428853505018536) * t29 - (S(0.8) * (t1 * (t1 * t40 - (S(0.2) * (t0 * t13 + t1 * qdd0) + t0 * t41)) + t42) - t43 - t49);
+  tau[0] = S(0.18428853505018536) * t29 - (S(0.8) * (t1 * (t1 * t40 - (S(0.2) * (t2 * t13 + t1 * qdd0) + t2 * t41)) + t42) - t43 - t49);
 }
 
 // mass_matrix: 13 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
@@ -112,8 +114,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
   const S qd0 = qd[0];  // d(s)
@@ -124,45 +125,48 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S t0 = qd0 * qd0;
-  const S t1 = S(0.5667292175235064) - q1;
-  const S t2 = sin(t1);
-  const S t3 = cos(t1);
-  const S t4 = cos(q0);
-  const S t5 = sin(q0);
-  const S t6 = t2 * t4;
-  const S t7 = t5 * t3;
+  const S t0 = S(0.5667292175235064) - q1;
+  const S angle[] = {q0, t0};
+  S sine[2], cosine[2];
+  sines_and_cosines(2, angle, sine, cosine);
+  const S t1 = cosine[0];
+  const S t2 = sine[0];
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
+  const S t5 = qd0 * qd0;
+  const S t6 = t3 * t1;
+  const S t7 = t2 * t4;
   const S t8 = S(0.18428853505018536) * t6 - t7;
-  const S t9 = t4 * t3;
-  const S t10 = t2 * t5;
+  const S t9 = t1 * t4;
+  const S t10 = t3 * t2;
   const S t11 = t9 + S(0.18428853505018536) * t10;
-  const S t12 = S(0.9828721869343219) * (t2 * f2) - (f1 * t8 - f0 * t11);
-  const S t13 = qd0 * t3;
+  const S t12 = S(0.9828721869343219) * (t3 * f2) - (f1 * t8 - f0 * t11);
+  const S t13 = qd0 * t4;
   const S t14 = S(0.9660377358490566) * (t13 * t13);
   const S t15 = qd1 + S(0.18428853505018536) * qd0;
   const S t16 = t15 * t15;
-  const S t17 = qd0 * t2;
+  const S t17 = qd0 * t3;
   const S t18 = t13 * t17;
   const S t19 = t6 - S(0.18428853505018536) * t7;
   const S t20 = t10 + S(0.18428853505018536) * t9;
-  const S t21 = S(0.9828721869343219) * (f2 * t3) - (f0 * t19 + f1 * t20);
-  const S t22 = S(0.00018113207547169812) * t0 - (t2 * (t12 - S(0.003259601202601324) * (t14 + t16)) + t3 * (S(0.0031488977655318453) * t18 + t21));
+  const S t21 = S(0.9828721869343219) * (f2 * t4) - (f0 * t19 + f1 * t20);
+  const S t22 = S(0.00018113207547169812) * t5 - (t3 * (t12 - S(0.003259601202601324) * (t14 + t16)) + t4 * (S(0.0031488977655318453) * t18 + t21));
   const S t23 = S(0.9828721869343219) * (t15 * t17);
   const S t24 = S(0.9828721869343219) * (qd1 * t17);
   const S t25 = t23 + t24;
-  const S t26 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t4 - t5 * f0);
-  const S t27 = S(0.003259601202601324) * t25 + t26 + S(0.0009660377358490566) * t0;
+  const S t26 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t1 - t2 * f0);
+  const S t27 = S(0.003259601202601324) * t25 + t26 + S(0.0009660377358490566) * t5;
   const S t28 = S(0.9660377358490566) * (t17 * t17);
   const S t29 = S(0.9828721869343219) * (t13 * t15);
   const S t30 = S(0.9828721869343219) * (t13 * qd1);
-  const S t31 = S(1.7988235294117636e-05) * (t14 - t28) + (S(1.0507420347208976e-05) * (t23 - t24) - (S(8.076643729189792e-05) * t18 + S(1.1427778333825823e-05) * (t29 - t30))) + S(0.003259601202601324) * (S(0.8) * (t0 * t2) + S(9.641976153825699) * t3);
-  const S t32 = t31 - S(0.013038404810405297) * t21 - S(0.9828721869343219) * (t4 * f4 - t5 * f3) - S(0.18428853505018536) * f5;
+  const S t31 = S(1.7988235294117636e-05) * (t14 - t28) + (S(1.0507420347208976e-05) * (t23 - t24) - (S(8.076643729189792e-05) * t18 + S(1.1427778333825823e-05) * (t29 - t30))) + S(0.003259601202601324) * (S(0.8) * (t5 * t3) + S(9.641976153825699) * t4);
+  const S t32 = t31 - S(0.013038404810405297) * t21 - S(0.9828721869343219) * (t1 * f4 - t2 * f3) - S(0.18428853505018536) * f5;
   c[1] = t32;
   const S t33 = t29 + t30;
-  const S t34 = S(0.004) * t21 - (t8 * f4 - t11 * f3 - S(0.9828721869343219) * (t2 * f5));
-  const S t35 = S(0.013038404810405297) * t26 + S(0.004) * t12 - (S(0.9828721869343219) * (t3 * f5) - (t20 * f4 + t19 * f3));
-  const S t36 = t3 * (S(1.0150564561832067e-05) * t18 + S(1.7988235294117623e-05) * t33 - S(1.1427778333825823e-05) * (t16 - t28) - S(0.00021805294117647063) * t25 + S(0.0058929369499619135) - t35);
-  const S t37 = S(-0.18428853505018536) * t32 - S(0.9828721869343219) * (S(0.0008) * t0 + (t2 * (S(1.7988235294117636e-05) * t25 + S(1.1039665107394003e-05) * t18 + S(1.0507420347208976e-05) * (t14 - t16) - S(0.00013444705882352943) * t33 - t34) - t36));
+  const S t34 = S(0.004) * t21 - (t8 * f4 - t11 * f3 - S(0.9828721869343219) * (t3 * f5));
+  const S t35 = S(0.013038404810405297) * t26 + S(0.004) * t12 - (S(0.9828721869343219) * (t4 * f5) - (t20 * f4 + t19 * f3));
+  const S t36 = t4 * (S(1.0150564561832067e-05) * t18 + S(1.7988235294117623e-05) * t33 - S(1.1427778333825823e-05) * (t16 - t28) - S(0.00021805294117647063) * t25 + S(0.0058929369499619135) - t35);
+  const S t37 = S(-0.18428853505018536) * t32 - S(0.9828721869343219) * (S(0.0008) * t5 + (t3 * (S(1.7988235294117636e-05) * t25 + S(1.1039665107394003e-05) * t18 + S(1.0507420347208976e-05) * (t14 - t16) - S(0.00013444705882352943) * t33 - t34) - t36));
   c[0] = S(0.15) * (S(0.9828721869343219) * t22 - S(0.18428853505018536) * t27 + S(2.4525)) - (S(0.8) * (S(0.18428853505018536) * t22 + S(0.9828721869343219) * t27) + t37);
 }
 
@@ -170,8 +174,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
   const S qd0 = qd[0];  // d(s)
@@ -182,53 +185,56 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  const S t2 = S(1.5e-05) * t0 - S(4e-06) * t1;
-  const S t3 = S(6.496170860519034e-05) - S(0.9828721869343219) * t2;
-  M[1] = t3;
-  M[2] = t3;
-  const S t4 = S(1.6) * (S(0.00275) * t0 + S(0.00175) * t1) - (S(0.9828721869343219) * (S(0.9828721869343219) * (S(0.00032425) - t1 * (S(6.8e-05) * t1 - S(6.05e-05) * t0)) - S(0.18428853505018536) * t2) + S(0.18428853505018536) * t3);
-  M[0] = S(0.165625) - t4;
-  const S t6 = qd0 * qd0;
-  const S t7 = S(0.5667292175235064) - q1;
-  const S t8 = sin(t7);
-  const S t9 = cos(t7);
-  const S t10 = cos(q0);
-  const S t11 = sin(q0);
-  const S t12 = t8 * t10;
-  const S t13 = t11 * t9;
+  const S t0 = S(0.5667292175235064) - q1;
+  const S angle[] = {q0, q1, t0};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
+  const S t1 = cosine[0];
+  const S t2 = sine[0];
+  const S t3 = cosine[1];
+  const S t4 = sine[1];
+  const S t5 = sine[2];
+  const S t6 = cosine[2];
+  const S t7 = S(1.5e-05) * t3 - S(4e-06) * t4;
+  const S t8 = S(6.496170860519034e-05) - S(0.9828721869343219) * t7;
+  M[1] = t8;
+  M[2] = t8;
+  const S t9 = S(1.6) * (S(0.00275) * t3 + S(0.00175) * t4) - (S(0.9828721869343219) * (S(0.9828721869343219) * (S(0.00032425) - t4 * (S(6.8e-05) * t4 - S(6.05e-05) * t3)) - S(0.18428853505018536) * t7) + S(0.18428853505018536) * t8);
+  M[0] = S(0.165625) - t9;
+  const S t11 = qd0 * qd0;
+  const S t12 = t5 * t1;
+  const S t13 = t2 * t6;
   const S t14 = S(0.18428853505018536) * t12 - t13;
-  const S t15 = t10 * t9;
-  const S t16 = t8 * t11;
+  const S t15 = t1 * t6;
+  const S t16 = t5 * t2;
   const S t17 = t15 + S(0.18428853505018536) * t16;
-  const S t18 = S(0.9828721869343219) * (t8 * f2) - (f1 * t14 - f0 * t17);
-  const S t19 = qd0 * t9;
+  const S t18 = S(0.9828721869343219) * (t5 * f2) - (f1 * t14 - f0 * t17);
+  const S t19 = qd0 * t6;
   const S t20 = S(0.9660377358490566) * (t19 * t19);
   const S t21 = qd1 + S(0.18428853505018536) * qd0;
   const S t22 = t21 * t21;
-  const S t23 = qd0 * t8;
+  const S t23 = qd0 * t5;
   const S t24 = t19 * t23;
   const S t25 = t12 - S(0.18428853505018536) * t13;
   const S t26 = t16 + S(0.18428853505018536) * t15;
-  const S t27 = S(0.9828721869343219) * (f2 * t9) - (f0 * t25 + f1 * t26);
-  const S t28 = S(0.00018113207547169812) * t6 - (t8 * (t18 - S(0.003259601202601324) * (t20 + t22)) + t9 * (S(0.0031488977655318453) * t24 + t27));
+  const S t27 = S(0.9828721869343219) * (f2 * t6) - (f0 * t25 + f1 * t26);
+  const S t28 = S(0.00018113207547169812) * t11 - (t5 * (t18 - S(0.003259601202601324) * (t20 + t22)) + t6 * (S(0.0031488977655318453) * t24 + t27));
   const S t29 = S(0.9828721869343219) * (t21 * t23);
   const S t30 = S(0.9828721869343219) * (qd1 * t23);
   const S t31 = t29 + t30;
-  const S t32 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t10 - t11 * f0);
-  const S t33 = S(0.003259601202601324) * t31 + t32 + S(0.0009660377358490566) * t6;
+  const S t32 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t1 - t2 * f0);
+  const S t33 = S(0.003259601202601324) * t31 + t32 + S(0.0009660377358490566) * t11;
   const S t34 = S(0.9660377358490566) * (t23 * t23);
   const S t35 = S(0.9828721869343219) * (t19 * t21);
   const S t36 = S(0.9828721869343219) * (t19 * qd1);
-  const S t37 = S(1.7988235294117636e-05) * (t20 - t34) + (S(1.0507420347208976e-05) * (t29 - t30) - (S(8.076643729189792e-05) * t24 + S(1.1427778333825823e-05) * (t35 - t36))) + S(0.003259601202601324) * (S(0.8) * (t6 * t8) + S(9.641976153825699) * t9);
-  const S t38 = t37 - S(0.013038404810405297) * t27 - S(0.9828721869343219) * (t10 * f4 - t11 * f3) - S(0.18428853505018536) * f5;
+  const S t37 = S(1.7988235294117636e-05) * (t20 - t34) + (S(1.0507420347208976e-05) * (t29 - t30) - (S(8.076643729189792e-05) * t24 + S(1.1427778333825823e-05) * (t35 - t36))) + S(0.003259601202601324) * (S(0.8) * (t11 * t5) + S(9.641976153825699) * t6);
+  const S t38 = t37 - S(0.013038404810405297) * t27 - S(0.9828721869343219) * (t1 * f4 - t2 * f3) - S(0.18428853505018536) * f5;
   c[1] = t38;
   const S t39 = t35 + t36;
-  const S t40 = S(0.004) * t27 - (t14 * f4 - t17 * f3 - S(0.9828721869343219) * (t8 * f5));
-  const S t41 = S(0.013038404810405297) * t32 + S(0.004) * t18 - (S(0.9828721869343219) * (t9 * f5) - (t26 * f4 + t25 * f3));
-  const S t42 = t9 * (S(1.0150564561832067e-05) * t24 + S(1.7988235294117623e-05) * t39 - S(1.1427778333825823e-05) * (t22 - t34) - S(0.00021805294117647063) * t31 + S(0.0058929369499619135) - t41);
-  const S t43 = S(-0.18428853505018536) * t38 - S(0.9828721869343219) * (S(0.0008) * t6 + (t8 * (S(1.7988235294117636e-05) * t31 + S(1.1039665107394003e-05) * t24 + S(1.0507420347208976e-05) * (t20 - t22) - S(0.00013444705882352943) * t39 - t40) - t42));
+  const S t40 = S(0.004) * t27 - (t14 * f4 - t17 * f3 - S(0.9828721869343219) * (t5 * f5));
+  const S t41 = S(0.013038404810405297) * t32 + S(0.004) * t18 - (S(0.9828721869343219) * (t6 * f5) - (t26 * f4 + t25 * f3));
+  const S t42 = t6 * (S(1.0150564561832067e-05) * t24 + S(1.7988235294117623e-05) * t39 - S(1.1427778333825823e-05) * (t22 - t34) - S(0.00021805294117647063) * t31 + S(0.0058929369499619135) - t41);
+  const S t43 = S(-0.18428853505018536) * t38 - S(0.9828721869343219) * (S(0.0008) * t11 + (t5 * (S(1.7988235294117636e-05) * t31 + S(1.1039665107394003e-05) * t24 + S(1.0507420347208976e-05) * (t20 - t22) - S(0.00013444705882352943) * t39 - t40) - t42));
   c[0] = S(0.15) * (S(0.9828721869343219) * t28 - S(0.18428853505018536) * t33 + S(2.4525)) - (S(0.8) * (S(0.18428853505018536) * t28 + S(0.9828721869343219) * t33) + t43);
   M[3] = S(0.0003525);
 }
@@ -265,20 +271,20 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
 // body_poses: 15 multiplications, 4 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // s
-  const S q1 = q[1];  // spin
-  const S t0 = sin(q0);
-  const S t1 = cos(q0);
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = sine[0];
+  const S t1 = cosine[0];
+  const S t2 = cosine[1];
+  const S t3 = sine[1];
   W[0] = S(-0.9828721869343219) * t0;
-  const S t3 = sin(q1);
-  const S t4 = cos(q1);
   const S t5 = t0 * t3;
-  const S t6 = t1 * t4;
+  const S t6 = t1 * t2;
   W[1] = S(0.18428853505018536) * t5 - t6;
   const S t8 = t1 * t3;
-  const S t9 = t0 * t4;
+  const S t9 = t0 * t2;
   W[2] = t8 + S(0.18428853505018536) * t9;
   W[3] = S(0.8) * t1;
   W[4] = S(0.9828721869343219) * t1;
@@ -286,7 +292,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[6] = t5 - S(0.18428853505018536) * t6;
   W[7] = S(0.8) * t0;
   W[9] = S(0.9828721869343219) * t3;
-  W[10] = S(0.9828721869343219) * t4;
+  W[10] = S(0.9828721869343219) * t2;
   W[11] = S(0.15) * q0;
   W[8] = S(0.18428853505018536);
 }

@@ -23,23 +23,22 @@ namespace alembert::mechanisms::double_pendulum {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
+  using detail::sines_and_cosines;
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S qdd0 = qdd[0];  // dd(q1)
   const S qdd1 = qdd[1];  // dd(q2)
-  const S t0 = sin(q0);
-  const S t1 = cos(q0);
-  const S t2 = qd1 + qd0;
-  const S t3 = sin(q1);
-  const S t4 = cos(q1);
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = sine[0];
+  const S t1 = cosine[0];
+  const S t2 = sine[1];
+  const S t3 = cosine[1];
+  const S t4 = qd1 + qd0;
   const S t5 = qdd0 + qdd1;
-  const S t6 = S(0.08146499999999998) * t5 + S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t1) + t4 * (S(0.55) * qdd0 + S(9.81) * t0));
+  const S t6 = S(0.08146499999999998) * t5 + S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t1) + t3 * (S(0.55) * qdd0 + S(9.81) * t0));
   tau[1] = t6;
-  tau[0] = S(8.235495) * t0 + S(0.406645) * qdd0 - (S(0.126225) * (t2 * t2 * t3 - t5 * t4) - t6);
+  tau[0] = S(8.235495) * t0 + S(0.406645) * qdd0 - (S(0.126225) * (t4 * t4 * t2 - t5 * t3) - t6);
 }
 
 // mass_matrix: 2 multiplications, 2 additions, 1 sin/cos/tan (reduced formulation).
@@ -59,44 +58,42 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
+  using detail::sines_and_cosines;
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t0 = sin(q1);
-  const S t1 = cos(q1);
-  const S t2 = cos(q0);
-  const S t3 = sin(q0);
-  const S t4 = S(0.2295) * (t0 * (S(0.55) * (qd0 * qd0) + S(9.81) * t2) + S(9.81) * (t1 * t3));
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
+  const S t2 = sine[1];
+  const S t3 = cosine[1];
+  const S t4 = S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t3 * t1));
   c[1] = t4;
   const S t5 = qd0 + qd1;
-  c[0] = t4 - S(0.126225) * (t0 * (t5 * t5)) + S(8.235495) * t3;
+  c[0] = t4 - S(0.126225) * (t2 * (t5 * t5)) + S(8.235495) * t1;
 }
 
 // mass_matrix_and_bias: 13 multiplications, 7 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
+  using detail::sines_and_cosines;
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  M[0] = S(0.25245) * t0 + S(0.48810999999999993);
-  const S t3 = S(0.126225) * t0 + S(0.08146499999999998);
-  M[1] = t3;
-  M[2] = t3;
-  const S t4 = cos(q0);
-  const S t5 = sin(q0);
-  const S t6 = S(0.2295) * (t1 * (S(0.55) * (qd0 * qd0) + S(9.81) * t4) + S(9.81) * (t0 * t5));
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
+  const S t2 = cosine[1];
+  const S t3 = sine[1];
+  M[0] = S(0.25245) * t2 + S(0.48810999999999993);
+  const S t5 = S(0.126225) * t2 + S(0.08146499999999998);
+  M[1] = t5;
+  M[2] = t5;
+  const S t6 = S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t2 * t1));
   c[1] = t6;
   const S t7 = qd0 + qd1;
-  c[0] = t6 - S(0.126225) * (t1 * (t7 * t7)) + S(8.235495) * t5;
+  c[0] = t6 - S(0.126225) * (t3 * (t7 * t7)) + S(8.235495) * t1;
   M[3] = S(0.08146499999999998);
 }
 
@@ -113,40 +110,38 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
+  using detail::sines_and_cosines;
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t0 = qd1 + qd0;
-  const S t1 = cos(q1);
-  const S t2 = sin(q1);
-  e[0] = S(0.2033225) * (qd0 * qd0) + t0 * (S(0.0407325) * t0 + S(0.126225) * (qd0 * t1));
-  const S t4 = cos(q0);
-  const S t5 = sin(q0);
-  e[1] = S(-3.64932) * t4 - S(8.3385) * (S(0.27) * (t1 * t4 - t5 * t2) + S(0.55) * t4);
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
+  const S t2 = cosine[1];
+  const S t3 = sine[1];
+  const S t4 = qd1 + qd0;
+  e[0] = S(0.2033225) * (qd0 * qd0) + t4 * (S(0.0407325) * t4 + S(0.126225) * (qd0 * t2));
+  e[1] = S(-3.64932) * t0 - S(8.3385) * (S(0.27) * (t2 * t0 - t1 * t3) + S(0.55) * t0);
 }
 
 // body_poses: 6 multiplications, 2 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S t0 = cos(q0);
+  using detail::sines_and_cosines;
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = cosine[0];
   W[0] = t0;
   W[10] = t0;
-  const S t1 = sin(q0);
+  const S t1 = sine[0];
   W[2] = t1;
+  const S t2 = cosine[1];
+  const S t3 = sine[1];
   W[8] = -t1;
-  const S t3 = cos(q1);
-  const S t4 = sin(q1);
-  const S t5 = t0 * t3 - t1 * t4;
+  const S t5 = t0 * t2 - t1 * t3;
   W[12] = t5;
   W[22] = t5;
-  const S t6 = t1 * t3 + t0 * t4;
+  const S t6 = t1 * t2 + t0 * t3;
   W[14] = t6;
   W[15] = S(-0.55) * t1;
   W[20] = -t6;

@@ -23,8 +23,7 @@ namespace alembert::mechanisms::moving_base {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S qd0 = qd[0];  // d(q1)
@@ -33,37 +32,40 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qdd1 = qdd[1];  // dd(q2)
   const S time = in.t;  // t
   const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = cos(t0);
-  const S t2 = sin(t0);
-  const S t3 = cos(q0);
-  const S t4 = sin(q0);
-  const S t5 = S(0.2) * time + S(0.4);
-  const S t6 = t4 * t5;
-  const S t7 = S(0.2) * t3 - qd0 * t6;
-  const S t8 = t3 * t5;
-  const S t9 = t1 * t8 - t2 * qd0;
-  const S t10 = qd1 - (t6 - qd1);
-  const S t11 = qdd0 * t1 + t2 * t7 + t9 * t10;
-  const S t12 = time * (S(0.1) * time + S(0.4));
-  const S t13 = cos(t12);
-  const S t14 = sin(t12);
-  const S t15 = sin(S(3.4) * time);
-  const S t16 = t13 * t15;
-  const S t17 = cos(S(6.8) * time);
-  const S t18 = S(9.81) - S(2.312) * t17;
-  const S t19 = t6 * t8;
+  const S t1 = time * (S(0.1) * time + S(0.4));
+  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
+  S sine[5], cosine[5];
+  sines_and_cosines(5, angle, sine, cosine);
+  const S t2 = cosine[0];
+  const S t3 = sine[0];
+  const S t4 = cosine[1];
+  const S t5 = sine[1];
+  const S t6 = cosine[2];
+  const S t7 = sine[2];
+  const S t8 = sine[3];
+  const S t9 = cosine[4];
+  const S t10 = S(0.2) * time + S(0.4);
+  const S t11 = t3 * t10;
+  const S t12 = S(0.2) * t2 - qd0 * t11;
+  const S t13 = t2 * t10;
+  const S t14 = t4 * t13 - t5 * qd0;
+  const S t15 = qd1 - (t11 - qd1);
+  const S t16 = qdd0 * t4 + t5 * t12 + t14 * t15;
+  const S t17 = t6 * t8;
+  const S t18 = S(9.81) - S(2.312) * t9;
+  const S t19 = t11 * t13;
   const S t20 = qdd0 - t19;
-  const S t21 = S(2.4276) * (t3 * t16) + t4 * t18 + S(0.5) * t20;
-  const S t22 = t1 * qd0 + t2 * t8;
-  const S t23 = qdd0 * t2 - (t1 * t7 - t10 * t22);
-  const S t24 = S(0.5) * (S(0.10547511554864493) * t11 + S(0.9159999999999999) * t21) + (t1 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t11 + S(0.10547511554864493) * t21) + t2 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t11));
-  const S t25 = S(2.4276) * (t4 * t16) - t3 * t18;
-  const S t26 = t6 * t6;
-  tau[0] = t24 + (S(0.007999999999999981) * t25 + (S(0.0018799999999999997) * (qdd0 + t19) - (S(0.03151999999999999) * t20 + (S(0.0020799999999999924) * (t26 - t8 * t8) + S(8.000000000000003e-05) * t4))));
-  const S t28 = qd0 * t8;
-  const S t29 = t28 + S(0.2) * t4;
-  const S t30 = S(0.10547511554864493) * (t2 * (t25 - S(0.5) * (t26 + qd0 * qd0)) + t1 * (S(0.5) * (t28 + t29) - S(2.4276) * (t15 * t14)));
-  tau[1] = S(0.0012006741573033712) * (t9 * t9 - t22 * t22) + S(0.03325) * (qdd1 - t29) - S(0.031564157303370796) * (t9 * t22) - t30;
+  const S t21 = S(2.4276) * (t2 * t17) + t3 * t18 + S(0.5) * t20;
+  const S t22 = t4 * qd0 + t5 * t13;
+  const S t23 = qdd0 * t5 - (t4 * t12 - t15 * t22);
+  const S t24 = S(0.5) * (S(0.10547511554864493) * t16 + S(0.9159999999999999) * t21) + (t4 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t16 + S(0.10547511554864493) * t21) + t5 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t16));
+  const S t25 = S(2.4276) * (t3 * t17) - t2 * t18;
+  const S t26 = t11 * t11;
+  tau[0] = t24 + (S(0.007999999999999981) * t25 + (S(0.0018799999999999997) * (qdd0 + t19) - (S(0.03151999999999999) * t20 + (S(0.0020799999999999924) * (t26 - t13 * t13) + S(8.000000000000003e-05) * t3))));
+  const S t28 = qd0 * t13;
+  const S t29 = t28 + S(0.2) * t3;
+  const S t30 = S(0.10547511554864493) * (t5 * (t25 - S(0.5) * (t26 + qd0 * qd0)) + t4 * (S(0.5) * (t28 + t29) - S(2.4276) * (t8 * t7)));
+  tau[1] = S(0.0012006741573033712) * (t14 * t14 - t22 * t22) + S(0.03325) * (qdd1 - t29) - S(0.031564157303370796) * (t14 * t22) - t30;
 }
 
 // mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
@@ -85,89 +87,93 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
-  const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = sin(t0);
-  const S t2 = cos(t0);
-  const S t3 = cos(q0);
-  const S t4 = sin(q0);
-  const S t5 = S(0.2) * time + S(0.4);
-  const S t6 = t4 * t5;
-  const S t7 = S(0.2) * t3 - t6 * qd0;
-  const S t8 = t5 * t3;
-  const S t9 = t8 * t2 - qd0 * t1;
-  const S t10 = qd1 - (t6 - qd1);
-  const S t11 = t1 * t7 + t9 * t10;
-  const S t12 = t6 * t8;
-  const S t13 = time * (S(0.1) * time + S(0.4));
-  const S t14 = cos(t13);
-  const S t15 = sin(t13);
-  const S t16 = sin(S(3.4) * time);
-  const S t17 = t14 * t16;
-  const S t18 = cos(S(6.8) * time);
-  const S t19 = S(9.81) - S(2.312) * t18;
-  const S t20 = S(0.5) * t12 - (S(2.4276) * (t3 * t17) + t4 * t19);
-  const S t21 = t2 * qd0 + t8 * t1;
-  const S t22 = t2 * t7 - t10 * t21;
-  const S t23 = S(0.5) * (S(0.10547511554864493) * t11 - S(0.9159999999999999) * t20) - (t1 * (S(0.0008429213483146) * t22 - S(0.0012006741573033712) * t11) + t2 * (S(0.0012006741573033712) * t22 - S(0.0324070786516854) * t11 + S(0.10547511554864493) * t20));
-  const S t24 = t6 * t6;
-  const S t25 = S(2.4276) * (t4 * t17) - t3 * t19;
-  c[0] = t23 - (S(0.0020799999999999924) * (t24 - t8 * t8) + S(8.000000000000003e-05) * t4 - S(0.03339999999999999) * t12 - S(0.007999999999999981) * t25);
-  const S t27 = t8 * qd0;
-  const S t28 = t27 + S(0.2) * t4;
-  const S t29 = S(0.03325) * t28 - S(0.0012006741573033712) * (t9 * t9 - t21 * t21) + S(0.031564157303370796) * (t9 * t21);
-  c[1] = S(-0.10547511554864493) * (t1 * (t25 - S(0.5) * (t24 + qd0 * qd0)) + t2 * (S(0.5) * (t27 + t28) - S(2.4276) * (t16 * t15))) - t29;
+  const S t0 = time * (S(0.1) * time + S(0.4));
+  const S t1 = q1 + S(0.09495170634275626);
+  const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
+  S sine[5], cosine[5];
+  sines_and_cosines(5, angle, sine, cosine);
+  const S t2 = sine[0];
+  const S t3 = cosine[0];
+  const S t4 = cosine[1];
+  const S t5 = sine[1];
+  const S t6 = sine[2];
+  const S t7 = cosine[3];
+  const S t8 = sine[4];
+  const S t9 = cosine[4];
+  const S t10 = S(0.2) * time + S(0.4);
+  const S t11 = t2 * t10;
+  const S t12 = S(0.2) * t3 - t11 * qd0;
+  const S t13 = t10 * t3;
+  const S t14 = t13 * t9 - qd0 * t8;
+  const S t15 = qd1 - (t11 - qd1);
+  const S t16 = t8 * t12 + t14 * t15;
+  const S t17 = t11 * t13;
+  const S t18 = t4 * t6;
+  const S t19 = S(9.81) - S(2.312) * t7;
+  const S t20 = S(0.5) * t17 - (S(2.4276) * (t3 * t18) + t2 * t19);
+  const S t21 = t9 * qd0 + t13 * t8;
+  const S t22 = t9 * t12 - t15 * t21;
+  const S t23 = S(0.5) * (S(0.10547511554864493) * t16 - S(0.9159999999999999) * t20) - (t8 * (S(0.0008429213483146) * t22 - S(0.0012006741573033712) * t16) + t9 * (S(0.0012006741573033712) * t22 - S(0.0324070786516854) * t16 + S(0.10547511554864493) * t20));
+  const S t24 = t11 * t11;
+  const S t25 = S(2.4276) * (t2 * t18) - t3 * t19;
+  c[0] = t23 - (S(0.0020799999999999924) * (t24 - t13 * t13) + S(8.000000000000003e-05) * t2 - S(0.03339999999999999) * t17 - S(0.007999999999999981) * t25);
+  const S t27 = t13 * qd0;
+  const S t28 = t27 + S(0.2) * t2;
+  const S t29 = S(0.03325) * t28 - S(0.0012006741573033712) * (t14 * t14 - t21 * t21) + S(0.031564157303370796) * (t14 * t21);
+  c[1] = S(-0.10547511554864493) * (t8 * (t25 - S(0.5) * (t24 + qd0 * qd0)) + t9 * (S(0.5) * (t27 + t28) - S(2.4276) * (t6 * t5))) - t29;
 }
 
 // mass_matrix_and_bias: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
   const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = sin(t0);
-  const S t2 = cos(t0);
-  M[0] = t1 * (S(0.0024013483146067423) * t2 - S(0.0315641573033708) * t1) + S(0.10547511554864493) * t2 + S(0.2317670786516854);
-  const S t4 = cos(q0);
-  const S t5 = sin(q0);
-  const S t6 = S(0.2) * time + S(0.4);
-  const S t7 = t5 * t6;
-  const S t8 = S(0.2) * t4 - t7 * qd0;
-  const S t9 = t6 * t4;
-  const S t10 = t2 * t9 - t1 * qd0;
-  const S t11 = qd1 - (t7 - qd1);
-  const S t12 = t1 * t8 + t10 * t11;
-  const S t13 = t7 * t9;
-  const S t14 = time * (S(0.1) * time + S(0.4));
-  const S t15 = cos(t14);
-  const S t16 = sin(t14);
-  const S t17 = sin(S(3.4) * time);
-  const S t18 = t15 * t17;
-  const S t19 = cos(S(6.8) * time);
-  const S t20 = S(9.81) - S(2.312) * t19;
-  const S t21 = S(0.5) * t13 - (S(2.4276) * (t4 * t18) + t5 * t20);
-  const S t22 = t2 * qd0 + t1 * t9;
-  const S t23 = t2 * t8 - t11 * t22;
-  const S t24 = S(0.5) * (S(0.10547511554864493) * t12 - S(0.9159999999999999) * t21) - (t1 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t12) + t2 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t12 + S(0.10547511554864493) * t21));
-  const S t25 = t7 * t7;
-  const S t26 = S(2.4276) * (t5 * t18) - t4 * t20;
-  c[0] = t24 - (S(0.0020799999999999924) * (t25 - t9 * t9) + S(8.000000000000003e-05) * t5 - S(0.03339999999999999) * t13 - S(0.007999999999999981) * t26);
-  const S t28 = t9 * qd0;
-  const S t29 = t28 + S(0.2) * t5;
-  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t10 * t10 - t22 * t22) + S(0.031564157303370796) * (t10 * t22);
-  c[1] = S(-0.10547511554864493) * (t1 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t2 * (S(0.5) * (t28 + t29) - S(2.4276) * (t17 * t16))) - t30;
+  const S t1 = time * (S(0.1) * time + S(0.4));
+  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
+  S sine[5], cosine[5];
+  sines_and_cosines(5, angle, sine, cosine);
+  const S t2 = sine[0];
+  const S t3 = cosine[0];
+  const S t4 = sine[1];
+  const S t5 = cosine[1];
+  const S t6 = cosine[2];
+  const S t7 = sine[2];
+  const S t8 = sine[3];
+  const S t9 = cosine[4];
+  M[0] = t4 * (S(0.0024013483146067423) * t5 - S(0.0315641573033708) * t4) + S(0.10547511554864493) * t5 + S(0.2317670786516854);
+  const S t11 = S(0.2) * time + S(0.4);
+  const S t12 = t2 * t11;
+  const S t13 = S(0.2) * t3 - t12 * qd0;
+  const S t14 = t11 * t3;
+  const S t15 = t5 * t14 - t4 * qd0;
+  const S t16 = qd1 - (t12 - qd1);
+  const S t17 = t4 * t13 + t15 * t16;
+  const S t18 = t12 * t14;
+  const S t19 = t6 * t8;
+  const S t20 = S(9.81) - S(2.312) * t9;
+  const S t21 = S(0.5) * t18 - (S(2.4276) * (t3 * t19) + t2 * t20);
+  const S t22 = t5 * qd0 + t4 * t14;
+  const S t23 = t5 * t13 - t16 * t22;
+  const S t24 = S(0.5) * (S(0.10547511554864493) * t17 - S(0.9159999999999999) * t21) - (t4 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t17) + t5 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t17 + S(0.10547511554864493) * t21));
+  const S t25 = t12 * t12;
+  const S t26 = S(2.4276) * (t2 * t19) - t3 * t20;
+  c[0] = t24 - (S(0.0020799999999999924) * (t25 - t14 * t14) + S(8.000000000000003e-05) * t2 - S(0.03339999999999999) * t18 - S(0.007999999999999981) * t26);
+  const S t28 = t14 * qd0;
+  const S t29 = t28 + S(0.2) * t2;
+  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t15 * t15 - t22 * t22) + S(0.031564157303370796) * (t15 * t22);
+  c[1] = S(-0.10547511554864493) * (t4 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t5 * (S(0.5) * (t28 + t29) - S(2.4276) * (t8 * t7))) - t30;
   M[1] = S(0.0);
   M[2] = S(0.0);
   M[3] = S(0.03325);
@@ -186,101 +192,105 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
-  const S t0 = sin(q1);
-  const S t1 = cos(q1);
-  const S t2 = cos(S(3.4) * time);
-  const S t3 = time * (S(0.1) * time + S(0.4));
-  const S t4 = sin(t3);
-  const S t5 = cos(t3);
-  const S t6 = t2 * t4;
-  const S t7 = S(0.2) * time + S(0.4);
-  const S t8 = sin(q0);
-  const S t9 = cos(q0);
-  const S t10 = t7 * t8;
-  const S t11 = S(0.714) * t6 + S(0.5) * t10;
-  const S t12 = t2 * t5;
-  const S t13 = S(6.8) * time;
-  const S t14 = sin(t13);
-  const S t15 = cos(t13);
-  const S t16 = S(0.714) * (t8 * t12) - S(0.34) * (t9 * t14);
-  const S t17 = t0 * t11 + t1 * t16;
-  const S t18 = S(0.34) * (t8 * t14) + S(0.714) * (t9 * t12);
+  const S t0 = time * (S(0.1) * time + S(0.4));
+  const S t1 = S(6.8) * time;
+  const S angle[] = {q0, q1, S(3.4) * time, t0, t1};
+  S sine[5], cosine[5];
+  sines_and_cosines(5, angle, sine, cosine);
+  const S t2 = sine[0];
+  const S t3 = cosine[0];
+  const S t4 = sine[1];
+  const S t5 = cosine[1];
+  const S t6 = cosine[2];
+  const S t7 = sine[3];
+  const S t8 = cosine[3];
+  const S t9 = sine[4];
+  const S t10 = cosine[4];
+  const S t11 = t6 * t7;
+  const S t12 = S(0.2) * time + S(0.4);
+  const S t13 = t12 * t2;
+  const S t14 = S(0.714) * t11 + S(0.5) * t13;
+  const S t15 = t6 * t8;
+  const S t16 = S(0.714) * (t2 * t15) - S(0.34) * (t3 * t9);
+  const S t17 = t4 * t14 + t5 * t16;
+  const S t18 = S(0.34) * (t2 * t9) + S(0.714) * (t3 * t15);
   const S t19 = t18 - S(0.5) * qd0;
-  const S t20 = t1 * t11 - t0 * t16;
-  const S t21 = t9 * t7;
-  const S t22 = t1 * qd0 + t21 * t0;
-  const S t23 = t1 * t21 - qd0 * t0;
-  const S t24 = qd1 - t10;
-  const S t25 = t10 * (S(0.00208) * t21 - (S(0.07308) * t10 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t10 - S(0.07416) * qd0) + t21 * (S(0.00208) * t10 - S(0.00228) * t21);
+  const S t20 = t5 * t14 - t4 * t16;
+  const S t21 = t3 * t12;
+  const S t22 = t5 * qd0 + t21 * t4;
+  const S t23 = t5 * t21 - qd0 * t4;
+  const S t24 = qd1 - t13;
+  const S t25 = t13 * (S(0.00208) * t21 - (S(0.07308) * t13 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t13 - S(0.07416) * qd0) + t21 * (S(0.00208) * t13 - S(0.00228) * t21);
   const S t26 = qd0 * (S(0.008) * t16 + S(0.208) * t18);
   const S t27 = S(0.5) * (t22 * (S(0.0018) * t23 + S(0.03255) * t22) + S(0.03325) * (t24 * t24) + t23 * (S(0.0011) * t23 + S(0.0018) * t22) - t25) - t26;
   const S t28 = t24 * (S(0.105) * t20 - S(0.01) * t17);
-  const S t29 = S(0.4) * (t18 * t18 + S(0.509796) * (t6 * t6) + t16 * t16) + (S(0.714) * (t6 * (S(0.208) * t10 - S(0.008) * t21)) + t27) - t28;
+  const S t29 = S(0.4) * (t18 * t18 + S(0.509796) * (t11 * t11) + t16 * t16) + (S(0.714) * (t11 * (S(0.208) * t13 - S(0.008) * t21)) + t27) - t28;
   e[0] = S(0.25) * (t17 * t17 + (t19 * t19 + t20 * t20)) - (t19 * (S(0.105) * t22 + S(0.01) * t23) - t29);
-  const S t31 = S(0.05) * t15;
-  e[1] = S(4.905) * (t31 - t9 * (S(0.5) - (S(0.02) * t0 - S(0.21) * t1))) + S(7.848) * (t31 - (S(0.01) * t8 + S(0.26) * t9));
+  const S t31 = S(0.05) * t10;
+  e[1] = S(4.905) * (t31 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t31 - (S(0.01) * t2 + S(0.26) * t3));
 }
 
 // body_poses: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  using ::std::cos;
-  using ::std::sin;
+  using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
-  const S t1 = cos(t0);
-  W[0] = t1;
-  W[5] = t1;
-  W[17] = t1;
-  const S t2 = sin(t0);
-  W[4] = t2;
-  const S t3 = -t2;
-  W[1] = t3;
-  W[13] = t3;
-  const S t4 = sin(S(3.4) * time);
-  const S t5 = S(0.21) * t4;
-  W[3] = t5;
-  W[15] = t5;
-  const S t6 = cos(S(6.8) * time);
-  const S t7 = S(0.05) * t6;
-  W[11] = t7;
-  W[23] = t7;
-  const S t8 = cos(q0);
-  W[22] = t8;
-  const S t9 = sin(q0);
-  const S t10 = t1 * t8;
-  W[12] = t10;
-  W[24] = t10;
-  const S t11 = t1 * t9;
-  W[14] = t11;
-  const S t12 = t2 * t8;
-  W[16] = t12;
-  W[28] = t12;
-  const S t13 = t2 * t9;
-  W[18] = t13;
-  const S t14 = -t9;
-  W[20] = t14;
-  W[32] = t14;
-  const S t15 = sin(q1);
-  const S t16 = cos(q1);
-  W[25] = t11 * t15 - t2 * t16;
-  W[26] = t2 * t15 + t11 * t16;
-  W[27] = t5 - S(0.5) * t11;
-  W[29] = t1 * t16 + t13 * t15;
-  W[30] = t13 * t16 - t1 * t15;
-  W[31] = S(-0.5) * t13;
-  W[33] = t8 * t15;
-  W[34] = t8 * t16;
-  W[35] = t7 - S(0.5) * t8;
+  const S angle[] = {q0, q1, t0, S(3.4) * time, S(6.8) * time};
+  S sine[5], cosine[5];
+  sines_and_cosines(5, angle, sine, cosine);
+  const S t1 = cosine[0];
+  W[22] = t1;
+  const S t2 = sine[0];
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
+  const S t5 = cosine[2];
+  W[0] = t5;
+  W[5] = t5;
+  W[17] = t5;
+  const S t6 = sine[2];
+  W[4] = t6;
+  const S t7 = sine[3];
+  const S t8 = cosine[4];
+  const S t9 = -t6;
+  W[1] = t9;
+  W[13] = t9;
+  const S t10 = S(0.21) * t7;
+  W[3] = t10;
+  W[15] = t10;
+  const S t11 = S(0.05) * t8;
+  W[11] = t11;
+  W[23] = t11;
+  const S t12 = t5 * t1;
+  W[12] = t12;
+  W[24] = t12;
+  const S t13 = t5 * t2;
+  W[14] = t13;
+  const S t14 = t6 * t1;
+  W[16] = t14;
+  W[28] = t14;
+  const S t15 = t6 * t2;
+  W[18] = t15;
+  const S t16 = -t2;
+  W[20] = t16;
+  W[32] = t16;
+  W[25] = t13 * t3 - t6 * t4;
+  W[26] = t6 * t3 + t13 * t4;
+  W[27] = t10 - S(0.5) * t13;
+  W[29] = t5 * t4 + t15 * t3;
+  W[30] = t15 * t4 - t5 * t3;
+  W[31] = S(-0.5) * t15;
+  W[33] = t1 * t3;
+  W[34] = t1 * t4;
+  W[35] = t11 - S(0.5) * t1;
   W[2] = S(0.0);
   W[6] = S(0.0);
   W[7] = S(0.0);

@@ -71,9 +71,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::cos;
   const S q0 = q[0];  // q
   const S qd0 = qd[0];  // d(q)
+  const S t0 = cos(q0);
   e[0] = S(0.15291) * (qd0 * qd0);
-  const S t1 = cos(q0);
-  e[1] = S(-5.35626) * t1;
+  e[1] = S(-5.35626) * t0;
 }
 
 // body_poses: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation).

@@ -8,8 +8,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
+
+#ifdef ALEMBERT_VECTOR_TRIG
+#include <alembert/sines_and_cosines.hpp>
+#endif
 
 namespace alembert::mechanisms::pendulum {
 

@@ -165,27 +165,26 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
 // body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S t0 = cos(q0);
+  using detail::sines_and_cosines;
+  S sine[2], cosine[2];
+  sines_and_cosines(2, q, sine, cosine);
+  const S t0 = cosine[0];
   W[0] = t0;
   W[5] = t0;
   W[12] = t0;
-  const S t1 = sin(q0);
+  const S t1 = sine[0];
   W[4] = t1;
   W[16] = t1;
+  const S t2 = cosine[1];
+  W[22] = t2;
+  const S t3 = sine[1];
+  W[21] = t3;
   W[1] = -t1;
-  const S t3 = cos(q1);
-  W[22] = t3;
-  const S t4 = sin(q1);
-  W[21] = t4;
-  W[13] = -(t1 * t3);
-  W[14] = t1 * t4;
+  W[13] = -(t1 * t2);
+  W[14] = t1 * t3;
   W[15] = S(0.3) * t0;
-  W[17] = t0 * t3;
-  W[18] = -(t0 * t4);
+  W[17] = t0 * t2;
+  W[18] = -(t0 * t3);
   W[19] = S(0.3) * t1;
   W[2] = S(0.0);
   W[3] = S(0.0);

@@ -8,8 +8,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
+
+#ifdef ALEMBERT_VECTOR_TRIG
+#include <alembert/sines_and_cosines.hpp>
+#endif
 
 namespace alembert::mechanisms::runtime_parameters {
 
@@ -66,6 +71,24 @@ struct Inputs {
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <runtime_parameters/runtime_parameters_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.
+
+namespace detail {
+
+/// Sines and cosines of n angles. With the macro ALEMBERT_VECTOR_TRIG those of doubles are vectorised.
+template <class S>
+void sines_and_cosines(int n, const S* angle, S* sine, S* cosine) {
+  using ::std::cos;
+  using ::std::sin;
+  for (int i = 0; i < n; ++i) {
+    sine[i] = sin(angle[i]);
+    cosine[i] = cos(angle[i]);
+  }
+}
+#ifdef ALEMBERT_VECTOR_TRIG
+using ::alembert::sines_and_cosines;
+#endif
+
+}  // namespace detail
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
