@@ -16,6 +16,8 @@ enum class Status {
   not_finite = 1,  ///< an argument, M or c, or the result holds a NaN or an infinity
   not_positive_definite =
       2,  ///< M has a pivot that is not positive beyond rounding: the mechanism is singular here
+  inconsistent_constraints = 3,  ///< a row of the constraints contradicts the others
+  no_convergence = 4,            ///< an iteration came to no solution
 };
 
 /// The status in words, for messages.
@@ -27,6 +29,10 @@ constexpr const char* to_string(Status status) noexcept {
       return "a value is not finite";
     case Status::not_positive_definite:
       return "the mass matrix is not positive definite";
+    case Status::inconsistent_constraints:
+      return "the constraints contradict each other";
+    case Status::no_convergence:
+      return "the iteration found no solution";
   }
   return "unknown status";
 }
@@ -46,8 +52,8 @@ bool all_finite(const Eigen::MatrixBase<Derived>& x) {
 
 /// Factors a symmetric matrix in place, A = L D L^T.
 ///
-/// \param A  n x n; only the lower triangle is read. On success it holds L below the diagonal (its diagonal
-/// is 1) and D
+/// \param A  n x n, of fixed or dynamic size; only the lower triangle is read. On success it holds L below
+/// the diagonal (its diagonal is 1) and D
 ///           on the diagonal.
 /// \return   not_finite or not_positive_definite if a pivot is not finite, or not above n * epsilon * A_ii:
 /// below that,
@@ -58,10 +64,12 @@ bool all_finite(const Eigen::MatrixBase<Derived>& x) {
 template <class S, int N>
 [[nodiscard]] Status factor_ldlt(Eigen::Matrix<S, N, N>& A) {
   using std::isfinite;
-  static_assert(N > 0, "the size must be fixed and positive");
-  const S rounding = S(N) * std::numeric_limits<S>::epsilon();
+  static_assert(N > 0 || N == Eigen::Dynamic, "the size must be positive");
+  const int n = static_cast<int>(A.rows());  // N, unless that is Eigen::Dynamic
+  const S rounding = S(n) * std::numeric_limits<S>::epsilon();
   Eigen::Matrix<S, N, 1> scaled;  // L_jk D_k of the current row j
-  for (int j = 0; j < N; ++j) {
+  scaled.resize(n);
+  for (int j = 0; j < n; ++j) {
     const S diagonal = A(j, j);
     S pivot = diagonal;
     for (int k = 0; k < j; ++k) {
@@ -71,7 +79,7 @@ template <class S, int N>
     if (!isfinite(pivot)) return Status::not_finite;
     if (!(pivot > S(0)) || !(pivot > rounding * diagonal)) return Status::not_positive_definite;
     A(j, j) = pivot;
-    for (int i = j + 1; i < N; ++i) {
+    for (int i = j + 1; i < n; ++i) {
       S sum = A(i, j);
       for (int k = 0; k < j; ++k) sum -= A(i, k) * scaled(k);
       A(i, j) = sum / pivot;
@@ -83,14 +91,16 @@ template <class S, int N>
 /// Solves A x = b in place, with A as factor_ldlt leaves it.
 template <class S, int N>
 void solve_ldlt(const Eigen::Matrix<S, N, N>& A, Eigen::Matrix<S, N, 1>& x) {
-  for (int j = 0; j < N; ++j)
-    for (int i = j + 1; i < N; ++i) x(i) -= A(i, j) * x(j);
-  for (int i = 0; i < N; ++i) x(i) /= A(i, i);
-  for (int i = N - 1; i >= 0; --i)
-    for (int k = i + 1; k < N; ++k) x(i) -= A(k, i) * x(k);
+  const int n = static_cast<int>(A.rows());
+  for (int j = 0; j < n; ++j)
+    for (int i = j + 1; i < n; ++i) x(i) -= A(i, j) * x(j);
+  for (int i = 0; i < n; ++i) x(i) /= A(i, i);
+  for (int i = n - 1; i >= 0; --i)
+    for (int k = i + 1; k < n; ++k) x(i) -= A(k, i) * x(k);
 }
 
-/// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)).
+/// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
+/// (constrained_dynamics.hpp has those).
 ///
 /// \param q    coordinates, n_q x 1
 /// \param qd   speeds, n_v x 1

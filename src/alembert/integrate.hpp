@@ -1,8 +1,16 @@
 // Fixed-step integration of a mechanism in time. In: a state, forces as a function of time and state, a step.
-// Out: the state one step later with unit quaternions, or a status and the state as it was. No heap, no
-// exceptions.
+// Out: the state one step later with unit quaternions and constraints kept, or a status and the state as it
+// was. No heap where sizes are fixed, no exceptions.
+//
+// A mechanism with constraints takes its accelerations from constrained_dynamics.hpp, and its state is
+// projected on the constraints after each step (consistent_state.hpp). The projections are of the size of the
+// method's error of one step. That of the speeds takes away kinetic energy of second order in it, and that of
+// the coordinates changes the potential energy by no more than the step itself does.
 #pragma once
 
+#include "alembert/bound_mechanism.hpp"
+#include "alembert/consistent_state.hpp"
+#include "alembert/constrained_dynamics.hpp"
 #include "alembert/forward_dynamics.hpp"
 #include "alembert/mechanism.hpp"
 
@@ -12,83 +20,165 @@ namespace alembert {
 /// \return not_finite if a quaternion has length zero or is not finite; q is left as it was then.
 template <class M>
 [[nodiscard]] Status normalize_quaternions(CoordinateVector<M>& q) {
-  using std::isfinite;
-  using std::sqrt;
-  using S = typename M::Scalar;
-  CoordinateVector<M> out = q;
-  for (const int first : M::kQuaternionOffsets) {
-    const S norm = sqrt(q(first) * q(first) + q(first + 1) * q(first + 1) + q(first + 2) * q(first + 2) +
-                        q(first + 3) * q(first + 3));
-    if (!isfinite(norm) || !(norm > S(0))) return Status::not_finite;
-    for (int i = first; i < first + 4; ++i) out(i) = q(i) / norm;
+  typename M::Inputs unused{};
+  return detail::normalize(BoundMechanism<M>(unused), q);
+}
+
+/// How constraints are kept during a step; of no effect on a mechanism without them.
+template <class S>
+struct StepOptions {
+  bool project = true;     ///< project the state after the step
+  Stabilisation<S> gains;  ///< Baumgarte's, for those who do not project
+};
+
+namespace detail {
+
+/// Rates of the speeds, under constraints if there are any.
+template <class System, class Speeds>
+[[nodiscard]] Status accelerations(const System& system,
+                                   const Eigen::Matrix<typename System::Scalar, System::kNq, 1>& q,
+                                   const Speeds& u, const Speeds& tau,
+                                   const StepOptions<typename System::Scalar>& options, Speeds& rate,
+                                   ConstraintReport<System::kNc>& report) {
+  if constexpr (System::kNc != 0) {
+    if (system.nc() != 0) {
+      ConstrainedMotion<typename System::Scalar, System::kNv, System::kNc> motion;
+      const Status status = constrained_accelerations(system, q, u, tau, options.gains, motion);
+      report = motion;
+      if (status == Status::ok) rate = motion.qdd;
+      return status;
+    }
   }
-  q = out;
+  Eigen::Matrix<typename System::Scalar, System::kNv, System::kNv> mass;
+  Speeds x;
+  system.mass_matrix_and_bias(q, u, mass, x);
+  x = tau - x;
+  if (!all_finite(mass) || !all_finite(x)) return Status::not_finite;
+  if (const Status status = factor_ldlt(mass); status != Status::ok) return status;
+  solve_ldlt(mass, x);
+  if (!all_finite(x)) return Status::not_finite;
+  rate = x;
   return Status::ok;
 }
 
-/// One step of the classical Runge-Kutta method of order 4 for dq/dt = N(q) u, du/dt = M^-1 (tau - c).
-///
-/// \param q      coordinates, n_q x 1; advanced by h
-/// \param qd     speeds, n_v x 1; advanced by h
-/// \param in     inputs at the start of the step; in.t advanced by h
-/// \param h      step, s
-/// \param force  callable (t, q, qd) -> generalized forces, n_v x 1
-/// \return       ok, or what went wrong at one of the four stages; q, qd and in are left as they were then
-template <class M, class Force>
-[[nodiscard]] Status rk4_step(CoordinateVector<M>& q, SpeedVector<M>& qd, typename M::Inputs& in,
-                              typename M::Scalar h, Force&& force) {
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
-  using S = typename M::Scalar;
+/// The end of a step: finite, with unit quaternions, on the constraints.
+template <class System, class Coordinates, class Speeds>
+[[nodiscard]] Status settle(const System& system, Coordinates& q, Speeds& u,
+                            const StepOptions<typename System::Scalar>& options,
+                            ConstraintReport<System::kNc>& report) {
+  if (!all_finite(q) || !all_finite(u)) return Status::not_finite;
+  if (const Status status = normalize(system, q); status != Status::ok) return status;
+  if constexpr (System::kNc != 0) {
+    if (options.project && system.nc() != 0) return project_state(system, q, u, {}, report);
+  }
+  return Status::ok;
+}
+
+}  // namespace detail
+
+/// rk4_step of any System (bound_mechanism.hpp), whose time is advanced too.
+template <class System, class Coordinates, class Speeds, class Force>
+[[nodiscard]] Status advance_by_rk4(System& system, Coordinates& q, Speeds& u, typename System::Scalar h,
+                                    Force&& force, const StepOptions<typename System::Scalar>& options,
+                                    ConstraintReport<System::kNc>& report) {
+  using S = typename System::Scalar;
   const S half = h * S(0.5);
   const S offsets[4] = {S(0), half, half, h};
   const S weights[4] = {h / S(6), h / S(3), h / S(3), h / S(6)};
 
-  typename M::Inputs now = in;
-  CoordinateVector<M> stage_q = q, q_rate, next_q = q;
-  SpeedVector<M> stage_qd = qd, qd_rate = SpeedVector<M>::Zero(), next_qd = qd;
-  for (int stage = 0; stage < 4; ++stage) {
-    if (stage > 0) {
-      stage_q = q + offsets[stage] * q_rate;
-      stage_qd = qd + offsets[stage] * qd_rate;
-      now.t = in.t + offsets[stage];
+  const S start = system.time();
+  const auto advance = [&]() -> Status {
+    Coordinates stage_q = q, q_rate = Coordinates::Zero(q.rows()), unit_q, next_q = q;
+    Speeds stage_u = u, u_rate = Speeds::Zero(u.rows()), next_u = u;
+    for (int stage = 0; stage < 4; ++stage) {
+      if (stage > 0) {
+        stage_q = q + offsets[stage] * q_rate;
+        stage_u = u + offsets[stage] * u_rate;
+        system.set_time(start + offsets[stage]);
+      }
+      // Accelerations are those of the unit quaternion, but N(q) u is taken at q as it is: so both are smooth
+      // functions off the unit sphere too, and the method keeps its order.
+      unit_q = stage_q;
+      if (const Status status = detail::normalize(system, unit_q); status != Status::ok) return status;
+      const Speeds tau = force(system.time(), unit_q, stage_u);
+      if (const Status status = detail::accelerations(system, unit_q, stage_u, tau, options, u_rate, report);
+          status != Status::ok)
+        return status;
+      q_rate = system.coordinate_rates(stage_q, stage_u);
+      next_q += weights[stage] * q_rate;
+      next_u += weights[stage] * u_rate;
     }
-    // Accelerations are those of the unit quaternion, but N(q) u is taken at q as it is: so both are smooth
-    // functions off the unit sphere too, and the method keeps its order.
-    CoordinateVector<M> unit_q = stage_q;
-    if (const Status status = normalize_quaternions<M>(unit_q); status != Status::ok) return status;
-    const SpeedVector<M> tau = force(now.t, unit_q, stage_qd);
-    if (const Status status = forward_dynamics<M>(unit_q, stage_qd, tau, now, qd_rate); status != Status::ok)
+    system.set_time(start + h);
+    if (const Status status = detail::settle(system, next_q, next_u, options, report); status != Status::ok)
       return status;
-    q_rate = M::coordinate_rates(stage_q, stage_qd);
-    next_q += weights[stage] * q_rate;
-    next_qd += weights[stage] * qd_rate;
+    q = next_q;
+    u = next_u;
+    return Status::ok;
+  };
+  const Status status = advance();
+  if (status != Status::ok) system.set_time(start);
+  return status;
+}
+
+/// semi_implicit_euler_step of any System (bound_mechanism.hpp), whose time is advanced too.
+template <class System, class Coordinates, class Speeds, class Force>
+[[nodiscard]] Status advance_by_semi_implicit_euler(System& system, Coordinates& q, Speeds& u,
+                                                    typename System::Scalar h, Force&& force,
+                                                    const StepOptions<typename System::Scalar>& options,
+                                                    ConstraintReport<System::kNc>& report) {
+  Speeds rate;
+  const Speeds tau = force(system.time(), q, u);
+  if (const Status status = detail::accelerations(system, q, u, tau, options, rate, report);
+      status != Status::ok)
+    return status;
+  Speeds next_u = u + h * rate;
+  Coordinates next_q = q + h * Coordinates(system.coordinate_rates(q, next_u));
+  const auto start = system.time();
+  system.set_time(start + h);
+  if (const Status status = detail::settle(system, next_q, next_u, options, report); status != Status::ok) {
+    system.set_time(start);
+    return status;
   }
-  if (!detail::all_finite(next_q) || !detail::all_finite(next_qd)) return Status::not_finite;
-  if (const Status status = normalize_quaternions<M>(next_q); status != Status::ok) return status;
   q = next_q;
-  qd = next_qd;
-  in.t = in.t + h;
+  u = next_u;
   return Status::ok;
 }
 
-/// One step of the semi-implicit (symplectic) Euler method: u' = u + h M^-1 (tau - c), q' = q + h N(q) u'.
-/// First order, one evaluation a step, and for mechanical systems without the drift in energy of the explicit
-/// method. Arguments and result as for rk4_step.
+/// One step of the classical Runge-Kutta method of order 4 for dq/dt = N(q) u and du/dt by forward_dynamics,
+/// or by constrained_forward_dynamics where M has constraints.
+///
+/// \param q        coordinates, n_q x 1; advanced by h
+/// \param qd       speeds, n_v x 1; advanced by h
+/// \param in       inputs at the start of the step; in.t advanced by h
+/// \param h        step, s
+/// \param force    callable (t, q, qd) -> generalized forces, n_v x 1
+/// \param options  how constraints are kept
+/// \param report   if given, what is known of the constraints after the call
+/// \return         ok, or what went wrong at one of the four stages or in the projection; q, qd and in are
+/// left as
+///                 they were then
+template <class M, class Force>
+[[nodiscard]] Status rk4_step(CoordinateVector<M>& q, SpeedVector<M>& qd, typename M::Inputs& in,
+                              typename M::Scalar h, Force&& force,
+                              const StepOptions<typename M::Scalar>& options = {},
+                              ConstraintReport<BoundMechanism<M>::kNc>* report = nullptr) {
+  BoundMechanism<M> system(in);
+  ConstraintReport<BoundMechanism<M>::kNc> unused;
+  return advance_by_rk4(system, q, qd, h, force, options, report == nullptr ? unused : *report);
+}
+
+/// One step of the semi-implicit (symplectic) Euler method: u' = u + h du/dt, q' = q + h N(q) u'. First
+/// order, one evaluation a step, and for mechanical systems without constraints free of the drift in energy
+/// of the explicit method. Arguments and result as for rk4_step.
 template <class M, class Force>
 [[nodiscard]] Status semi_implicit_euler_step(CoordinateVector<M>& q, SpeedVector<M>& qd,
-                                              typename M::Inputs& in, typename M::Scalar h, Force&& force) {
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
-  SpeedVector<M> rate;
-  const SpeedVector<M> tau = force(in.t, q, qd);
-  if (const Status status = forward_dynamics<M>(q, qd, tau, in, rate); status != Status::ok) return status;
-  const SpeedVector<M> next_qd = qd + h * rate;
-  CoordinateVector<M> next_q = q + h * CoordinateVector<M>(M::coordinate_rates(q, next_qd));
-  if (!detail::all_finite(next_q) || !detail::all_finite(next_qd)) return Status::not_finite;
-  if (const Status status = normalize_quaternions<M>(next_q); status != Status::ok) return status;
-  q = next_q;
-  qd = next_qd;
-  in.t = in.t + h;
-  return Status::ok;
+                                              typename M::Inputs& in, typename M::Scalar h, Force&& force,
+                                              const StepOptions<typename M::Scalar>& options = {},
+                                              ConstraintReport<BoundMechanism<M>::kNc>* report = nullptr) {
+  BoundMechanism<M> system(in);
+  ConstraintReport<BoundMechanism<M>::kNc> unused;
+  return advance_by_semi_implicit_euler(system, q, qd, h, force, options,
+                                        report == nullptr ? unused : *report);
 }
 
 }  // namespace alembert

@@ -7,7 +7,15 @@
 //   M::kQuaternionOffsets                    std::array<int, k>: where the unit quaternions (x y z w) start
 //   in q M::mass_matrix_and_bias(q, u, in, M, c)  M(q) and c(q, u) of  tau = M(q) du/dt + c(q, u)
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
-// and, optionally, M::energy(q, u, in): kinetic and potential energy.
+// and, optionally,
+//   M::energy(q, u, in)                      kinetic and potential energy
+// and, with n_c rows of constraints on its motion,
+//   M::kNc, M::kHolonomic                    n_c; std::array<bool, n_c>: rows that bind the coordinates
+//   M::ConstraintMatrix, M::ConstraintVector n_c x n_v and n_c x 1
+//   M::constraints(q, u, in, P, gamma, velocity, position)
+//                                            velocity = P u + (part from time) and position must be zero; the
+//                                            rate of velocity is P du/dt + gamma
+// and then tau + P^T lambda = M du/dt + c, with lambda the reactions.
 #pragma once
 
 #include <Eigen/Core>
@@ -53,7 +61,32 @@ struct HasEnergy<M, std::void_t<decltype(M::energy(
                         std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
                         std::declval<const typename M::Inputs&>())[1])>> : std::true_type {};
 
+template <class M, class = void>
+struct ConstraintCount : std::integral_constant<int, 0> {};
+
+template <class M>
+struct ConstraintCount<M, std::void_t<decltype(M::kNc)>> : std::integral_constant<int, M::kNc> {};
+
+template <class M, class = void>
+struct HasConstraints : std::false_type {};
+
+template <class M>
+struct HasConstraints<
+    M, std::void_t<
+           typename M::ConstraintMatrix, typename M::ConstraintVector, decltype(M::kHolonomic[0]),
+           decltype(M::constraints(
+               std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+               std::declval<const typename M::Inputs&>(), std::declval<typename M::ConstraintMatrix&>(),
+               std::declval<typename M::ConstraintVector&>(), std::declval<typename M::ConstraintVector&>(),
+               std::declval<typename M::ConstraintVector&>()))>> : std::bool_constant<(M::kNc > 0)> {};
+
 }  // namespace detail
+
+/// Rows of constraints of M: n_c x 1, and n_c x n_v.
+template <class M>
+using ConstraintVector = Eigen::Matrix<typename M::Scalar, detail::ConstraintCount<M>::value, 1>;
+template <class M>
+using ConstraintMatrix = Eigen::Matrix<typename M::Scalar, detail::ConstraintCount<M>::value, M::kNv>;
 
 /// True if M has all that is listed at the top of this file.
 template <class M>
@@ -62,6 +95,10 @@ inline constexpr bool is_mechanism_v = detail::IsMechanism<M>::value;
 /// True if M also has `energy`.
 template <class M>
 inline constexpr bool has_energy_v = is_mechanism_v<M>&& detail::HasEnergy<M>::value;
+
+/// True if M also has `constraints` and all that goes with them.
+template <class M>
+inline constexpr bool has_constraints_v = is_mechanism_v<M>&& detail::HasConstraints<M>::value;
 
 #if defined(__cpp_concepts) && __cpp_concepts >= 201907L
 /// The same as is_mechanism_v, for constraining templates.

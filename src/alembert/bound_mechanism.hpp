@@ -1,0 +1,64 @@
+// A mechanism together with its inputs, as the algorithms of the runtime see it. In: a mechanism's type and
+// time, runtime parameters and wrenches. Out: one interface for M, c, the rates of the coordinates and the
+// constraints, whether the sizes are known when compiling or not.
+//
+// The algorithms take any `System` with
+//   System::Scalar, kNq, kNv, kNc      scalar type and sizes; Eigen::Dynamic where not known when compiling
+//   nq(), nv(), nc()                   the sizes
+//   time(), set_time(t)                s
+//   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
+//   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
+//   coordinate_rates(q, u)             N(q) u
+//   quaternion_offsets()               a range of indices into q: where the unit quaternions start
+//   holonomic(row)                     whether a row of the constraints binds the coordinates
+#pragma once
+
+#include <type_traits>
+
+#include "alembert/mechanism.hpp"
+
+namespace alembert {
+
+/// A generated mechanism M and its inputs: the System of that mechanism.
+template <class M>
+class BoundMechanism {
+ public:
+  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  using Scalar = typename M::Scalar;
+  static constexpr int kNq = M::kNq, kNv = M::kNv;
+  static constexpr int kNc = has_constraints_v<M> ? detail::ConstraintCount<M>::value : 0;
+
+  /// \param in  kept by reference; set_time changes it
+  explicit BoundMechanism(typename M::Inputs& in) : in_(in) {}
+
+  static constexpr int nq() { return kNq; }
+  static constexpr int nv() { return kNv; }
+  static constexpr int nc() { return kNc; }
+  Scalar time() const { return in_.t; }
+  void set_time(Scalar t) { in_.t = t; }
+  void mass_matrix_and_bias(const CoordinateVector<M>& q, const SpeedVector<M>& u, SpeedMatrix<M>& mass,
+                            SpeedVector<M>& c) const {
+    M::mass_matrix_and_bias(q, u, in_, mass, c);
+  }
+  CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
+    return M::coordinate_rates(q, u);
+  }
+  template <class Matrix, class Vector>
+  void constraints(const CoordinateVector<M>& q, const SpeedVector<M>& u, Matrix& P, Vector& gamma,
+                   Vector& velocity, Vector& position) const {
+    if constexpr (std::is_same_v<Matrix, typename M::ConstraintMatrix>) {
+      M::constraints(q, u, in_, P, gamma, velocity, position);
+    } else {
+      typename M::ConstraintMatrix rows;
+      M::constraints(q, u, in_, rows, gamma, velocity, position);
+      P = rows;
+    }
+  }
+  static constexpr auto quaternion_offsets() { return M::kQuaternionOffsets; }
+  static constexpr bool holonomic(int row) { return M::kHolonomic[static_cast<std::size_t>(row)]; }
+
+ private:
+  typename M::Inputs& in_;
+};
+
+}  // namespace alembert
