@@ -19,6 +19,7 @@ namespace alembert {
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions) {
   CompileOptions options;
   options.formulation = common.formulation;
+  options.passes = common.passes;
   options.functions = std::move(functions);
   if (common.verbose) options.talk = &std::cerr;
   if (!common.dump_stage.empty()) {
@@ -59,6 +60,19 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
           "factored (eq. 13), reduced, or auto: fewest operations")
       ->check(CLI::IsMember({"factored", "reduced", "auto"}))
       ->default_str("auto");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--without",
+          [&common](const std::vector<std::string>& names) {
+            for (const std::string& name : names) {
+              if (name == "peeling") common.passes.peeling = false;
+              if (name == "placement") common.passes.placement = common.passes.regrouping = false;
+              if (name == "regrouping") common.passes.regrouping = false;
+            }
+          },
+          "passes to leave out, separated by commas: peeling, placement (and regrouping with it), regrouping")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"peeling", "placement", "regrouping"}));
   command->add_flag("--verbose", common.verbose, "time, nodes and operations of each stage");
   command->add_option("--dump", common.dump_stage, "print what a stage makes")
       ->check(CLI::IsMember(dump_stages()));

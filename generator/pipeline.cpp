@@ -50,23 +50,36 @@ std::size_t weight(const OperationCount& n) {
 std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
                                                    const CompileOptions& options, StageLog& log) {
   std::vector<EquationsOfMotion> candidates;
-  const auto add = [&](Formulation formulation) {
-    candidates.push_back(equations_of_motion(kinematics, formulation));
+  const auto add = [&](Formulation formulation, Passes passes) {
+    candidates.push_back(equations_of_motion(kinematics, formulation, passes));
     const EquationsOfMotion& equations = candidates.back();
     log.done("equations",
              fmt::format("{}: Q {} operations, M {}, c {}", to_string(formulation),
                          count_operations(equations.Q).total(), count_operations(equations.M).total(),
                          count_operations(equations.c).total()));
   };
-  if (options.formulation) {
-    add(*options.formulation);
+  if (options.formulation == Formulation::factored) {
+    add(Formulation::factored, options.passes);
     return candidates;
   }
-  add(Formulation::reduced);
+  add(Formulation::reduced, options.passes);
+  if (options.passes.peeling && kinematics.peeled) {
+    Passes others = options.passes;
+    others.peeling = false;
+    add(Formulation::reduced, others);
+    // Programs of both are compared, unless one is so much shorter that nothing can change it.
+    const auto much_longer = [](std::span<const Expr> x, std::span<const Expr> y) {
+      return 4 * count_operations(x).total() > 5 * count_operations(y).total();
+    };
+    const EquationsOfMotion &with = candidates[0], &without = candidates[1];
+    if (much_longer(without.Q, with.Q) && much_longer(without.M, with.M) && much_longer(without.c, with.c))
+      candidates.pop_back();
+  }
+  if (options.formulation) return candidates;
   // The literal form repeats every product of 4x4 matrices. It can only win where there is next to nothing to
   // multiply, so it is tried only there.
   constexpr std::size_t kSmall = 3;
-  if (kinematics.mechanism.bodies.size() <= kSmall) add(Formulation::factored);
+  if (kinematics.mechanism.bodies.size() <= kSmall) add(Formulation::factored, options.passes);
   return candidates;
 }
 
@@ -126,9 +139,9 @@ void dump_mechanism(std::ostream& out, const Mechanism& mechanism) {
   }
 }
 
-void dump_kinematics(std::ostream& out, const Kinematics& kinematics) {
-  for (std::size_t i = 0; i < kinematics.tree.nodes.size(); ++i) {
-    const MotionNode& node = kinematics.tree.nodes[i];
+void dump_tree(std::ostream& out, const MotionTree& tree) {
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const MotionNode& node = tree.nodes[i];
     out << fmt::format("node {} parent {}", i, node.parent);
     switch (node.motion.kind) {
       case MotionKind::translation:
@@ -219,7 +232,13 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
     *options.talk << fmt::format(
         "note: D* reached its step cap {} times; forward or reverse mode was kept there\n", times);
   }
-  if (dumping("kinematics")) dump_kinematics(*options.dump, kinematics);
+  if (dumping("kinematics")) {
+    dump_tree(*options.dump, kinematics.tree);
+    if (kinematics.peeled) {
+      *options.dump << "with screws peeled off:\n";
+      dump_tree(*options.dump, *kinematics.peeled);
+    }
+  }
 
   const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);
   check_mass_matrix(kinematics, candidates.front());

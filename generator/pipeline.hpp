@@ -17,6 +17,7 @@ namespace alembert {
 
 struct CompileOptions {
   std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
+  Passes passes;                           ///< --without
   std::vector<FunctionKind> functions;     ///< in the order wanted
   std::ostream* talk = nullptr;            ///< time, nodes and operations of each stage (--verbose)
   std::ostream* dump = nullptr;            ///< what a stage made (--dump)

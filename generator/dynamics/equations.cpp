@@ -5,45 +5,14 @@
 
 #include "dynamics/constraints.hpp"
 #include "dynamics/formulations.hpp"
-#include "dynamics/rigid_links.hpp"
+#include "dynamics/reduced_equations.hpp"
+#include "dynamics/screw_peeling.hpp"
 #include "dynamics/state_checks.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
-
-/// Keeps the list of equal values with fewer operations; the first where they are equal.
-void keep_cheaper(std::vector<Expr>& kept, std::vector<Expr> other) {
-  if (kept.empty() || count_operations(other).total() < count_operations(kept).total())
-    kept = std::move(other);
-}
-
-/// Trees of motions that describe the same dynamics, to be tried for Q and for M: as given, and with placed
-/// frames and regrouped inertias.
-struct ReducedTrees {
-  std::vector<MotionTree> force, mass;
-};
-
-ReducedTrees reduced_trees(const Kinematics& kinematics) {
-  ReducedTrees trees;
-  const auto add_both_forms = [&](MotionTree tree) {
-    trees.force.push_back(tree);
-    for (NodeMass& mass : tree.masses) mass.forms.fill(MomentForm::inertia);
-    trees.force.push_back(std::move(tree));
-  };
-  add_both_forms(kinematics.tree);
-  trees.mass.push_back(kinematics.tree);
-  const std::optional<RigidLinks> links =
-      RigidLinks::of(kinematics.mechanism, kinematics.tree, kinematics.graph);
-  if (!links) return trees;
-  const std::vector<Regrouping> as_given(links->links().size());
-  add_both_forms(links->link_tree(as_given, kinematics.graph));
-  trees.force.push_back(links->link_tree(choose_regroupings(*links), kinematics.graph));
-  trees.mass.push_back(links->link_tree(as_given, kinematics.graph));
-  trees.mass.push_back(links->link_tree(minimal_regroupings(*links), kinematics.graph));
-  return trees;
-}
 
 Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
   for (const Coordinate& coordinate : mechanism.coordinates) {
@@ -142,39 +111,52 @@ std::span<const FunctionKind> all_function_kinds() {
 Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   check_transforms(mechanism, graph);
   SpeedDerivatives derivatives(mechanism, graph);
-  MotionTree tree = motion_tree(mechanism, derivatives, graph);
-  return {mechanism, graph, std::move(derivatives), std::move(tree)};
+  std::vector<std::vector<Motion>> motions;
+  for (const Body& body : mechanism.bodies)
+    motions.push_back(elementary_motions(body.transform, mechanism, graph));
+  MotionTree tree = motion_tree(mechanism, motions, derivatives, graph);
+  std::optional<MotionTree> peeled;
+  bool any = false;
+  for (std::vector<Motion>& given : motions) {
+    auto other = peeled_motions(given, mechanism, derivatives, graph);
+    if (!other) continue;
+    given = std::move(*other);
+    any = true;
+  }
+  if (any) peeled = motion_tree(mechanism, motions, derivatives, graph);
+  return {mechanism, graph, std::move(derivatives), std::move(tree), std::move(peeled)};
 }
 
-EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation) {
-  const Mechanism& mechanism = kinematics.mechanism;
-  ExprGraph& graph = kinematics.graph;
-  EquationsOfMotion equations;
-  equations.formulation = formulation;
+EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation, Passes passes) {
   switch (formulation) {
-    case Formulation::factored:
-      equations.Q = value_number(factored_inverse_dynamics(mechanism, kinematics.derivatives, graph));
+    case Formulation::factored: {
+      const Mechanism& mechanism = kinematics.mechanism;
+      EquationsOfMotion equations;
+      equations.formulation = formulation;
+      equations.Q =
+          value_number(factored_inverse_dynamics(mechanism, kinematics.derivatives, kinematics.graph));
       equations.M = coefficient_mass_matrix(mechanism, equations.Q);
-      break;
-    case Formulation::reduced: {
-      const ReducedTrees trees = reduced_trees(kinematics);
-      for (const MotionTree& tree : trees.force) {
-        keep_cheaper(equations.Q, value_number(reduced_inverse_dynamics(mechanism, tree, graph)));
-      }
-      for (const MotionTree& tree : trees.mass) {
-        keep_cheaper(equations.M, value_number(composite_mass_matrix(mechanism, tree, graph)));
-      }
-      // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
-      // speeds for the bodies.
-      if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
-        keep_cheaper(equations.M, value_number(coefficient_mass_matrix(mechanism, equations.Q)));
-      }
-      break;
+      equations.c = value_number(bias_by_substitution(mechanism, equations.Q, kinematics.graph));
+      return equations;
     }
+    case Formulation::reduced:
+      return reduced_equations(kinematics, passes);
   }
-  equations.c = value_number(bias_by_substitution(mechanism, equations.Q, graph));
-  return equations;
+  throw InternalError("there is no such formulation");
 }
+
+namespace {
+
+/// What `make` gives for a tree of motions: for the one of the two that takes fewer operations.
+template <class Make>
+std::vector<Expr> for_either_tree(const Kinematics& kinematics, Make make) {
+  std::vector<Expr> values = value_number(make(kinematics.mechanism, kinematics.tree, kinematics.graph));
+  if (!kinematics.peeled) return values;
+  std::vector<Expr> others = value_number(make(kinematics.mechanism, *kinematics.peeled, kinematics.graph));
+  return count_operations(others).total() < count_operations(values).total() ? others : values;
+}
+
+}  // namespace
 
 std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
                                                 const EquationsOfMotion& equations, FunctionKind kind) {
@@ -213,11 +195,11 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
       return {{"qdot", static_cast<std::uint32_t>(mechanism.nq), 1, std::move(rates)}};
     }
     case FunctionKind::energy:
-      return {{"energy", 2, 1, value_number(energies(mechanism, kinematics.tree, graph))}};
+      return {{"energy", 2, 1, for_either_tree(kinematics, energies)}};
     case FunctionKind::body_poses:
-      return {{"poses", bodies, 12, value_number(body_poses(mechanism, kinematics.tree, graph))}};
+      return {{"poses", bodies, 12, for_either_tree(kinematics, body_poses)}};
     case FunctionKind::frame_poses:
-      return {{"frames", frames, 12, value_number(frame_poses(mechanism, kinematics.tree, graph))}};
+      return {{"frames", frames, 12, for_either_tree(kinematics, frame_poses)}};
     case FunctionKind::frame_jacobians: {
       const std::vector<Expr> poses = frame_poses(mechanism, kinematics.tree, graph);
       return {{"J", 6 * frames, nv,
@@ -226,7 +208,7 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
     case FunctionKind::constraints:
       return constraint_outputs(kinematics);
     case FunctionKind::body_jacobians:
-      return {{"J", 6 * bodies, nv, value_number(body_jacobians(mechanism, kinematics.tree, graph))}};
+      return {{"J", 6 * bodies, nv, for_either_tree(kinematics, body_jacobians)}};
     case FunctionKind::body_inertias:
       return {{"inertias", bodies, 10, body_inertias(mechanism)}};
   }

@@ -5,6 +5,7 @@
 // A_i transform of body i in its parent, W_i = W_p(i) A_i in the world.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,16 +24,24 @@ namespace alembert {
 enum class Formulation { factored, reduced };
 std::string_view to_string(Formulation formulation);
 
-/// Stage `kinematics`: the tree of elementary motions of a mechanism, with twists and their rates. Holds
-/// references: mechanism and graph must outlive it.
+/// Stage `kinematics`: the tree of elementary motions of a mechanism, with twists and their rates, and the
+/// same with screws peeled off where there are some. Holds references: mechanism and graph must outlive it.
 struct Kinematics {
   const Mechanism& mechanism;
   ExprGraph& graph;
   SpeedDerivatives derivatives;
   MotionTree tree;
+  std::optional<MotionTree> peeled;  ///< the same motion by other factors (screw_peeling.hpp)
 };
 /// Throws InputError where a transform has no frame, or none at the initial state.
 Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph);
+
+/// Passes that look for fewer operations; what one finds is used only where it gains some.
+struct Passes {
+  bool peeling = true;     ///< screws peeled off transforms (screw_peeling.hpp)
+  bool placement = true;   ///< frames placed along the axes (rigid_links.hpp)
+  bool regrouping = true;  ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
+};
 
 /// Equations of motion by one formulation.
 struct EquationsOfMotion {
@@ -42,8 +51,9 @@ struct EquationsOfMotion {
   std::vector<Expr> c;  ///< nv
 };
 /// Stage `equations`. Q by the formulation; M by `coefficient`, or by composite bodies where that is shorter;
-/// c by `substitute`.
-EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation);
+/// c by `substitute`. The passes are for the reduced form.
+EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation,
+                                      Passes passes = {});
 
 /// Throws InputError if M is singular at the initial state and at random states, naming the coordinate
 /// without inertia.

@@ -8,16 +8,14 @@
 
 namespace alembert {
 
-namespace {
-
-Motion translation(const Vec3& offset) {
+Motion translation_motion(const Vec3& offset) {
   Motion motion;
   motion.kind = MotionKind::translation;
   motion.offset = offset;
   return motion;
 }
 
-Motion axis_rotation(int axis, Expr angle) {
+Motion axis_rotation_motion(int axis, Expr angle) {
   Motion motion;
   motion.kind = MotionKind::axis_rotation;
   motion.axis = axis;
@@ -26,6 +24,8 @@ Motion axis_rotation(int axis, Expr angle) {
   motion.sine = sin(angle);
   return motion;
 }
+
+namespace {
 
 Motion rotation(const Mat3& matrix) {
   Motion motion;
@@ -113,28 +113,28 @@ void append_factor(std::vector<Motion>& motions, const Factor& factor, const Mec
       [&](const auto& value) {
         using T = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<T, Translation>) {
-          append(motions, translation(value.offset), g);
+          append(motions, translation_motion(value.offset), g);
         } else if constexpr (std::is_same_v<T, AxisRotation>) {
-          append(motions, axis_rotation(value.axis, value.angle), g);
+          append(motions, axis_rotation_motion(value.axis, value.angle), g);
         } else if constexpr (std::is_same_v<T, VectorRotation>) {
           append(motions, vector_rotation(value.axis, value.angle), g);
         } else if constexpr (std::is_same_v<T, QuaternionRotation>) {
           append(motions, quaternion_rotation(mechanism, value.coordinate), g);
         } else if constexpr (std::is_same_v<T, RigidMatrix>) {
-          append(motions, translation(value.translation), g);
+          append(motions, translation_motion(value.translation), g);
           append(motions, rotation(value.rotation), g);
         } else if constexpr (std::is_same_v<T, CurveFrame>) {
-          append(motions, translation(value.point), g);
+          append(motions, translation_motion(value.point), g);
           append(motions, rotation(curve_rotation(value, factor.where, g)), g);
         } else if constexpr (std::is_same_v<T, SurfaceFrame>) {
-          append(motions, translation(value.point), g);
+          append(motions, translation_motion(value.point), g);
           append(motions, rotation(surface_rotation(value, factor.where, g)), g);
         } else if constexpr (std::is_same_v<T, Mate>) {
-          append(motions, translation(value.first.point), g);
+          append(motions, translation_motion(value.first.point), g);
           append(motions, rotation(surface_rotation(value.first, factor.where, g)), g);
-          append(motions, axis_rotation(2, value.spin), g);
+          append(motions, axis_rotation_motion(2, value.spin), g);
           append(motions, rotation(surface_rotation(value.second, factor.where, g)).inverse(), g);
-          append(motions, translation(value.second.point).inverse(), g);
+          append(motions, translation_motion(value.second.point).inverse(), g);
         } else {
           static_assert(std::is_same_v<T, Inverse>);
           std::vector<Motion> inner;
@@ -196,9 +196,9 @@ Vec3 Motion::to_child(const Vec3& v) const {
 Motion Motion::inverse() const {
   switch (kind) {
     case MotionKind::translation:
-      return translation({{-offset[0], -offset[1], -offset[2]}});
+      return translation_motion({{-offset[0], -offset[1], -offset[2]}});
     case MotionKind::axis_rotation:
-      return axis_rotation(axis, -angle);
+      return axis_rotation_motion(axis, -angle);
     case MotionKind::rotation: {
       // The inverse of a quaternion's rotation does not turn with the body-frame speeds: its twist is derived
       // from the matrix.
@@ -217,11 +217,11 @@ void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& g) {
   if (!motions.empty()) {
     const Motion& last = motions.back();
     if (last.kind == MotionKind::translation && motion.kind == MotionKind::translation) {
-      motion = translation(last.offset + motion.offset);
+      motion = translation_motion(last.offset + motion.offset);
       motions.pop_back();
     } else if (last.kind == MotionKind::axis_rotation && motion.kind == MotionKind::axis_rotation &&
                last.axis == motion.axis) {
-      motion = axis_rotation(motion.axis, last.angle + motion.angle);
+      motion = axis_rotation_motion(motion.axis, last.angle + motion.angle);
       motions.pop_back();
     }
   }

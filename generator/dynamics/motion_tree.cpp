@@ -29,7 +29,25 @@ std::vector<SpeedPartial> rotation_partials(const Mat3& e, const SpeedDerivative
   return partials;
 }
 
-/// The twist of a motion along each speed it depends on.
+MotionNode make_node(int parent, const Motion& motion, std::span<const SpeedPartial> partials,
+                     const SpeedDerivatives& derivatives) {
+  MotionNode node;
+  node.parent = parent;
+  node.motion = motion;
+  for (const SpeedPartial& partial : partials) node.partials.push_back({partial.speed, vec3(partial.values)});
+  node.velocity = vec3(derivatives.first_rate(partials, 3));
+  node.acceleration = vec3(derivatives.second_rate(partials, 3));
+  return node;
+}
+
+/// Where children of a body attach: a node and the constant motions they begin with.
+struct Attachment {
+  int node = -1;
+  std::vector<Motion> prefix;
+};
+
+}  // namespace
+
 std::vector<SpeedPartial> twist_partials(const Motion& motion, const Mechanism& mechanism,
                                          const SpeedDerivatives& derivatives, ExprGraph& g) {
   switch (motion.kind) {
@@ -71,26 +89,15 @@ std::vector<SpeedPartial> twist_partials(const Motion& motion, const Mechanism& 
   return {};
 }
 
-MotionNode make_node(int parent, const Motion& motion, std::span<const SpeedPartial> partials,
-                     const SpeedDerivatives& derivatives) {
-  MotionNode node;
-  node.parent = parent;
-  node.motion = motion;
-  for (const SpeedPartial& partial : partials) node.partials.push_back({partial.speed, vec3(partial.values)});
-  node.velocity = vec3(derivatives.first_rate(partials, 3));
-  node.acceleration = vec3(derivatives.second_rate(partials, 3));
-  return node;
+MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  std::vector<std::vector<Motion>> motions;
+  for (const Body& body : mechanism.bodies)
+    motions.push_back(elementary_motions(body.transform, mechanism, graph));
+  return motion_tree(mechanism, motions, derivatives, graph);
 }
 
-/// Where children of a body attach: a node and the constant motions they begin with.
-struct Attachment {
-  int node = -1;
-  std::vector<Motion> prefix;
-};
-
-}  // namespace
-
-MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph) {
+MotionTree motion_tree(const Mechanism& mechanism, std::span<const std::vector<Motion>> motions_of_body,
+                       const SpeedDerivatives& derivatives, ExprGraph& graph) {
   MotionTree tree;
   std::vector<int> children(mechanism.bodies.size(), 0);
   for (const Body& body : mechanism.bodies) {
@@ -103,8 +110,7 @@ MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& deriv
     Attachment from;
     if (body.parent >= 0) from = attachments[static_cast<std::size_t>(body.parent)];
     std::vector<Motion> motions = from.prefix;
-    for (const Motion& motion : elementary_motions(body.transform, mechanism, graph))
-      append_motion(motions, motion, graph);
+    for (const Motion& motion : motions_of_body[b]) append_motion(motions, motion, graph);
 
     std::vector<std::vector<SpeedPartial>> partials;
     std::size_t moving = 0;  // motions up to the last one that moves

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dynamics/speed_derivatives.hpp"
@@ -83,6 +84,14 @@ struct MotionTree {
   std::vector<NodeMass> masses;   ///< one for each node: of all that is fixed to it
 };
 
+Motion translation_motion(const Vec3& offset);
+Motion axis_rotation_motion(int axis, Expr angle);
+
+/// The twist of a motion along each speed it depends on (and along time): three values each, as in
+/// TwistPartial.
+std::vector<SpeedPartial> twist_partials(const Motion& motion, const Mechanism& mechanism,
+                                         const SpeedDerivatives& derivatives, ExprGraph& graph);
+
 /// Appends a motion, merging it with the last one where both are translations or rotations about one axis;
 /// drops identities.
 void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& graph);
@@ -95,6 +104,9 @@ std::vector<Motion> elementary_motions(const Transform& transform, const Mechani
 
 /// Throws as elementary_motions does.
 MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph);
+/// The same tree from the motions of each body's transform.
+MotionTree motion_tree(const Mechanism& mechanism, std::span<const std::vector<Motion>> motions_of_body,
+                       const SpeedDerivatives& derivatives, ExprGraph& graph);
 
 /// Mass of a body about the origin of its node.
 NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph);

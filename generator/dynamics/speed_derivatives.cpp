@@ -50,7 +50,11 @@ Expr SpeedDerivatives::rate(int index) const {
   return rates_[static_cast<std::size_t>(index)];
 }
 
-std::vector<SpeedPartial> SpeedDerivatives::partials(std::span<const Expr> functions) const {
+bool SpeedDerivatives::moves(std::span<const Expr> functions) const {
+  return !variables_in(functions).empty();
+}
+
+std::vector<int> SpeedDerivatives::variables_in(std::span<const Expr> functions) const {
   std::vector<int> present;
   for (const std::uint32_t id : postorder(functions)) {
     if (graph_.node(id).op != Op::symbol) continue;
@@ -59,8 +63,13 @@ std::vector<SpeedPartial> SpeedDerivatives::partials(std::span<const Expr> funct
       present.push_back(variable_of_symbol_[index]);
     }
   }
-  if (present.empty()) return {};
   std::sort(present.begin(), present.end());
+  return present;
+}
+
+std::vector<SpeedPartial> SpeedDerivatives::partials(std::span<const Expr> functions) const {
+  const std::vector<int> present = variables_in(functions);
+  if (present.empty()) return {};
 
   std::vector<Expr> symbols;
   for (const int v : present) symbols.push_back(variables_[static_cast<std::size_t>(v)].symbol);

@@ -25,6 +25,9 @@ class SpeedDerivatives {
   /// Partials along every speed (and time) that the functions depend on, in ascending order, simplified.
   std::vector<SpeedPartial> partials(std::span<const Expr> functions) const;
 
+  /// Whether one of the functions depends on a coordinate or on time.
+  bool moves(std::span<const Expr> functions) const;
+
   /// d/dt of `functions` given their partials: sum_k D_k f u_k + D_t f.
   std::vector<Expr> first_rate(std::span<const SpeedPartial> partials, std::size_t count) const;
   /// Given g = sum_k D_k u_k (+ D_t), its rate: sum_k D_k ud_k + sum_kl (D_l D_k) u_k u_l, time counting as a
@@ -50,6 +53,9 @@ class SpeedDerivatives {
     int coordinate;  ///< -1: time
     int component;
   };
+  /// Indices into variables_ of those that the functions depend on, ascending.
+  std::vector<int> variables_in(std::span<const Expr> functions) const;
+
   const Mechanism& mechanism_;
   ExprGraph& graph_;
   int time_index_;

@@ -1,0 +1,218 @@
+// Screw peeling: transforms of many spellings become plane rotations and shifts, and stay the same
+// transforms.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dynamics/mechanism_file.hpp"
+
+namespace alembert::test {
+namespace {
+
+std::string one_body(const std::string& coordinates, const std::string& transform,
+                     const std::string& parameters = "") {
+  return "alembert: 1\nname: test\n" + parameters + "coordinates: [" + coordinates +
+         "]\nbodies:\n  - name: a\n    transform:\n" + transform +
+         "    mass: 1\n    com: [0.1, 0.2, 0.3]\n    inertia: {xx: 1, yy: 1.1, zz: 1.2}\n";
+}
+
+/// Moving motions as words: `z u` is a rotation, `shift x s` a translation.
+std::vector<std::string> moving_motions(const MotionTree& tree) {
+  std::vector<std::string> words;
+  for (const MotionNode& node : tree.nodes) {
+    if (node.partials.empty()) continue;
+    const Motion& motion = node.motion;
+    switch (motion.kind) {
+      case MotionKind::translation: {
+        std::string word = "shift";
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (!motion.offset[i].is_zero())
+            word += std::string(" ") + "xyz"[i] + " " + to_string(motion.offset[i]);
+        }
+        words.push_back(word);
+        break;
+      }
+      case MotionKind::axis_rotation:
+        words.push_back(std::string(1, "xyz"[motion.axis]) + " " + to_string(motion.angle));
+        break;
+      case MotionKind::rotation:
+        words.push_back("matrix");
+        break;
+    }
+  }
+  return words;
+}
+
+struct Spelling {
+  const char* name;
+  const char* coordinates;
+  const char* transform;
+  std::vector<std::string> peeled;
+  const char* parameters = "";
+};
+void PrintTo(const Spelling& spelling, std::ostream* out) {
+  *out << spelling.name;
+}
+
+class Peeled : public testing::TestWithParam<Spelling> {};
+TEST_P(Peeled, IsAProductOfPlaneRotationsAndShifts) {
+  const Spelling& given = GetParam();
+  const auto loaded = LoadedMechanism::text(one_body(given.coordinates, given.transform, given.parameters));
+  const Kinematics kinematics = loaded.kinematics();
+  ASSERT_TRUE(kinematics.peeled);
+  EXPECT_EQ(moving_motions(*kinematics.peeled), given.peeled);
+}
+TEST_P(Peeled, IsTheSameTransform) {
+  const Spelling& given = GetParam();
+  const auto loaded = LoadedMechanism::text(one_body(given.coordinates, given.transform, given.parameters));
+  const Kinematics kinematics = loaded.kinematics();
+  ASSERT_TRUE(kinematics.peeled);
+  const auto pose_entries = [&](const MotionTree& tree) {
+    Pose pose = identity_pose(*loaded.graph);
+    for (const MotionNode& node : tree.nodes) pose = moved(pose, node.motion);
+    for (const Motion& motion : tree.places[0].tail) pose = moved(pose, motion);
+    std::vector<Expr> entries(pose.rotation.entries.begin(), pose.rotation.entries.end());
+    entries.insert(entries.end(), pose.origin.entries.begin(), pose.origin.entries.end());
+    return entries;
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const std::vector<double> expected = loaded.values(pose_entries(kinematics.tree), seed);
+    const std::vector<double> actual = loaded.values(pose_entries(*kinematics.peeled), seed);
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(actual[i], expected[i], 1e-13) << "entry " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Spellings, Peeled,
+    testing::Values(
+        Spelling{"torus",
+                 "u, v",
+                 "      - surface: {point: [(2 + cos(v)/2)*cos(u), (2 + cos(v)/2)*sin(u), sin(v)/2], along: "
+                 "[u, v]}\n",
+                 {"z u", "y -v"}},
+        Spelling{"tori_mated",
+                 "u1, v1, u2, v2",
+                 "      - mate:\n"
+                 "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + cos(v1)/2)*sin(u1), "
+                 "sin(v1)/2], along: [u1, v1]}\n"
+                 "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + cos(v2)/3)*sin(u2), "
+                 "sin(v2)/3], along: [u2, v2], flip: true}\n",
+                 {"z u1", "y -v1", "y v2", "z u2"}},
+        Spelling{"tori_of_runtime_size",
+                 "u1, v1, u2, v2",
+                 "      - mate:\n"
+                 "          - surface: {point: [(R + r*cos(v1))*cos(u1), (R + r*cos(v1))*sin(u1), "
+                 "r*sin(v1)], along: [u1, v1]}\n"
+                 "          - surface: {point: [(R + r*cos(v2))*cos(u2), (R + r*cos(v2))*sin(u2), "
+                 "r*sin(v2)], along: [u2, v2], flip: true}\n",
+                 {"z u1", "y -v1", "y v2", "z u2"},
+                 "parameters: {R: {value: 2, runtime: true}, r: {value: 0.5, runtime: true}}\n"},
+        Spelling{"sphere",
+                 "u, v",
+                 "      - surface: {point: [2*cos(u)*cos(v), 2*sin(u)*cos(v), 2*sin(v)], along: [u, v]}\n",
+                 {"z u", "y -v"}},
+        Spelling{"cylinder",
+                 "u, v",
+                 "      - surface: {point: [2*cos(u), 2*sin(u), v], along: [u, v]}\n",
+                 {"z u", "shift x 2 z v"}},
+        Spelling{"cone",
+                 "u, v",
+                 "      - surface: {point: [(2 + 3/5*v)*cos(u), (2 + 3/5*v)*sin(u), 4/5*v], along: [u, v]}\n",
+                 {"z u", "shift x 2 + 3/5*v z 4/5*v"}},
+        Spelling{"helix",
+                 "s",
+                 "      - curve: {point: [3*cos(s), 3*sin(s), 4*s], along: s, frame: frenet}\n",
+                 {"shift z 4*s", "z s"}},
+        Spelling{
+            "screw_as_a_matrix",
+            "s",
+            "      - matrix: [[1, 0, 0, s/10], [0, cos(2*s), -sin(2*s), 1], [0, sin(2*s), cos(2*s), 0]]\n"
+            "      - translate: [0, 1, 0]\n",
+            {"shift x 1/10*s y 1", "x 2*s"}},
+        Spelling{"matrix_of_a_sum",
+                 "q1, q2",
+                 "      - matrix: [[cos(q1 + q2), -sin(q1 + q2), 0, 0], [sin(q1 + q2), cos(q1 + q2), 0, 0], "
+                 "[0, 0, 1, 0]]\n",
+                 {"z q2 + q1"}},
+        Spelling{"circle_and_turn",
+                 "q",
+                 "      - translate: [2*cos(q), 2*sin(q), 0]\n      - rotate: {axis: z, angle: q}\n",
+                 {"z q"}},
+        Spelling{"axis_aslant", "q", "      - rotate: {axis: [1, 2, -2], angle: q}\n", {"z q"}},
+        Spelling{"inverse",
+                 "u, v",
+                 "      - inverse:\n          - surface: {point: [2*cos(u)*cos(v), 2*sin(u)*cos(v), "
+                 "2*sin(v)], along: [u, v]}\n",
+                 {"x v", "y -u"}},
+        Spelling{"around_a_core",
+                 "u, v, w, s",
+                 "      - rotate: {axis: [3, 0, 4], angle: w}\n"
+                 "      - surface: {point: [2*cos(u)*cos(v), sin(u)*cos(v), 3*sin(v)], along: [u, v]}\n"
+                 "      - matrix: [[1, 0, 0, 0], [0, cos(s), -sin(s), 1], [0, sin(s), cos(s), 0]]\n",
+                 {"z w", "shift x 2*cos(v)*cos(u) y cos(v)*sin(u) z 3*sin(v)", "matrix", "x s"}}),
+    [](const auto& spelling) { return std::string(spelling.param.name); });
+
+TEST(ScrewPeeling, ConstantsOfAMateAreExact) {
+  const auto loaded =
+      LoadedMechanism::text(one_body("u1, v1, u2, v2",
+                                     "      - mate:\n"
+                                     "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
+                                     "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
+                                     "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
+                                     "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+  const Kinematics kinematics = loaded.kinematics();
+  ASSERT_TRUE(kinematics.peeled);
+  std::vector<std::string> shifts;
+  for (const MotionNode& node : kinematics.peeled->nodes) {
+    ASSERT_TRUE(!node.partials.empty() || node.motion.kind == MotionKind::translation) << "a constant turn";
+    if (node.motion.kind != MotionKind::translation) continue;
+    for (const Expr& e : node.motion.offset.entries) {
+      if (!e.is_zero()) shifts.push_back(to_string(e));
+    }
+  }
+  EXPECT_EQ(shifts, (std::vector<std::string>{"2", "5/6", "3"}));
+}
+
+TEST(ScrewPeeling, AnEllipsoidStaysAsItIs) {
+  const auto loaded = LoadedMechanism::text(one_body(
+      "u, v", "      - surface: {point: [2*cos(u)*cos(v), sin(u)*cos(v), 3*sin(v)], along: [u, v]}\n"));
+  EXPECT_FALSE(loaded.kinematics().peeled);
+}
+
+TEST(ScrewPeeling, APlaneIsAShiftAlready) {
+  const auto loaded =
+      LoadedMechanism::text(one_body("u, v", "      - surface: {point: [u, 3/5*v, 4/5*v], along: [u, v]}\n"));
+  const Kinematics kinematics = loaded.kinematics();
+  EXPECT_FALSE(kinematics.peeled);
+  EXPECT_EQ(moving_motions(kinematics.tree), (std::vector<std::string>{"shift x u y 3/5*v z 4/5*v"}));
+}
+
+TEST(ScrewPeeling, JointsStayAsTheyAre) {
+  const auto loaded = LoadedMechanism::text(one_body(
+      "a, b, c, {name: base, type: quaternion}",
+      "      - joint: {type: planar, coordinates: [a, b, c]}\n      - rotate: {quaternion: base}\n"));
+  EXPECT_FALSE(loaded.kinematics().peeled);
+}
+
+/// What a peeled mechanism is for: an all-revolute chain.
+TEST(ScrewPeeling, NeedsFewerOperations) {
+  const auto loaded =
+      LoadedMechanism::text(one_body("u1, v1, u2, v2",
+                                     "      - mate:\n"
+                                     "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
+                                     "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
+                                     "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
+                                     "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+  Kinematics kinematics = loaded.kinematics();
+  const std::size_t with = count_operations(equations_of_motion(kinematics, Formulation::reduced).Q).total();
+  kinematics.peeled.reset();
+  const std::size_t without =
+      count_operations(equations_of_motion(kinematics, Formulation::reduced).Q).total();
+  EXPECT_LT(with, without);
+  RecordProperty("with", static_cast<int>(with));
+  RecordProperty("without", static_cast<int>(without));
+}
+
+}  // namespace
+}  // namespace alembert::test
