@@ -63,11 +63,11 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
   command
       ->add_option_function<std::vector<std::string>>(
           "--without",
-          [&common](const std::vector<std::string>& names) {
-            for (const std::string& name : names) {
-              if (name == "peeling") common.passes.peeling = false;
-              if (name == "placement") common.passes.placement = common.passes.regrouping = false;
-              if (name == "regrouping") common.passes.regrouping = false;
+          [&common](const std::vector<std::string>& passes) {
+            for (const std::string& pass : passes) {
+              if (pass == "peeling") common.passes.peeling = false;
+              if (pass == "placement") common.passes.placement = common.passes.regrouping = false;
+              if (pass == "regrouping") common.passes.regrouping = false;
             }
           },
           "passes to leave out, separated by commas: peeling, placement (and regrouping with it), regrouping")
