@@ -15,7 +15,7 @@ namespace alembert {
 struct CommonOptions {
   std::string file;                        ///< description; `-` is standard input
   std::optional<Formulation> formulation;  ///< none: auto
-  Passes passes;  ///< all, without those named by --without
+  Passes passes;                           ///< all, without those named by --without
   bool verbose = false;
   std::string dump_stage;
 };

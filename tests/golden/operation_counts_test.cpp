@@ -33,10 +33,10 @@ std::string rows_of(const std::string& path) {
   CompileOptions options;
   options.functions = {
       FunctionKind::inverse_dynamics,     FunctionKind::mass_matrix,      FunctionKind::bias,
-      FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics, FunctionKind::energy,
-      FunctionKind::constraints};
-  CompiledMechanism compiled = compile_mechanism(read_source(path), options);
-  if (compiled.mechanism->constraints.empty()) compiled.functions.pop_back();
+      FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics, FunctionKind::energy};
+  if (!LoadedMechanism::file(path).mechanism->constraints.empty())
+    options.functions.push_back(FunctionKind::constraints);
+  const CompiledMechanism compiled = compile_mechanism(read_source(path), options);
   std::string rows;
   for (const CompiledFunction& f : compiled.functions) {
     rows += fmt::format("{:<24} {:<21} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,

@@ -54,14 +54,14 @@ extern const double bead_on_helix_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 116 multiplications, 77 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 110 multiplications, 76 additions, 4 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 13 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 12 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 

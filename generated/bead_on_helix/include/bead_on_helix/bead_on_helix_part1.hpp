@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::bead_on_helix {
 
-// inverse_dynamics: 116 multiplications, 77 additions, 4 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 110 multiplications, 76 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -36,7 +36,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S t0 = S(0.5667292175235064) - q1;
+  const S t0 = q1 + S(5.71645608965608);
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -44,56 +44,55 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t2 = cosine[0];
   const S t3 = cosine[1];
   const S t4 = sine[1];
-  const S t5 = t4 * t2;
-  const S t6 = t1 * t3;
-  const S t7 = t5 - S(0.18428853505018536) * t6;
-  const S t8 = t1 * t4;
-  const S t9 = t3 * t2;
-  const S t10 = t8 + S(0.18428853505018536) * t9;
-  const S t11 = S(0.9828721869343219) * (t3 * f2) - (f0 * t7 + f1 * t10);
-  const S t12 = S(0.15) * qdd0 + S(9.81);
+  const S t5 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (t2 * f1 - f0 * t1);
+  const S t6 = S(0.15) * qdd0 + S(9.81);
+  const S t7 = S(0.18428853505018536) * t6 + S(0.7862977495474576) * qdd0;
+  const S t8 = qd0 * t4;
+  const S t9 = qd1 + S(0.18428853505018536) * qd0;
+  const S t10 = S(0.9828721869343219) * (t8 * t9);
+  const S t11 = S(0.9828721869343219) * (t8 * qd1 - t3 * qdd0);
+  const S t12 = t10 + t11;
   const S t13 = qd0 * qd0;
-  const S t14 = qdd1 + S(0.18428853505018536) * qdd0;
-  const S t15 = qd0 * t4;
-  const S t16 = t3 * qd0;
-  const S t17 = S(0.9660377358490566) * (t15 * t16);
-  const S t18 = t14 + t17;
-  const S t19 = S(0.9828721869343219) * (qdd0 * t4 - qd1 * t16);
-  const S t20 = qd1 + S(0.18428853505018536) * qd0;
-  const S t21 = S(0.9828721869343219) * (t20 * t16);
-  const S t22 = S(0.9828721869343219) * (qdd0 * t3 + qd1 * t15);
-  const S t23 = S(0.9828721869343219) * (t15 * t20);
-  const S t24 = S(0.9660377358490566) * (t16 * t16);
-  const S t25 = S(0.9660377358490566) * (t15 * t15);
-  const S t26 = t14 - t17;
-  const S t27 = S(0.00013444705882352943) * t18 - S(1.1427778333825823e-05) * (t19 + t21) - S(1.0507420347208976e-05) * (t22 - t23) + S(1.7988235294117636e-05) * (t24 - t25) + S(0.00021805294117647063) * t26;
-  const S t28 = S(-0.9828721869343219) * (t2 * f4 - t1 * f3) - (S(0.013038404810405297) * t11 + (S(0.003259601202601324) * (t3 * (S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t12) - S(0.8) * (t4 * t13)) - t27));
-  const S t29 = t28 - S(0.18428853505018536) * f5;
-  tau[1] = t29;
-  const S t30 = t22 + t23;
-  const S t31 = S(0.18428853505018536) * f2 + S(0.9828721869343219) * (f1 * t2 - t1 * f0);
-  const S t32 = S(0.003259601202601324) * t30 + t31 + S(0.0009660377358490566) * t13;
-  const S t33 = S(0.18428853505018536) * t5 - t6;
-  const S t34 = t9 + S(0.18428853505018536) * t8;
-  const S t35 = S(0.9828721869343219) * (t4 * f2) - (f1 * t33 - f0 * t34);
-  const S t36 = t20 * t20;
-  const S t37 = t35 - S(0.003259601202601324) * (t24 + t36);
-  const S t38 = S(0.003259601202601324) * t26 - t11;
-  const S t39 = S(0.00018113207547169812) * t13 - (t4 * t37 - t3 * t38);
-  const S t40 = S(0.9828721869343219) * t32 + S(0.18428853505018536) * t39;
-  const S t41 = S(0.0009828721869343218) * qdd0 + (t4 * t38 + t3 * t37);
-  const S t42 = t2 * (t2 * t40 + (t1 * t41 + S(0.2) * (t1 * t13 - qdd0 * t2)));
-  const S t43 = S(0.15) * (S(0.25) * t12 + (S(0.9828721869343219) * t39 - S(0.18428853505018536) * t32));
-  const S t44 = t19 - t21;
-  const S t45 = S(0.003259601202601324) * (S(0.18428853505018536) * t12 + S(0.7862977495474576) * qdd0) - (S(0.00021805294117647063) * t30 - (S(1.0507420347208976e-05) * t18 - S(1.7988235294117623e-05) * t44 - S(1.1427778333825823e-05) * (t36 - t25)));
-  const S t46 = S(1.1427778333825823e-05) * t26 - S(1.7988235294117636e-05) * t30 - S(1.0507420347208976e-05) * (t24 - t36) - S(0.00013444705882352943) * t44;
-  const S t47 = t4 * (S(0.004) * t11 - (t33 * f4 - t34 * f3 - S(0.9828721869343219) * (t4 * f5)) + t46);
-  const S t48 = S(0.0008) * t13 + S(0.0001120474293105127) * qdd0;
-  const S t49 = S(0.9828721869343219) * (t3 * (S(0.013038404810405297) * t31 + S(0.004) * t35 - (S(0.9828721869343219) * (t3 * f5) - (t10 * f4 + t7 * f3)) - t45) - t47 + t48);
-  tau[0] = S(0.18428853505018536) * t29 - (S(0.8) * (t1 * (t1 * t40 - (S(0.2) * (t2 * t13 + t1 * qdd0) + t2 * t41)) + t42) - t43 - t49);
+  const S t14 = t5 - (S(0.25) * t7 + (S(0.003259601202601324) * t12 - S(0.0009660377358490566) * t13));
+  const S t15 = t4 * t1;
+  const S t16 = t3 * t2;
+  const S t17 = S(0.18428853505018536) * t15 - t16;
+  const S t18 = t3 * t1;
+  const S t19 = t4 * t2;
+  const S t20 = t18 + S(0.18428853505018536) * t19;
+  const S t21 = f0 * t17 - f1 * t20 + S(0.9828721869343219) * (t4 * f2);
+  const S t22 = S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t6;
+  const S t23 = S(0.8) * (t3 * t13) - t22 * t4;
+  const S t24 = t9 * t9;
+  const S t25 = t3 * qd0;
+  const S t26 = S(0.9660377358490566) * (t25 * t25);
+  const S t27 = t10 - t11;
+  const S t28 = t15 - S(0.18428853505018536) * t16;
+  const S t29 = t19 + S(0.18428853505018536) * t18;
+  const S t30 = f1 * t28 + f0 * t29 + S(0.9828721869343219) * (t3 * f2);
+  const S t31 = S(0.8) * (t13 * t4) + t3 * t22;
+  const S t32 = qdd1 + S(0.18428853505018536) * qdd0;
+  const S t33 = S(0.9660377358490566) * (t8 * t25);
+  const S t34 = t32 + t33;
+  const S t35 = S(0.9828721869343219) * (t9 * t25);
+  const S t36 = S(0.9828721869343219) * (qd1 * t25 + qdd0 * t4);
+  const S t37 = t35 - t36;
+  const S t38 = t4 * (t21 - (S(0.25) * t23 - (S(0.003259601202601324) * (t24 + t26) - S(0.001) * t27))) + t3 * (t30 + (S(0.25) * t31 - (S(0.003259601202601324) * t34 + S(0.001) * t37)));
+  const S t39 = S(0.9660377358490566) * (t8 * t8);
+  const S t40 = t32 - t33;
+  const S t41 = t35 + t36;
+  const S t42 = S(0.004) * t21 - S(0.013038404810405297) * t5 + (f4 * t28 + f3 * t29 + S(0.9828721869343219) * (t3 * f5));
+  const S t43 = t3 * (S(0.003259601202601324) * t7 - S(0.001) * t23 + (S(1.1427778333825821e-05) * (t39 - t24) + (S(1.0507420347208973e-05) * t40 + S(1.7988235294117643e-05) * t41) - S(0.00011399999999999995) * t27 + S(0.00021805294117647052) * t12) + t42);
+  const S t44 = S(0.001) * t31 - (S(0.00011399999999999995) * t37 - (S(0.00013444705882352938) * t41 + (S(1.0507420347208973e-05) * (t24 - t26) + (S(1.798823529411765e-05) * t12 + S(1.1427778333825821e-05) * t34))));
+  const S t45 = S(0.9828721869343219) * (t43 + t4 * (S(2.6020852139652106e-18) * t5 - S(0.004) * t30 + (t17 * f3 - t20 * f4 + S(0.9828721869343219) * (t4 * f5)) - t44) + S(0.8) * t14);
+  const S t46 = S(1.0507420347208973e-05) * t27;
+  const S t47 = S(1.798823529411765e-05) * (t39 - t26) + (S(0.003259601202601324) * t31 - (S(2.6020852139652106e-18) * t21 - S(0.013038404810405297) * t30 - S(0.9828721869343219) * (t2 * f4 - t1 * f3) - S(0.18428853505018536) * f5)) + t46;
+  const S t48 = S(0.00013444705882352938) * t40 - (t47 + S(1.1427778333825821e-05) * t37 - S(0.00021805294117647052) * t34);
+  tau[1] = t48;
+  tau[0] = S(-0.15) * (S(0.18428853505018536) * t14 + S(0.9828721869343219) * t38) - (t45 - S(0.18428853505018536) * (S(0.8) * t38 + t48));
 }
 
-// mass_matrix: 13 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
+// mass_matrix: 12 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
@@ -102,11 +101,10 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t0 = cos(q1);
   const S t1 = sin(q1);
   const S t2 = S(1.5e-05) * t0 - S(4e-06) * t1;
-  const S t3 = S(6.496170860519034e-05) - S(0.9828721869343219) * t2;
-  M[1] = t3;
-  M[2] = t3;
-  const S t4 = S(1.6) * (S(0.00275) * t0 + S(0.00175) * t1) - (S(0.9828721869343219) * (S(0.9828721869343219) * (S(0.00032425) - t1 * (S(6.8e-05) * t1 - S(6.05e-05) * t0)) - S(0.18428853505018536) * t2) + S(0.18428853505018536) * t3);
-  M[0] = S(0.165625) - t4;
+  M[0] = S(0.0059775) - (S(0.9828721869343219) * (S(0.3685770701003707) * t2 + S(0.9828721869343219) * (S(2.825e-05) - t1 * (S(6.05e-05) * t0 - S(6.8e-05) * t1))) - S(1.6) * (S(0.1) - (S(0.00175) * t1 + S(0.00275) * t0)));
+  const S t4 = S(6.496170860519034e-05) - S(0.9828721869343219) * t2;
+  M[1] = t4;
+  M[2] = t4;
   M[3] = S(0.0003525);
 }
 

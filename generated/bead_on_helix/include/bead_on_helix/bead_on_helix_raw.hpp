@@ -92,13 +92,13 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
-/// Operations: 116 multiplications, 77 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 110 multiplications, 76 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 13 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
+/// Operations: 12 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 

@@ -54,27 +54,27 @@ extern const double body_on_torus_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [3] is the result.
-   Operations: 108 multiplications, 73 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 69 multiplications, 49 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [3 x 3] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 49 multiplications, 28 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 20 multiplications, 15 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-   Operations: 99 multiplications, 63 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 61 multiplications, 42 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [3 x 3], symmetric and written in full, and c [3] are the results.
-   Operations: 141 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 81 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);
@@ -87,14 +87,14 @@ int body_on_torus_coordinate_rates(const double* q, const double* qd, double* qd
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 55 multiplications, 27 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 36 multiplications, 22 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_energy(const double* q, const double* qd, double t, const double* parameters,
                          const double* wrenches, double* e);
 
 /* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
    body's axes and p, m, is its origin. W [1 x 3 x 4] is the result.
-   Operations: 20 multiplications, 7 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 19 multiplications, 6 additions, 6 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 

@@ -67,14 +67,14 @@ int free_body_mass_matrix(const double* q, double t, const double* parameters, c
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 78 multiplications, 93 additions (reduced formulation).
+   Operations: 75 multiplications, 91 additions (reduced formulation).
  */
 int free_body_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                    double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 96 multiplications, 102 additions (reduced formulation).
+   Operations: 93 multiplications, 100 additions (reduced formulation).
  */
 int free_body_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                    const double* wrenches, double* M, double* c);

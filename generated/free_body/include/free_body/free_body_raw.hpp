@@ -93,13 +93,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-/// Operations: 78 multiplications, 93 additions (reduced formulation).
+/// Operations: 75 multiplications, 91 additions (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [6 x 6], symmetric and written in full, and c [6] are the results.
-/// Operations: 96 multiplications, 102 additions (reduced formulation).
+/// Operations: 93 multiplications, 100 additions (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
