@@ -69,28 +69,9 @@ MassProperties read_mass_properties(Loading& loading, const Section& section, co
   return out;
 }
 
-/// Known names to choose from; `world` first.
-std::vector<std::string> body_names(const std::map<std::string, int, std::less<>>& indices) {
-  std::vector<std::string> names = {"world"};
-  for (const auto& [name, index] : indices) names.push_back(name);
-  return names;
-}
-
-/// Index of the body that a scalar names, -1 for the world.
-int expect_body(const Document& document, const YamlNode& node,
-                const std::map<std::string, int, std::less<>>& indices, const std::string& what) {
-  const std::string& name = expect_text(document, node, fmt::format("the name of a body as {}", what));
-  if (name == "world") return -1;
-  const auto found = indices.find(name);
-  if (found == indices.end())
-    throw InputError(document.where(node), fmt::format("unknown body '{}' as {}{}", printable(name), what,
-                                                       did_you_mean(name, body_names(indices))));
-  return found->second;
-}
-
 Section body_section(const Document& document, const YamlNode& item) {
   return Section(document, item, "a body",
-                 {"name", "parent", "transform", "mass", "com", "inertia", "external_wrench"});
+                 {"name", "parent", "transform", "mass", "com", "inertia", "external_wrench", "geometry"});
 }
 Section frame_section(const Document& document, const YamlNode& item) {
   return Section(document, item, "a frame", {"name", "body", "transform"});
@@ -150,11 +131,23 @@ std::vector<int> parents_first(const std::vector<Body>& bodies,
 
 }  // namespace
 
+int expect_body(const Loading& loading, const YamlNode& node, const std::string& what) {
+  const std::string& name =
+      expect_text(loading.document, node, fmt::format("the name of a body as {}", what));
+  if (name == "world") return -1;
+  const auto found = loading.body_indices.find(name);
+  if (found != loading.body_indices.end()) return found->second;
+  std::vector<std::string> names = {"world"};
+  for (const auto& [known, index] : loading.body_indices) names.push_back(known);
+  throw InputError(loading.document.where(node), fmt::format("unknown body '{}' as {}{}", printable(name),
+                                                             what, did_you_mean(name, names)));
+}
+
 void read_bodies(Loading& loading, const YamlNode& list) {
   const Document& document = loading.document;
   if (expect_list(document, list, "the bodies").empty())
     throw InputError(document.where(list), "no bodies; a mechanism has at least one");
-  const auto indices = declare_names(document, list, "body", body_section);
+  loading.body_indices = declare_names(document, list, "body", body_section);
   std::vector<Body> bodies;
   std::vector<SourceLocation> parent_places;
   for (const YamlNode* item : list.items) {
@@ -164,8 +157,7 @@ void read_bodies(Loading& loading, const YamlNode& list) {
     body.where = document.where(section.require("name"));
     const YamlNode* parent = section.find("parent");
     if (parent != nullptr)
-      body.parent =
-          expect_body(document, *parent, indices, fmt::format("the parent of body '{}'", body.name));
+      body.parent = expect_body(loading, *parent, fmt::format("the parent of body '{}'", body.name));
     parent_places.push_back(parent != nullptr ? document.where(*parent) : body.where);
     if (const YamlNode* transform = section.find("transform"))
       body.transform =
@@ -173,6 +165,8 @@ void read_bodies(Loading& loading, const YamlNode& list) {
     body.mass_properties = read_mass_properties(loading, section, body.name);
     if (const YamlNode* wrench = section.find("external_wrench"))
       body.external_wrench = expect_boolean(document, *wrench, "'external_wrench'");
+    if (const YamlNode* geometry = section.find("geometry"))
+      body.geometry = read_geometry(loading, *geometry, body.name);
     bodies.push_back(std::move(body));
   }
   const std::vector<int> order = parents_first(bodies, parent_places);
@@ -183,6 +177,7 @@ void read_bodies(Loading& loading, const YamlNode& list) {
   std::vector<int> new_index(bodies.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     new_index[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  for (auto& [name, index] : loading.body_indices) index = new_index[static_cast<std::size_t>(index)];
   for (const int old : order) {
     Body& body = bodies[static_cast<std::size_t>(old)];
     if (body.parent >= 0) body.parent = new_index[static_cast<std::size_t>(body.parent)];
@@ -194,16 +189,13 @@ void read_frames(Loading& loading, const YamlNode& list) {
   const Document& document = loading.document;
   expect_list(document, list, "the frames");
   declare_names(document, list, "frame", frame_section);
-  std::map<std::string, int, std::less<>> indices;
-  for (std::size_t i = 0; i < loading.mechanism.bodies.size(); ++i)
-    indices[loading.mechanism.bodies[i].name] = static_cast<int>(i);
   for (const YamlNode* item : list.items) {
     const Section section = frame_section(document, *item);
     Frame frame;
     frame.name = section.require("name").text;
     frame.where = document.where(section.require("name"));
-    frame.body = expect_body(document, section.require("body"), indices,
-                             fmt::format("the body of frame '{}'", frame.name));
+    frame.body =
+        expect_body(loading, section.require("body"), fmt::format("the body of frame '{}'", frame.name));
     if (const YamlNode* transform = section.find("transform"))
       frame.transform =
           read_transform(loading, *transform, fmt::format("the transform of frame '{}'", frame.name));

@@ -8,6 +8,7 @@
 
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/symbols_below.hpp"
 #include "mechanism/transforms.hpp"
 #include "symbolic/passes.hpp"
 
@@ -53,29 +54,6 @@ std::string_view name_of(ConstraintType type) {
   return {};
 }
 
-/// A set of symbols of a graph.
-class SymbolSet {
- public:
-  explicit SymbolSet(const ExprGraph& graph) : graph_(graph), members_(graph.symbol_count(), false) {}
-  void insert(const std::vector<Expr>& symbols) { set(symbols, true); }
-  void erase(const std::vector<Expr>& symbols) { set(symbols, false); }
-  /// Whether any of the expressions has a member below it.
-  bool is_below(const std::vector<Expr>& expressions) const {
-    const std::vector<std::uint32_t> nodes = postorder(expressions);
-    return std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t id) {
-      return graph_.node(id).op == Op::symbol && members_[graph_.symbol_index(id)];
-    });
-  }
-
- private:
-  void set(const std::vector<Expr>& symbols, bool member) {
-    for (const Expr& symbol : symbols) members_[graph_.symbol_index(symbol.ref().node())] = member;
-  }
-  const ExprGraph& graph_;
-  std::vector<bool> members_;
-};
-
-/// The expressions of a list. Simplified, each must still depend on what it constrains.
 void read_equations(Loading& loading, const YamlNode& list, Constraint& constraint) {
   const bool speeds = constraint.type == ConstraintType::pfaffian;
   const std::string_view one = speeds ? "row" : "equation";
@@ -90,17 +68,54 @@ void read_equations(Loading& loading, const YamlNode& list, Constraint& constrai
             .read(*items[i], speeds ? Allowed::pfaffian : Allowed::holonomic,
                   fmt::format("{} {} of constraint '{}'", one, i + 1, constraint.name))
             .expr);
-  SymbolSet constrained(loading.graph);
-  for (const Coordinate& coordinate : loading.mechanism.coordinates)
-    constrained.insert(speeds ? coordinate.speed_symbols : coordinate.symbols);
-  for (const FramePosition& position : loading.mechanism.frame_positions)
-    constrained.insert({position.symbols.entries.begin(), position.symbols.entries.end()});
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (!constrained.is_below({constraint.equations[i]}))
-      throw InputError(loading.document.where(*items[i]),
-                       fmt::format("{} {} of constraint '{}' depends on no {}", one, i + 1, constraint.name,
-                                   speeds ? "speed" : "coordinate"),
+}
+
+/// Throws where nothing is left, after simplification, of what a row or equation is to constrain.
+void check_equations(const Document& document, const YamlNode& list, const Constraint& constraint,
+                     const SymbolsBelow& below) {
+  const bool speeds = constraint.type == ConstraintType::pfaffian;
+  for (std::size_t i = 0; i < constraint.equations.size(); ++i)
+    if (!includes(below.kinds(constraint.equations[i]), speeds ? Dependence::speed : Dependence::coordinate))
+      throw InputError(document.where(*list.items[i]),
+                       fmt::format("{} {} of constraint '{}' depends on no {}", speeds ? "row" : "equation",
+                                   i + 1, constraint.name, speeds ? "speed" : "coordinate"),
                        speeds ? "a relation of coordinates is a holonomic constraint" : "");
+}
+
+std::string along(const SurfaceFrame& surface) {
+  return fmt::format("[{}, {}]", to_string(surface.u), to_string(surface.v));
+}
+
+/// Throws where the surfaces of a mate that rolls are not fixed to their bodies: a factor beside it that
+/// moves, or a point that moves with more than its own coordinates.
+void check_rolling(const Mechanism& mechanism, const Constraint& constraint, const SymbolsBelow& below) {
+  const Body& body = mechanism.bodies[static_cast<std::size_t>(constraint.body)];
+  for (std::size_t i = 0; i < body.transform.factors.size(); ++i) {
+    if (i == constraint.factor) continue;
+    for (const Expr& x : expressions_of(body.transform.factors[i], mechanism))
+      if (moves(below.kinds(x)))
+        throw InputError(
+            body.transform.factors[i].where,
+            fmt::format("the transform of body '{}' moves apart from the mate of rolling constraint '{}'",
+                        body.name, constraint.name),
+            "its surfaces must be fixed to the two bodies; what moves besides belongs to a body between "
+            "them");
+  }
+  const Factor& factor = body.transform.factors[constraint.factor];
+  const Mate& mate = std::get<Mate>(factor.value);
+  for (const SurfaceFrame* surface : {&mate.first, &mate.second}) {
+    std::vector<int> own = below.coordinates(surface->u);
+    SymbolsBelow::merge(own, below.coordinates(surface->v));
+    for (const Expr& x : surface->point.entries) {
+      const std::vector<int>& used = below.coordinates(x);
+      if (includes(below.kinds(x), Dependence::time) ||
+          !std::includes(own.begin(), own.end(), used.begin(), used.end()))
+        throw InputError(factor.where,
+                         fmt::format("a surface of rolling constraint '{}' moves with more than {}; it must "
+                                     "be rigid",
+                                     constraint.name, along(*surface)));
+    }
+  }
 }
 
 /// One side of a rolling constraint: a body and the coordinates of the contact on its surface.
@@ -118,20 +133,7 @@ std::string body_name(const Mechanism& mechanism, int body) {
 Side read_side(Loading& loading, const YamlNode& node, const std::string& what) {
   const Document& document = loading.document;
   const auto& items = expect_list(document, node, what + ", a body and two coordinates", 3);
-  Side side{-1, {}, {}, &node, {}};
-  const std::string& name = expect_text(document, *items[0], fmt::format("the name of a body as {}", what));
-  if (name != "world") {
-    const auto& bodies = loading.mechanism.bodies;
-    const auto found =
-        std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.name == name; });
-    if (found == bodies.end()) {
-      std::vector<std::string> names = {"world"};
-      for (const Body& body : bodies) names.push_back(body.name);
-      throw InputError(document.where(*items[0]), fmt::format("unknown body '{}' as {}{}", printable(name),
-                                                              what, did_you_mean(name, names)));
-    }
-    side.body = static_cast<int>(found - bodies.begin());
-  }
+  Side side{expect_body(loading, *items[0], what), {}, {}, &node, {}};
   const auto coordinate = [&](const YamlNode& item) {
     const int index = expect_coordinate(loading, item, CoordinateType::real, what);
     return loading.mechanism.coordinates[static_cast<std::size_t>(index)].symbols[0];
@@ -142,9 +144,6 @@ Side read_side(Loading& loading, const YamlNode& node, const std::string& what) 
   return side;
 }
 
-std::string along(const SurfaceFrame& surface) {
-  return fmt::format("[{}, {}]", to_string(surface.u), to_string(surface.v));
-}
 bool lies_along(const SurfaceFrame& surface, const Side& side) {
   return surface.u == side.u && surface.v == side.v;
 }
@@ -190,7 +189,6 @@ struct RollingReader {
       if (!lies_along(mate->first, parent) || !lies_along(mate->second, child)) continue;
       constraint.body = child.body;
       constraint.factor = i;
-      check_still(body, *mate, i);
       return;
     }
     if (other == nullptr)
@@ -204,32 +202,6 @@ struct RollingReader {
          fmt::format("the mate in the transform of body '{}' has a surface of '{}' along {}, not {}",
                      body.name, name(wrong), along(surface), wrong.text),
          swapped ? "the coordinates are listed in the order of 'along'" : "");
-  }
-
-  /// The surfaces must be fixed to their bodies: nothing in the transform moves but the mate, and its points
-  /// with their own coordinates only.
-  void check_still(const Body& body, const Mate& mate, std::size_t mate_index) const {
-    SymbolSet moving(loading.graph);
-    moving.insert({loading.mechanism.time});
-    for (const Coordinate& coordinate : loading.mechanism.coordinates) moving.insert(coordinate.symbols);
-    for (std::size_t i = 0; i < body.transform.factors.size(); ++i)
-      if (i != mate_index && moving.is_below(expressions_of(body.transform.factors[i], loading.mechanism)))
-        throw InputError(
-            body.transform.factors[i].where,
-            fmt::format("the transform of body '{}' moves apart from the mate of rolling constraint '{}'",
-                        body.name, constraint.name),
-            "its surfaces must be fixed to the two bodies; what moves besides belongs to a body between "
-            "them");
-    for (const SurfaceFrame* surface : {&mate.first, &mate.second}) {
-      const auto& point = surface->point.entries;
-      moving.erase({surface->u, surface->v});
-      if (moving.is_below({point.begin(), point.end()}))
-        throw InputError(
-            body.transform.factors[mate_index].where,
-            fmt::format("a surface of rolling constraint '{}' moves with more than {}; it must be rigid",
-                        constraint.name, along(*surface)));
-      moving.insert({surface->u, surface->v});
-    }
   }
 };
 
@@ -275,6 +247,22 @@ void read_constraints(Loading& loading, const YamlNode& list) {
       throw InputError(constraint.where, fmt::format("'{}' is already a constraint (line {})",
                                                      constraint.name, earlier->second));
     loading.mechanism.constraints.push_back(std::move(constraint));
+  }
+  const SymbolsBelow below(loading.graph, loading.mechanism);
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const Section section = constraint_section(document, *list.items[i]);
+    const Constraint& constraint = loading.mechanism.constraints[i];
+    switch (constraint.type) {
+      case ConstraintType::pfaffian:
+        check_equations(document, section.require("rows"), constraint, below);
+        break;
+      case ConstraintType::holonomic:
+        check_equations(document, section.require("equations"), constraint, below);
+        break;
+      case ConstraintType::rolling:
+        check_rolling(loading.mechanism, constraint, below);
+        break;
+    }
   }
 }
 

@@ -19,6 +19,9 @@ Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) 
     out.initial = 3.14159265358979323846;
     return out;
   }
+  for (const LocalName& local : locals_)
+    if (local.name == text)
+      return {local.symbol, std::numeric_limits<double>::quiet_NaN(), Dependence::local, nullptr};
   if (text == "t") {
     out.expr = graph_.symbol("t");
     out.dependence = Dependence::time;
@@ -75,6 +78,7 @@ InputError ExpressionReader::unknown_name(const Reading& reading, std::size_t of
                                           std::string_view name) const {
   std::vector<std::string> candidates = scope_.names();
   candidates.insert(candidates.end(), {"pi", "t"});
+  for (const LocalName& local : locals_) candidates.push_back(local.name);
   if (reading.allowed == Allowed::pfaffian)
     for (const std::string& coordinate : scope_.coordinate_names()) candidates.push_back("qd_" + coordinate);
   std::string note;

@@ -137,6 +137,13 @@ Vec3 ExpressionReader::read_vector(const YamlNode& node, Allowed allowed, std::s
   return out;
 }
 
+Vec3 ExpressionReader::read_point(const YamlNode& node, std::vector<LocalName> names, std::string_view what) {
+  locals_ = std::move(names);
+  const Vec3 point = read_vector(node, Allowed::parameters, what);
+  locals_.clear();
+  return point;
+}
+
 Value ExpressionReader::number(const Reading& reading, const PostfixToken& token) const {
   const char* begin = reading.node.text.data() + token.begin;
   const char* end = reading.node.text.data() + token.end;

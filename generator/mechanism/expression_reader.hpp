@@ -36,6 +36,13 @@ class ExpressionReader {
   Value read(const YamlNode& node, Allowed allowed, std::string_view what);
   /// A list of three expressions.
   Vec3 read_vector(const YamlNode& node, Allowed allowed, std::string_view what);
+  /// A name that only some expressions know, and its symbol.
+  struct LocalName {
+    std::string name;
+    Expr symbol;
+  };
+  /// As read_vector, over constants, runtime parameters and the names given.
+  Vec3 read_point(const YamlNode& node, std::vector<LocalName> names, std::string_view what);
   /// Makes the last frame of the mechanism known to expressions.
   void declare_last_frame();
 
@@ -85,6 +92,7 @@ class ExpressionReader {
     int index;          ///< in Mechanism::frames
     int position = -1;  ///< in Mechanism::frame_positions, if it is used
   };
+  std::vector<LocalName> locals_;
   std::map<std::string, DeclaredFrame, std::less<>> frames_;
 };
 

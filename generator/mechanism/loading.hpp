@@ -1,7 +1,9 @@
 // What the readers of the sections share while one description is being loaded.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mechanism/expression_reader.hpp"
@@ -29,6 +31,8 @@ struct Loading {
   /// By coordinate: where a quaternion was used, if it was.
   std::vector<std::optional<SourceLocation>> quaternion_use;
   std::vector<MatrixToCheck> matrices;
+  /// By name: in the order of the file while bodies are read, then in Mechanism::bodies.
+  std::map<std::string, int, std::less<>> body_indices;
 };
 
 /// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
@@ -48,6 +52,11 @@ void check_matrices(const Loading& loading);
 /// Reads bodies and frames into the mechanism, parents first (bodies.cpp).
 void read_bodies(Loading& loading, const YamlNode& list);
 void read_frames(Loading& loading, const YamlNode& list);
+/// Index of the body that a scalar names, -1 for the world.
+int expect_body(const Loading& loading, const YamlNode& node, const std::string& what);
+
+/// Reads the shapes of a body (geometry.cpp).
+std::vector<Shape> read_geometry(Loading& loading, const YamlNode& list, const std::string& body);
 
 /// Reads constraints, once bodies and frames are known (constraints.cpp).
 void read_constraints(Loading& loading, const YamlNode& list);

@@ -15,7 +15,14 @@
 namespace alembert {
 
 /// What a value depends on, as written.
-enum class Dependence : unsigned { none = 0, runtime_parameter = 1, coordinate = 2, time = 4, speed = 8 };
+enum class Dependence : unsigned {
+  none = 0,
+  runtime_parameter = 1,
+  coordinate = 2,
+  time = 4,
+  speed = 8,
+  local = 16
+};
 constexpr Dependence operator|(Dependence a, Dependence b) {
   return static_cast<Dependence>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
@@ -38,7 +45,7 @@ struct Roughness {
 /// parameters at their defaults).
 struct Value {
   Expr expr;
-  double initial = 0;  ///< NaN where only the kinematics can tell: positions of frames
+  double initial = 0;  ///< NaN where there is none yet: positions of frames, names local to a shape
   Dependence dependence = Dependence::none;
   std::shared_ptr<const Roughness> roughness;  ///< null if the value may be used for a transform
 };

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "mechanism/section.hpp"
+#include "mechanism/symbols_below.hpp"
 #include "mechanism/transforms.hpp"
 #include "symbolic/passes.hpp"
 
@@ -19,6 +20,8 @@ constexpr double kRotationTolerance = 1e-9;
 constexpr int kRandomStates = 6;
 constexpr int kAttempts = 30;  // to find them inside the domains of the functions used
 constexpr int kMaximumSpeeds = 6;
+// Seven coordinates have more speeds than a transform may have, whichever they are.
+static_assert(SymbolsBelow::kMost > kMaximumSpeeds);
 
 /// What is wrong with a numerical rotation, or nothing.
 std::string objection_to_rotation(std::span<const double, 9> r) {
@@ -75,39 +78,6 @@ struct Collector {
 void collect(const Transform& transform, const Mechanism& mechanism, std::vector<Expr>& out) {
   for (const Factor& factor : transform.factors) std::visit(Collector{mechanism, out}, factor.value);
 }
-
-/// Coordinates below each node, as sorted sets that stop growing at seven members: seven coordinates have
-/// more speeds than a transform may have, whichever they are.
-class CoordinateSets {
- public:
-  CoordinateSets(const ExprGraph& graph, const Mechanism& mechanism) : sets_(graph.size()) {
-    std::vector<int> of_symbol(graph.symbol_count(), -1);
-    for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
-      for (const Expr& symbol : mechanism.coordinates[i].symbols)
-        of_symbol[graph.symbol_index(symbol.ref().node())] = static_cast<int>(i);
-    for (std::uint32_t id = 0; id < graph.size(); ++id) {
-      const Node& node = graph.node(id);
-      if (node.op == Op::symbol) {
-        if (const int c = of_symbol[graph.symbol_index(id)]; c >= 0) sets_[id].push_back(c);
-        continue;
-      }
-      if (node.arity() >= 1) merge(sets_[id], sets_[node.a.node()]);
-      if (node.arity() >= 2) merge(sets_[id], sets_[node.b.node()]);
-    }
-  }
-  const std::vector<int>& operator[](std::uint32_t id) const { return sets_[id]; }
-
-  static void merge(std::vector<int>& into, const std::vector<int>& from) {
-    if (from.empty()) return;
-    std::vector<int> both;
-    std::set_union(into.begin(), into.end(), from.begin(), from.end(), std::back_inserter(both));
-    if (both.size() > kMaximumSpeeds + 1) both.resize(kMaximumSpeeds + 1);
-    into = std::move(both);
-  }
-
- private:
-  std::vector<std::vector<int>> sets_;
-};
 
 }  // namespace
 
@@ -170,14 +140,14 @@ bool depends_on(const Vec3& point, const Expr& symbol) {
 
 void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order) {
   const Mechanism& mechanism = loading.mechanism;
-  const CoordinateSets sets(loading.graph, mechanism);
+  const SymbolsBelow below(loading.graph, mechanism);
   std::vector<bool> moves_a_body(mechanism.coordinates.size(), false);
   std::vector<Expr> expressions;
   for (const Body* body : bodies_in_file_order) {
     expressions.clear();
     collect(body->transform, mechanism, expressions);
     std::vector<int> used;
-    for (const Expr& x : expressions) CoordinateSets::merge(used, sets[x.ref().node()]);
+    for (const Expr& x : expressions) SymbolsBelow::merge(used, below.coordinates(x));
     int speeds = 0;
     std::vector<std::string> names;
     for (const int c : used) {
@@ -191,6 +161,14 @@ void check_coordinates(const Loading& loading, const std::vector<const Body*>& b
                                    kMaximumSpeeds),
                        fmt::format("coordinates {}; a rigid body in its parent has no more than {} freedoms",
                                    fmt::join(names, ", "), kMaximumSpeeds));
+    for (const Shape& shape : body->geometry)
+      for (const Factor& factor : shape.transform.factors)
+        for (const Expr& x : expressions_of(factor, mechanism))
+          if (moves(below.kinds(x)))
+            throw InputError(
+                factor.where,
+                fmt::format("the transform of a shape of body '{}' must be constant", body->name),
+                "shapes move with their body");
   }
   for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
     if (!moves_a_body[i])

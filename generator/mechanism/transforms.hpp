@@ -29,7 +29,8 @@ void append_joint(Loading& loading, const YamlNode& node, const std::string& wha
 std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
 /// Whether an expression has a symbol below it.
 bool depends_on(const Vec3& point, const Expr& symbol);
-/// Throws where a body's transform moves with more than six speeds, and at a coordinate that moves no body.
+/// Throws where a body's transform moves with more than six speeds, at a shape that moves in its body, and at
+/// a coordinate that moves no body.
 void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order);
 
 }  // namespace alembert

@@ -118,6 +118,26 @@ bodies:
   EXPECT_NEAR(Q[0], (1 + 9 + 2 * 9) * 1.5, 1e-13);
 }
 
+/// Bodies without mass, fixed to the world.
+TEST_P(ClosedForm, SceneryChangesNothing) {
+  const std::string head = "alembert: 1\nname: m\ncoordinates: [q]\nbodies:\n";
+  const std::string bob = "mass: 2, transform: [{rotate: {axis: y, angle: q}}, {translate: [0, 0, -1]}]}\n";
+  const auto plain = test::LoadedMechanism::text(head + "  - {name: bob, " + bob);
+  const auto scene = test::LoadedMechanism::text(
+      head +
+      "  - {name: ground, geometry: [{box: [1, 1, 1]}]}\n"
+      "  - {name: post, parent: ground, geometry: [{sphere: 1}], transform: [{translate: [0, 0, 1]}]}\n"
+      "  - {name: sky}\n  - {name: bob, parent: post, " +
+      bob);
+  const auto equations = [&](const test::LoadedMechanism& loaded) {
+    return loaded.values(equations_of_motion(loaded.kinematics(), GetParam()).Q, 7);
+  };
+  const std::vector<double> with = equations(scene), without = equations(plain);
+  ASSERT_EQ(with.size(), 1u);
+  EXPECT_NE(without[0], 0.0);
+  EXPECT_NEAR(with[0], without[0], 1e-14);
+}
+
 /// A pendulum hung from a prescribed motion x = t^2: an inertia force -m 2 l cos(q).
 TEST_P(ClosedForm, PrescribedMotion) {
   const auto loaded = LoadedMechanism::text(R"(alembert: 1
