@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "commands/commands.hpp"
+#include "dynamics/constraint_checks.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/state_checks.hpp"
+#include "mechanism/constraint_rows.hpp"
 #include "mechanism/load.hpp"
 #include "symbolic/passes.hpp"
 
@@ -32,6 +34,48 @@ std::optional<double> worst_difference(const Mechanism& mechanism, ExprGraph& gr
   return worst;
 }
 
+bool report_law(std::string_view name, std::optional<double> worst, double tolerance) {
+  const bool holds = worst && *worst <= tolerance;
+  fmt::print("{:<52} {:>9} {}\n", name, worst ? fmt::format("{:.1e}", *worst) : "no state",
+             holds ? "ok" : "FAILS");
+  return holds;
+}
+
+/// Laws of the constraints; warnings where rows are redundant or the initial state is off.
+bool check_constraints(const Kinematics& kinematics) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  const ConstraintEquations equations =
+      constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, kinematics.graph);
+  const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
+  const bool holonomic = std::ranges::any_of(
+      rows, [](const ConstraintRow& row) { return row.type == ConstraintType::holonomic; });
+  // Rates are measured by finite differences, which have no more digits.
+  constexpr double kMeasured = 1e-7;
+  const ConstraintLaws laws = constraint_laws(kinematics, equations);
+  bool good = true;
+  if (holonomic) good = report_law("constraints: d/dt position = velocity", laws.position_rate, kMeasured);
+  good = report_law("constraints: d/dt velocity = P qdd + gamma", laws.velocity_rate, kMeasured) && good;
+
+  const auto warn = [&](std::size_t row, const std::string& message) {
+    fmt::print(stderr, "{}\n",
+               warning_text(mechanism.constraints[rows[row].constraint].where,
+                            "row '" + rows[row].name + "' " + message));
+  };
+  const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations);
+  fmt::print("constraints: {} rows, rank {} at the initial state, {} speeds stay free\n", rows.size(),
+             rows.size() - redundant.size(),
+             static_cast<std::size_t>(mechanism.nv) - (rows.size() - redundant.size()));
+  for (const std::size_t row : redundant)
+    warn(row, "is redundant at the initial state: the rows before it say the same");
+  constexpr double kConsistent = 1e-9;
+  for (const InitialResidual& residual : initial_residuals(kinematics, equations, kConsistent)) {
+    warn(residual.row,
+         fmt::format("does not hold at the initial state: it is off by {:.3g}, its rate by {:.3g}",
+                     residual.position, residual.velocity));
+  }
+  return good;
+}
+
 }  // namespace
 
 int run_check(const CommonOptions& common) {
@@ -54,11 +98,7 @@ int run_check(const CommonOptions& common) {
   constexpr double kTolerance = 1e-9;
   bool good = true;
   const auto law = [&](std::string_view name, std::span<const Expr> x, std::span<const Expr> y) {
-    const std::optional<double> worst = worst_difference(mechanism, graph, x, y);
-    const bool holds = worst && *worst <= kTolerance;
-    good = good && holds;
-    fmt::print("{:<52} {:>9} {}\n", name, worst ? fmt::format("{:.1e}", *worst) : "no state",
-               holds ? "ok" : "FAILS");
+    good = report_law(name, worst_difference(mechanism, graph, x, y), kTolerance) && good;
   };
   fmt::print("{}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq, mechanism.nv,
              mechanism.bodies.size());
@@ -67,6 +107,7 @@ int run_check(const CommonOptions& common) {
   law("reduced form = eq. (13): Q", reduced.Q, factored.Q);
   law("reduced form = eq. (13): M", reduced.M, factored.M);
   law("reduced form = eq. (13): c", reduced.c, factored.c);
+  if (!mechanism.constraints.empty()) good = check_constraints(kinematics) && good;
   if (!good)
     throw InternalError(
         "the equations of this mechanism do not obey their laws; please report the description");

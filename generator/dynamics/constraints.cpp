@@ -2,9 +2,12 @@
 #include "dynamics/constraints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/contact_frames.hpp"
 #include "dynamics/formulations.hpp"
+#include "dynamics/state_checks.hpp"
+#include "mechanism/constraint_rows.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
@@ -100,6 +103,29 @@ std::vector<std::pair<Expr, Expr>> frame_positions(const Mechanism& mechanism, c
   return positions;
 }
 
+void check_values(const Mechanism& mechanism, const ConstraintEquations& equations, ExprGraph& graph) {
+  const std::vector<double> state = state_values(mechanism, graph, 0);
+  const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
+  const auto finite = [](double x) { return std::isfinite(x); };
+  const auto check = [&](std::span<const Expr> expressions, std::string_view what) {
+    if (rows.empty()) return;
+    const std::vector<double> values = evaluate(expressions, state);
+    const auto bad = std::find_if_not(values.begin(), values.end(), finite);
+    if (bad == values.end()) return;
+    const std::size_t columns = values.size() / rows.size();
+    const ConstraintRow& row = rows[static_cast<std::size_t>(bad - values.begin()) / columns];
+    throw InputError(
+        mechanism.constraints[row.constraint].where,
+        std::string(what) + " of constraint '" + row.name +
+            "' has no value at the initial state (the square root of 0, or a frame that is "
+            "singular there); write the constraint another way, or choose another initial value");
+  };
+  check(equations.position, "the equation");
+  check(equations.P, "the derivative");
+  check(equations.velocity, "the rate");
+  check(equations.gamma, "the second derivative");
+}
+
 }  // namespace
 
 ConstraintEquations constraint_equations(const Mechanism& mechanism, const MotionTree& tree,
@@ -139,6 +165,7 @@ ConstraintEquations constraint_equations(const Mechanism& mechanism, const Motio
     append(all.gamma, derivatives.quadratic_rate(rows.coefficients, count));
     append(all.position, rows.position);
   }
+  check_values(mechanism, all, graph);
   return all;
 }
 

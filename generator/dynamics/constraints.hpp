@@ -19,7 +19,7 @@ struct ConstraintEquations {
   std::vector<Expr> position;  ///< n_c: phi(q, t) of holonomic rows, 0 of the others
 };
 
-/// Throws InputError at a constraint that is not linear in the speeds.
+/// Throws InputError at a constraint that is not linear in the speeds, or has no value at the initial state.
 ConstraintEquations constraint_equations(const Mechanism& mechanism, const MotionTree& tree,
                                          const SpeedDerivatives& derivatives, ExprGraph& graph);
 

@@ -48,14 +48,17 @@ std::string excerpt(std::string_view line, int column) {
   return "  " + shown + "\n  " + pointer + "^";
 }
 
-std::string diagnostic(const SourceLocation& where, const std::string& message, const std::string& note) {
+std::string diagnostic(const SourceLocation& where, std::string_view severity, const std::string& message,
+                       const std::string& note) {
   std::string out;
   if (where.source) {
     for (const char c : where.source->name) out += is_control(c) ? '?' : c;
   } else {
     out = "<unknown>";
   }
-  out += ':' + std::to_string(where.line) + ':' + std::to_string(where.column) + ": error: " + message;
+  out += ':' + std::to_string(where.line) + ':' + std::to_string(where.column) + ": ";
+  out += severity;
+  out += ": " + message;
   if (where.source && !where.source->text.empty()) {
     out += '\n' + excerpt(line_of(where.source->text, where.line), where.column);
   }
@@ -84,9 +87,13 @@ std::size_t edit_distance(std::string_view x, std::string_view y) {
 }  // namespace
 
 InputError::InputError(SourceLocation where, std::string message, std::string note)
-    : std::runtime_error(diagnostic(where, message, note)),
+    : std::runtime_error(diagnostic(where, "error", message, note)),
       where_(std::move(where)),
       message_(std::move(message)) {}
+
+std::string warning_text(const SourceLocation& where, const std::string& message) {
+  return diagnostic(where, "warning", message, {});
+}
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   constexpr std::size_t kLongest =

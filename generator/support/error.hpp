@@ -38,6 +38,10 @@ class InputError : public std::runtime_error {
   std::string message_;
 };
 
+/// A diagnostic as that of InputError, for what is doubtful but not wrong: `FILE:LINE:COL: warning: MESSAGE`
+/// and so on.
+std::string warning_text(const SourceLocation& where, const std::string& message);
+
 /// An invariant of the generator is broken (exit code 2): a defect to be reported, never the user's fault.
 class InternalError : public std::logic_error {
  public:
