@@ -87,6 +87,7 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
 
   std::vector<Expr> roots;
   for (const OutputExpressions& output : outputs) {
+    program.outputs.push_back({output.name, output.rows, output.columns, {}});
     if (output.values.size() != std::size_t{output.rows} * output.columns)
       throw InternalError("lower: output " + output.name + " of " + program.function + " has " +
                           std::to_string(output.values.size()) + " elements, not rows x columns");
@@ -135,12 +136,8 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
         values[id] = program.graph.make(operation_of(n.op), a, b);
       }
     }
-    for (const OutputExpressions& output : outputs) {
-      auto& to = program.outputs.emplace_back();
-      to.name = output.name;
-      to.rows = output.rows;
-      to.columns = output.columns;
-      for (const Expr& e : output.values) to.values.push_back(value_of(e.ref()));
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      for (const Expr& e : outputs[i].values) program.outputs[i].values.push_back(value_of(e.ref()));
     }
   }
   return place_signs(program);

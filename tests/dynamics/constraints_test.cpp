@@ -1,6 +1,5 @@
 // Rows of constraints against motion: no slip is no velocity of the material point at the contact, P is the
 // rate of position, gamma the rate of P u. Rates are taken numerically, along motions through random states.
-#include "dynamics/constraint_checks.hpp"
 #include "dynamics/constraints.hpp"
 
 #include <gmock/gmock.h>
@@ -11,9 +10,11 @@
 #include <cmath>
 #include <functional>
 
+#include "dynamics/constraint_checks.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "program/passes.hpp"
 
 namespace alembert::test {
 namespace {
@@ -352,16 +353,16 @@ TEST(ConstraintChecks, LawsHoldAndFailWhereARowIsWrong) {
   ASSERT_TRUE(laws.position_rate && laws.velocity_rate);
   EXPECT_LT(*laws.position_rate, 1e-9);
   EXPECT_LT(*laws.velocity_rate, 1e-9);
-  equations.gamma[1] += loaded.graph->number(1e-3) * kinematics.derivatives.speed(0);
+  equations.gamma[1] += loaded.graph->rational(Rational(1, 1000)) * kinematics.derivatives.speed(0);
   EXPECT_GT(constraint_laws(kinematics, equations).velocity_rate.value(), 1e-5);
-  equations.velocity[0] += loaded.graph->number(1e-3) * kinematics.derivatives.speed(0);
+  equations.velocity[0] += loaded.graph->rational(Rational(1, 1000)) * kinematics.derivatives.speed(0);
   EXPECT_GT(constraint_laws(kinematics, equations).position_rate.value(), 1e-5);
 }
 
 TEST(ConstraintChecks, RedundantRowsAreThoseThatAddNothing) {
   const LoadedMechanism loaded = sleigh_with([](const Mechanism&, const std::vector<Expr>& q) {
-    return std::vector<Expr>{q[0] + q[1], q[2], q[0] * q[0] * q[1], 2 * q[0] + 2 * q[1] - sin(q[2]),
-                             q[0] - 0.001 * q[1]};
+    return std::vector<Expr>{q[0] + q[1], q[2], q[0] * q[0] * q[1], q[0] + q[0] + q[1] + q[1] - sin(q[2]),
+                             q[0] - q[1] * q[1] - q[1]};
   });
   const Kinematics kinematics = loaded.kinematics();
   EXPECT_THAT(redundant_rows(kinematics, equations_of(loaded, kinematics)), testing::ElementsAre(2, 3));
@@ -369,7 +370,8 @@ TEST(ConstraintChecks, RedundantRowsAreThoseThatAddNothing) {
 
 TEST(ConstraintChecks, ResidualsOfTheInitialState) {
   const LoadedMechanism loaded = sleigh_with([](const Mechanism& m, const std::vector<Expr>& q) {
-    return std::vector<Expr>{q[0], q[1] - m.graph().rational(Rational(1, 4)), q[2] - 3 * m.time};
+    return std::vector<Expr>{q[0], q[1] - q[0].graph().rational(Rational(1, 4)),
+                             q[2] - m.time - m.time - m.time};
   });
   const Kinematics kinematics = loaded.kinematics();
   const std::vector<InitialResidual> residuals =
@@ -403,6 +405,10 @@ TEST(Constraints, NoneGiveNoRows) {
       function_outputs(kinematics, equations, FunctionKind::constraints);
   ASSERT_EQ(outputs.size(), 4u);
   for (const OutputExpressions& output : outputs) EXPECT_TRUE(output.values.empty());
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  const Program program = schedule(optimize(lower("constraints", outputs, bindings)));
+  EXPECT_EQ(program.outputs.size(), 4u);
+  EXPECT_NO_THROW(verify(program, outputs, bindings));
 }
 
 }  // namespace
