@@ -35,12 +35,21 @@ coordinates:
   - {{name: fish_pitch, initial: -0.7}}
 
 bodies:
+  - name: pivot
+    geometry:
+      - {{cylinder: {{radius: 0.02, length: 0.09}}, transform: [{{rotate: {{axis: x, angle: pi/2}}}}], color: [0.25, 0.27, 0.3]}}
 """
 
 BAR = """\
     mass: m
     inertia: {xx: m*0.00003, yy: m*h^2/3, zz: m*h^2/3}
 """
+# The two bars of a crossing lie beside each other.
+SHAPE = """\
+    geometry:
+      - {box: [2*h + 0.03, 0.016, 0.026], transform: [{translate: [0, %s, 0]}], color: [%s]}
+"""
+A, B = ("-0.01", "0.62, 0.65, 0.7"), ("0.01", "0.93, 0.72, 0.2")
 
 
 def tong(crossings):
@@ -53,12 +62,17 @@ def tong(crossings):
     mass: m + grip
     com: [-grip*arm/(m + grip), 0, 0]
     inertia: {xx: 0.002, yy: m*h^2/3 + m*grip/(m + grip)*arm^2, zz: m*h^2/3 + m*grip/(m + grip)*arm^2}
+"""
+    text += SHAPE % A
+    text += """\
+      - {box: [arm, 0.02, 0.03], transform: [{translate: [-arm/2, -0.01, 0]}], color: [0.62, 0.65, 0.7]}
+      - {sphere: 0.06, transform: [{translate: [-arm, -0.01, 0]}], color: [0.25, 0.27, 0.3]}
   - name: b1
     transform:
       - rotate: {axis: y, angle: tilt}
       - rotate: {axis: y, angle: q}
 """
-    text += BAR
+    text += BAR + SHAPE % B
     for k in range(2, crossings + 1):
         for bar, before, angle in (("a", "b", "-2*q"), ("b", "a", "2*q")):
             text += """\
@@ -69,7 +83,7 @@ def tong(crossings):
       - rotate: {axis: y, angle: %s}
       - translate: [h, 0, 0]
 """ % (bar, k, before, k - 1, angle)
-            text += BAR
+            text += BAR + SHAPE % (A if bar == "a" else B)
     text += """\
   - name: fish
     parent: b%d
@@ -80,6 +94,12 @@ def tong(crossings):
     mass: fish_mass
     com: [0, 0, -reach]
     inertia: {xx: fish_mass*0.0065, yy: fish_mass*0.0072, zz: fish_mass*0.0012}
+    geometry:
+      - {ellipsoid: [0.065, 0.035, 0.15], transform: [{translate: [0, 0, -reach]}], color: [0.9, 0.5, 0.2]}
+      - {ellipsoid: [0.075, 0.008, 0.04], transform: [{translate: [0, 0, -reach - 0.17]}], color: [0.9, 0.5, 0.2]}
+      - {ellipsoid: [0.05, 0.008, 0.03], transform: [{translate: [0.07, 0, -reach]}], color: [0.8, 0.4, 0.15]}
+      - {sphere: 0.012, transform: [{translate: [0.022, 0.026, -0.06]}], color: [0.1, 0.1, 0.1]}
+      - {sphere: 0.012, transform: [{translate: [0.022, -0.026, -0.06]}], color: [0.1, 0.1, 0.1]}
 """ % crossings
     return text
 

@@ -12,6 +12,7 @@ import argparse
 import sys
 
 SURFACE = "point: [(R + r*cos({v}))*cos({u}), (R + r*cos({v}))*sin({u}), r*sin({v})], along: [{u}, {v}]"
+COLORS = ("0.93, 0.72, 0.2", "0.8, 0.25, 0.2", "0.25, 0.45, 0.75", "0.3, 0.6, 0.35")
 
 
 def surface(u, v, flip):
@@ -20,7 +21,7 @@ def surface(u, v, flip):
 
 def torus_chain(coordinates, linked):
     tori = 1 + (coordinates - 2) // 4
-    side = "pi" if linked else "0"  # v on the side that touches
+    side = "pi + " if linked else ""  # v on the side that touches
     # (u, v) on the torus before, (w, x) on the torus itself; a little off the state of rest
     lines = [
         "# Fig. 5b of Guenter and Lee, \"Symbolic Lagrangian multibody dynamics\": a chain of tori, each in sliding contact with the one",
@@ -38,17 +39,23 @@ def torus_chain(coordinates, linked):
         "",
         "coordinates:",
         "  - {name: w1, initial: 0.4}",
-        "  - {name: x1, initial: %s + 0.5}" % side,
+        "  - {name: x1, initial: %s0.5}" % side,
     ]
     for k in range(2, tori + 1):
-        sign = "-" if k % 2 else "+"
         lines += [
-            "  - {name: u%d, initial: %s}" % (k, "pi + 0.1" if k > 1 else "0"),
-            "  - {name: v%d, initial: %s %s 0.3}" % (k, side, sign),
+            "  - {name: u%d, initial: pi + 0.1}" % k,
+            "  - {name: v%d, initial: %s%s}" % (k, side, "0.3" if k % 2 == 0 else "(-0.3)" if linked else "-0.3"),
             "  - {name: w%d, initial: 0.2}" % k,
-            "  - {name: x%d, initial: %s}" % (k, side),
+            "  - {name: x%d, initial: %s0}" % (k, side),
         ]
-    lines += ["", "bodies:"]
+    lines += ["", "bodies:", "  - name: peg", "    geometry:"]
+    if linked:
+        lines += [
+            "      - {cylinder: {radius: 0.04, length: 0.5}, transform: [{translate: [0, 0, -0.04]}, {rotate: {axis: x, angle: pi/2}}], "
+            "color: [0.25, 0.27, 0.3]}"
+        ]
+    else:
+        lines += ["      - {sphere: 0.05, transform: [{translate: [0, 0, 0.05]}], color: [0.25, 0.27, 0.3]}"]
     for k in range(1, tori + 1):
         lines += ["  - name: torus%d" % k]
         if k == 1:
@@ -69,6 +76,9 @@ def torus_chain(coordinates, linked):
         lines += [
             "    mass: m",
             "    inertia: {xx: m*(R^2/2 + 5/8*r^2), yy: m*(R^2/2 + 5/8*r^2), zz: m*(R^2 + 3/4*r^2)}",
+            "    geometry:",
+            "      - {torus: {radius: R, tube: r}, color: [%s]}" % COLORS[k % 4],
+            "      - {sphere: 0.04, transform: [{translate: [0, R, r]}], color: [0.25, 0.27, 0.3]}",
         ]
     return "\n".join(lines) + "\n"
 
