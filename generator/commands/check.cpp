@@ -62,7 +62,7 @@ bool check_constraints(const Kinematics& kinematics) {
                             "row '" + rows[row].name + "' " + message));
   };
   const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations);
-  fmt::print("constraints: {} rows, rank {} at the initial state, {} speeds stay free\n", rows.size(),
+  fmt::print("constraints: rows {}, rank {} at the initial state, free speeds {}\n", rows.size(),
              rows.size() - redundant.size(),
              static_cast<std::size_t>(mechanism.nv) - (rows.size() - redundant.size()));
   for (const std::size_t row : redundant)

@@ -85,6 +85,39 @@ TEST(Check, ReportsTheLaws) {
   EXPECT_THAT(result.out, testing::Not(HasSubstr("FAILS")));
 }
 
+TEST(Check, WarnsOfRedundantAndUnmetConstraints) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("loops.yaml", R"(alembert: 1
+name: loops
+coordinates: [x, {name: y, initial: 0.25}, z]
+bodies:
+  - {name: a, transform: [{translate: [x, y, z]}], mass: 1}
+constraints:
+  - {name: plane, type: holonomic, equations: ["x - sin(y)*z"]}
+  - {name: line, type: holonomic, equations: ["x + y", "2*x + 2*y - 1/2"]}
+)");
+  const CommandResult result = alembert(folder, "check " + file);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("d/dt position = velocity"));
+  EXPECT_THAT(result.out, HasSubstr("d/dt velocity = P qdd + gamma"));
+  EXPECT_THAT(result.out, HasSubstr("rows 3, rank 2 at the initial state, free speeds 1"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("FAILS")));
+  EXPECT_THAT(result.err, HasSubstr("loops.yaml:8:"));
+  EXPECT_THAT(result.err, HasSubstr("warning: row 'line[1]' is redundant at the initial state"));
+  EXPECT_THAT(result.err,
+              HasSubstr("warning: row 'line[0]' does not hold at the initial state: it is off by 0.25"));
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("'plane'")));
+}
+
+TEST(Report, CountsConstraints) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "report " + mechanism_file("paper/five_bar"));
+  EXPECT_THAT(result.out, HasSubstr("2 rows of constraints"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("\nconstraints +[0-9]+"));
+  EXPECT_THAT(alembert(folder, "report " + mechanism_file("pendulum")).out,
+              testing::Not(HasSubstr("constraints")));
+}
+
 TEST(Options, DumpAndVerboseShowTheStages) {
   const TemporaryFolder folder;
   const std::string file = mechanism_file("pendulum");

@@ -2,10 +2,13 @@
 // the interpreter running the programs it was written from, bit for bit.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <five_bar/five_bar.hpp>
 #include <puma560/puma560.hpp>
+#include <rolling_ellipsoids/rolling_ellipsoids.hpp>
 #include <runtime_parameters/runtime_parameters.hpp>
 #include <span>
 #include <tree_every_joint/tree_every_joint.hpp>
@@ -86,12 +89,24 @@ void expect_same_bits(std::span<const double> compiled, std::span<const double> 
   }
 }
 
+/// Rows of a matrix one after the other, as plain arrays have them.
+template <class Matrix>
+void append_rows(std::vector<double>& to, const Matrix& matrix) {
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) to.push_back(matrix(r, k));
+}
+
 template <class M>
 void check(const std::string& name) {
   alembert::CompileOptions options;
   options.functions = {
       FunctionKind::inverse_dynamics,     FunctionKind::mass_matrix, FunctionKind::bias,
       FunctionKind::mass_matrix_and_bias, FunctionKind::energy,      FunctionKind::coordinate_rates};
+  if constexpr (M::kNc > 0) {
+    options.functions.insert(
+        options.functions.end(),
+        {FunctionKind::constraints, FunctionKind::body_jacobians, FunctionKind::body_inertias});
+  }
   const std::string path = std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/" + name + ".yaml";
   const alembert::CompiledMechanism compiled =
       alembert::compile_mechanism(alembert::read_source(path), options);
@@ -112,6 +127,21 @@ void check(const std::string& name) {
     std::vector<double> both(mass.data(), mass.data() + mass.size());
     both.insert(both.end(), bias.data(), bias.data() + bias.size());
     compare(FunctionKind::mass_matrix_and_bias, both);
+    if constexpr (M::kNc > 0) {
+      typename M::ConstraintMatrix P;
+      typename M::ConstraintVector gamma, velocity, position;
+      M::constraints(s.q, s.qd, s.in, P, gamma, velocity, position);
+      std::vector<double> rows, jacobians, inertias;
+      append_rows(rows, P);
+      append_rows(rows, gamma);
+      append_rows(rows, velocity);
+      append_rows(rows, position);
+      compare(FunctionKind::constraints, rows);
+      append_rows(jacobians, M::body_jacobians(s.q, s.in));
+      compare(FunctionKind::body_jacobians, jacobians);
+      append_rows(inertias, M::body_inertias(s.in));
+      compare(FunctionKind::body_inertias, inertias);
+    }
   }
 }
 
@@ -123,6 +153,18 @@ TEST(CompiledMechanism, TreeWithEveryJoint) {
 }
 TEST(CompiledMechanism, RuntimeParameters) {
   check<bits::runtime_parameters::Mechanism<>>("runtime_parameters");
+}
+TEST(CompiledMechanism, RollingEllipsoids) {
+  using Model = bits::rolling_ellipsoids::Mechanism<>;
+  EXPECT_EQ(Model::kNc, 2);
+  EXPECT_STREQ(Model::kConstraintNames[1], "no_slip[1]");
+  EXPECT_EQ(Model::kHolonomic, (std::array<bool, 2>{false, false}));
+  check<Model>("paper/rolling_ellipsoids");
+}
+TEST(CompiledMechanism, FiveBar) {
+  using Model = bits::five_bar::Mechanism<>;
+  EXPECT_EQ(Model::kHolonomic, (std::array<bool, 2>{true, true}));
+  check<Model>("paper/five_bar");
 }
 
 }  // namespace
