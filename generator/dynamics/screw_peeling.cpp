@@ -310,6 +310,9 @@ class Peeler {
       flat.insert(flat.end(), twist.v.entries.begin(), twist.v.entries.end());
       flat = recognised(simplify(flat));
       if (!finite_everywhere(flat)) continue;
+      // An axis that a runtime parameter moves can get where it has no direction, or no angles to turn it by.
+      if (!std::all_of(flat.begin(), flat.begin() + 3, [](Expr e) { return e.is_constant(); }))
+        return std::nullopt;
       for (std::size_t i = 0; i < 3; ++i) {
         twist.om[i] = flat[i];
         twist.v[i] = flat[3 + i];

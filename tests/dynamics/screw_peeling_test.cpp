@@ -195,6 +195,16 @@ TEST(ScrewPeeling, JointsStayAsTheyAre) {
   EXPECT_FALSE(loaded.kinematics().peeled);
 }
 
+// The axis of b, seen from the left of it, depends on p: there may be values of p at which it has no angles.
+TEST(ScrewPeeling, AnAxisThatARuntimeParameterTurnsIsLeftAlone) {
+  const auto loaded = LoadedMechanism::text(
+      one_body("a, b",
+               "      - rotate: {axis: x, angle: a}\n      - rotate: {axis: x, angle: p}\n"
+               "      - rotate: {axis: [1, 0.3, 0], angle: b}\n",
+               "parameters: {p: {value: 0.7, runtime: true}}\n"));
+  EXPECT_NO_THROW(loaded.kinematics());
+}
+
 /// What a peeled mechanism is for: an all-revolute chain.
 TEST(ScrewPeeling, NeedsFewerOperations) {
   const auto loaded =
