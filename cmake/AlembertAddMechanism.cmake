@@ -10,6 +10,10 @@
 #                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
 #                          [TRIG vector|library]   sines and cosines of double: vectorised by alembert/sines_and_cosines.hpp
 #                                                  (the default), or one by one by the C library
+#                          [BATCH default|f g ...] functions over many states too; default: inverse_dynamics,
+#                                                  mass_matrix_and_bias, forward_dynamics
+#                          [BATCH_INSTRUCTIONS avx2 avx512]   sets they are compiled for beside the baseline; default both;
+#                                                  at run time the widest that the machine has is taken
 #                          [STATIC | SHARED | OBJECT])
 #
 # The target carries its include folder, the runtime library and its own optimisation flags, and its headers are a file set,
@@ -51,9 +55,30 @@ function(_alembert_mechanism_name file variable)
   set(${variable} "${CMAKE_MATCH_1}" PARENT_SCOPE)
 endfunction()
 
+# Lets the files name_batch_SET.cpp among those given use their instructions, where compiler and processor are such.
+# Without these flags they are empty.
+function(_alembert_batch_flags fp_contract)
+  set(avx2 -mavx2 -mfma)
+  set(avx512 -mavx512f -mavx512dq -mavx512vl -mavx2 -mfma)
+  list(LENGTH CMAKE_OSX_ARCHITECTURES architectures)
+  foreach(source ${ARGN})
+    if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR MSVC OR NOT source MATCHES "_batch_([a-z0-9]+)\\.cpp$")
+      continue()
+    endif()
+    set(flags)
+    if(NOT fp_contract)
+      list(APPEND flags -ffp-contract=fast)
+    endif()
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$" AND architectures LESS 2)
+      list(APPEND flags ${${CMAKE_MATCH_1}})
+    endif()
+    set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "${flags}")
+  endforeach()
+endfunction()
+
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS")
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -107,6 +132,20 @@ function(alembert_add_mechanism)
     list(APPEND sources "${folder}/src/${name}_part${part}.cpp")
   endforeach()
 
+  if(arg_BATCH)
+    if(NOT arg_BATCH_INSTRUCTIONS)
+      set(arg_BATCH_INSTRUCTIONS avx2 avx512)
+    endif()
+    list(APPEND headers "${include}/${name}_batch.hpp")
+    list(APPEND sources "${folder}/src/${name}_batch.cpp")
+    foreach(set ${arg_BATCH_INSTRUCTIONS} baseline)
+      list(APPEND sources "${folder}/src/${name}_batch_${set}.cpp")
+    endforeach()
+    _alembert_batch_flags("${arg_FP_CONTRACT}" ${sources})
+  elseif(arg_BATCH_INSTRUCTIONS)
+    message(FATAL_ERROR "alembert_add_mechanism: BATCH_INSTRUCTIONS without BATCH")
+  endif()
+
   set(options --expected-name ${name} --parts ${arg_PARTS})
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS "," functions)
@@ -115,6 +154,11 @@ function(alembert_add_mechanism)
   if(arg_SCALARS)
     list(JOIN arg_SCALARS "," scalars)
     list(APPEND options --scalars ${scalars})
+  endif()
+  if(arg_BATCH)
+    list(JOIN arg_BATCH "," batch)
+    list(JOIN arg_BATCH_INSTRUCTIONS "," batch_instructions)
+    list(APPEND options --batch ${batch} --batch-instructions ${batch_instructions})
   endif()
   if(arg_NAMESPACE)
     list(APPEND options --namespace ${arg_NAMESPACE})
@@ -140,6 +184,10 @@ function(alembert_add_mechanism)
   add_library(alembert::mechanisms::${arg_TARGET} ALIAS ${arg_TARGET})
   target_sources(${arg_TARGET} PUBLIC FILE_SET HEADERS BASE_DIRS "${folder}/include" FILES ${headers})
   target_link_libraries(${arg_TARGET} PUBLIC alembert::runtime)
+  if(arg_BATCH)
+    find_package(Threads QUIET)
+    target_link_libraries(${arg_TARGET} PRIVATE ${CMAKE_THREAD_LIBS_INIT})
+  endif()
   target_compile_features(${arg_TARGET} PUBLIC cxx_std_17)
   # A target called m must not become libm.a; symbols of a shared library are for its users.
   set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON

@@ -96,6 +96,16 @@ int run(int argc, char** argv) {
   command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
       ->delimiter(',');
   command->add_option("--namespace", generate.name_space, "outer namespace (default alembert::mechanisms)");
+  command
+      ->add_option("--batch", generate.batch,
+                   "functions to write over many states too; `default` stands for "
+                   "inverse_dynamics, "
+                   "mass_matrix_and_bias, forward_dynamics")
+      ->delimiter(',');
+  command
+      ->add_option("--batch-instructions", generate.batch_instructions,
+                   "sets to compile batches for beside the baseline (default avx2,avx512)")
+      ->delimiter(',');
   command->add_option("--parts", generate.parts, "files over which definitions are spread (default: by size)")
       ->check(CLI::Range(0, kMaxParts));
   command->add_option("--expected-name", generate.expected_name, "fail unless the mechanism has this name");

@@ -1,9 +1,12 @@
 // `generate`: the files of one mechanism, written all or none.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "commands/commands.hpp"
+#include "emit/batch.hpp"
 #include "emit/emit.hpp"
 #include "emit/write_files.hpp"
 #include "mechanism/load.hpp"
@@ -34,6 +37,11 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
   if (!options.scalars.empty()) emit.scalars = options.scalars;
+  for (const std::string& name : options.batch) {
+    if (name != "default") emit.batch.push_back(name);
+    if (name == "default") std::ranges::copy(default_batch_functions(), std::back_inserter(emit.batch));
+  }
+  if (!options.batch_instructions.empty()) emit.batch_instructions = options.batch_instructions;
   emit.parts = options.parts;
   emit.expected_name = options.expected_name;
   std::vector<Program> programs;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "emit/batch.hpp"
 #include "emit/function_signature.hpp"
 #include "emit/literals.hpp"
 #include "emit/names.hpp"
@@ -236,7 +237,7 @@ std::string eigen_header(const std::vector<Function>& functions, const Slots& co
                        common);
 }
 
-std::string c_header(const std::vector<Function>& functions, const Slots& common) {
+std::string c_header(const std::vector<Function>& functions, const std::string& batch, const Slots& common) {
   std::string declarations;
   for (const Function& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
@@ -248,7 +249,10 @@ std::string c_header(const std::vector<Function>& functions, const Slots& common
                                    {"arguments", wrapped_after(start, c_parameters(*function.signature))}},
                                   common);
   }
-  return fill_template("mechanism.h", {{"declarations", declarations}}, common);
+  return fill_template(
+      "mechanism.h",
+      {{"includes", batch.empty() ? "" : "#include <stddef.h>\n"}, {"declarations", declarations + batch}},
+      common);
 }
 
 std::string c_source(const Mechanism& mechanism, const std::vector<Function>& functions,
@@ -322,7 +326,9 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   }
   Slots c_common = common;
   c_common["banner"] = banner;
-  texts.push_back(c_header(functions, c_common));
+  const std::string batch =
+      options.batch.empty() ? "" : batch_c_declarations(mechanism, programs, options, c_common);
+  texts.push_back(c_header(functions, batch, c_common));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Slots slots = part_slots(k);
     slots["instantiations"] = joined(parts[k], &Unit::instantiations, "");
@@ -333,6 +339,8 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   const std::vector<std::string> paths = emitted_paths(mechanism.name, static_cast<int>(parts.size()));
   std::vector<EmittedFile> files;
   for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i], std::move(texts[i])});
+  if (!options.batch.empty())
+    std::ranges::move(batch_files(mechanism, programs, options, common), std::back_inserter(files));
   return files;
 }
 

@@ -19,7 +19,9 @@ struct EmittedFile {
 struct EmitOptions {
   std::string outer_namespace = "alembert::mechanisms";    ///< the mechanism's own namespace lies in it
   std::vector<std::string> scalars = {"double", "float"};  ///< types compiled; of these two
-  int parts = 0;              ///< number of files over which definitions are spread; 0: by size
+  int parts = 0;                   ///< number of files over which definitions are spread; 0: by size
+  std::vector<std::string> batch;  ///< functions to be written over many states too
+  std::vector<std::string> batch_instructions = {"avx2", "avx512"};  ///< sets they are compiled for
   std::string expected_name;  ///< if given, the mechanism must have this name (builds know file names by it)
 };
 
@@ -38,7 +40,13 @@ std::string_view generator_version();
 ///     src/name_partK.cpp            definitions compiled for the scalars
 ///     src/name_c.cpp                C interface
 ///
-/// in this order. The same input gives the same bytes. Functions of more than kBlockThreshold statements
+/// in this order, and with options.batch
+///
+///     include/name/name_batch.hpp   functions over many states
+///     src/name_batch.cpp            choice of instructions at run time
+///     src/name_batch_SET.cpp        compiled for one set of instructions: baseline, avx2, avx512
+///
+/// The same input gives the same bytes. Functions of more than kBlockThreshold statements
 /// (statement_layout.hpp) are cut into blocks. If all coordinates are real and no program gives
 /// coordinate_rates, it is added.
 ///

@@ -48,17 +48,19 @@ ALEMBERT_TRIG_TARGET inline bool ALEMBERT_TRIG_NAME(int n, const double* x, doub
     const Vector rest = 1.0 - half;
     const Vector unsigned_s = hi + (hi * z * ps + (lo - lo * half));
     // Only a zero has lost its sign.
-    const Vector s = (Vector)((Integers)unsigned_s | ((Integers)hi & ~magnitude));
+    const Vector s = reinterpret_cast<Vector>(reinterpret_cast<Integers>(unsigned_s) |
+                                              (reinterpret_cast<Integers>(hi) & ~magnitude));
     const Vector c = rest + (((1.0 - rest) - half) + (z2 * pc - hi * lo));
 
     // Quarter turns: odd ones exchange the two, and two of four change the sign.
-    const Integers turns = (Integers)shifted;
+    const Integers turns = reinterpret_cast<Integers>(shifted);
+    const Integers s0 = reinterpret_cast<Integers>(s), c0 = reinterpret_cast<Integers>(c);
     const Integers odd = no_bits - (turns & 1);
-    const Integers s_bits = (((Integers)c & odd) | ((Integers)s & ~odd)) ^ ((turns & 2) << 62);
-    const Integers c_bits = (((Integers)s & odd) | ((Integers)c & ~odd)) ^ (((turns + 1) & 2) << 62);
+    const Integers s_bits = ((c0 & odd) | (s0 & ~odd)) ^ ((turns & 2) << 62);
+    const Integers c_bits = ((s0 & odd) | (c0 & ~odd)) ^ (((turns + 1) & 2) << 62);
     __builtin_memcpy(sine + first, &s_bits, sizeof s_bits);
     __builtin_memcpy(cosine + first, &c_bits, sizeof c_bits);
-    small &= (Vector)((Integers)v & magnitude) <= 1e5;
+    small &= reinterpret_cast<Vector>(reinterpret_cast<Integers>(v) & magnitude) <= 1e5;
     if (first == n - kLanes) break;
     first =
         first + 2 * kLanes <= n ? first + kLanes : n - kLanes;  // the last vector may overlap the one before

@@ -21,6 +21,8 @@ Angles are in rad and lengths in m.
 */
 #pragma once
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -110,6 +112,30 @@ int puma560_frame_poses(const double* q, double t, const double* parameters, con
    Operations: 63 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);
+
+/* inverse_dynamics for n states: entry i of state s stands at x[i * stride + s], stride >= n, matrices and poses row by row. t and
+   parameters (may be NULL) are those of all states; wrenches [0 x 6 x stride] are of each, or NULL for none. The states
+   are spread over threads (0: one a core), which changes no result. Returns 0; 1 if an array is NULL or the stride too
+   small; 2 if a result is not finite. */
+int puma560_inverse_dynamics_batch(size_t n, size_t stride, const double* q, const double* qd, const double* qdd,
+                                   double t, const double* parameters, const double* wrenches, double* tau,
+                                   int threads);
+
+/* mass_matrix_and_bias for n states: entry i of state s stands at x[i * stride + s], stride >= n, matrices and poses row by row. t and
+   parameters (may be NULL) are those of all states; wrenches [0 x 6 x stride] are of each, or NULL for none. The states
+   are spread over threads (0: one a core), which changes no result. Returns 0; 1 if an array is NULL or the stride too
+   small; 2 if a result is not finite. */
+int puma560_mass_matrix_and_bias_batch(size_t n, size_t stride, const double* q, const double* qd, double t,
+                                       const double* parameters, const double* wrenches, double* M, double* c,
+                                       int threads);
+
+/* forward_dynamics for n states: entry i of state s stands at x[i * stride + s], stride >= n, matrices and poses row by row. t and
+   parameters (may be NULL) are those of all states; wrenches [0 x 6 x stride] are of each, or NULL for none. The states
+   are spread over threads (0: one a core), which changes no result. Returns 0; 1 if an array is NULL or the stride too
+   small; 2 if a result is not finite. */
+int puma560_forward_dynamics_batch(size_t n, size_t stride, const double* q, const double* qd, const double* tau,
+                                   double t, const double* parameters, const double* wrenches, double* qdd,
+                                   int threads);
 
 #ifdef __cplusplus
 }

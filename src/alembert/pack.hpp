@@ -1,0 +1,270 @@
+// Several doubles as one scalar, for generated functions over many states. In, as a macro before this file is
+// included: ALEMBERT_PACK_NAMESPACE, a namespace of its own for each file that is compiled for its own set of
+// instructions, so that no inline function compiled for one machine is linked into code for another. Out: in
+// alembert::ALEMBERT_PACK_NAMESPACE the type Pack with arithmetic and functions, its loads and stores, and a
+// solver for M x = b.
+//
+// No lane depends on another. The width is that of the widest vectors the compiler may use; where it has no
+// vector extensions, one.
+#pragma once
+
+#ifndef ALEMBERT_PACK_NAMESPACE
+#error "define ALEMBERT_PACK_NAMESPACE before including <alembert/pack.hpp>"
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+#include "alembert/batch.hpp"
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define ALEMBERT_PACK_LANES 8
+#elif defined(__AVX2__)
+#define ALEMBERT_PACK_LANES 4
+#elif defined(__GNUC__)
+#define ALEMBERT_PACK_LANES 2
+#else
+#define ALEMBERT_PACK_LANES 1
+#endif
+
+namespace alembert::ALEMBERT_PACK_NAMESPACE {
+
+#if defined(__GNUC__)
+#define ALEMBERT_TRIG_NAME sines_and_cosines_of_lanes
+#define ALEMBERT_TRIG_LANES ALEMBERT_PACK_LANES
+#define ALEMBERT_TRIG_TARGET
+#include "alembert/sines_and_cosines_lanes.hpp"
+#undef ALEMBERT_TRIG_NAME
+#undef ALEMBERT_TRIG_LANES
+#undef ALEMBERT_TRIG_TARGET
+#endif
+
+/// Two vectors: straight-line code on one is a chain of dependent operations that leaves half of the machine
+/// idle.
+struct Pack {
+  static constexpr int kLanes = 2 * ALEMBERT_PACK_LANES;
+#if defined(__GNUC__)
+  typedef double Vector __attribute__((vector_size(8 * ALEMBERT_PACK_LANES)));
+#else
+  typedef double Vector;
+#endif
+
+  Pack() = default;
+  explicit Pack(double x) : v(x - Vector{}), w(x - Vector{}) {}
+  Pack(const Vector& first, const Vector& second) : v(first), w(second) {}
+
+  static Pack load(const double* x) {
+    Pack p;
+    ::std::memcpy(&p.v, x, sizeof p.v);
+    ::std::memcpy(&p.w, x + ALEMBERT_PACK_LANES, sizeof p.w);
+    return p;
+  }
+  void store(double* x) const {
+    ::std::memcpy(x, &v, sizeof v);
+    ::std::memcpy(x + ALEMBERT_PACK_LANES, &w, sizeof w);
+  }
+
+  friend Pack operator+(const Pack& a, const Pack& b) {
+    return {a.v + b.v, a.w + b.w};
+  }
+  friend Pack operator-(const Pack& a, const Pack& b) {
+    return {a.v - b.v, a.w - b.w};
+  }
+  friend Pack operator*(const Pack& a, const Pack& b) {
+    return {a.v * b.v, a.w * b.w};
+  }
+  friend Pack operator/(const Pack& a, const Pack& b) {
+    return {a.v / b.v, a.w / b.w};
+  }
+  friend Pack operator-(const Pack& a) {
+    return {-a.v, -a.w};
+  }
+
+  /// 0 in lanes where a > b, NaN in the others.
+  static Pack nan_unless_greater(const Pack& a, const Pack& b) {
+#if defined(__GNUC__)
+    return {reinterpret_cast<Vector>(~(a.v > b.v)), reinterpret_cast<Vector>(~(a.w > b.w))};
+#else
+    constexpr double kNan = ::std::numeric_limits<double>::quiet_NaN();
+    return {a.v > b.v ? 0.0 : kNan, a.w > b.w ? 0.0 : kNan};
+#endif
+  }
+
+  Vector v, w;
+};
+
+/// A function of the C library, lane by lane.
+#define ALEMBERT_PACK_FUNCTION(name)                            \
+  inline Pack name(const Pack& a) {                             \
+    double x[Pack::kLanes];                                     \
+    a.store(x);                                                 \
+    for (int i = 0; i < Pack::kLanes; ++i) x[i] = ::name(x[i]); \
+    return Pack::load(x);                                       \
+  }
+#define ALEMBERT_PACK_FUNCTION_2(name)                                \
+  inline Pack name(const Pack& a, const Pack& b) {                    \
+    double x[Pack::kLanes], y[Pack::kLanes];                          \
+    a.store(x);                                                       \
+    b.store(y);                                                       \
+    for (int i = 0; i < Pack::kLanes; ++i) x[i] = ::name(x[i], y[i]); \
+    return Pack::load(x);                                             \
+  }
+ALEMBERT_PACK_FUNCTION(sqrt)
+ALEMBERT_PACK_FUNCTION(tan)
+ALEMBERT_PACK_FUNCTION(asin)
+ALEMBERT_PACK_FUNCTION(acos)
+ALEMBERT_PACK_FUNCTION(atan)
+ALEMBERT_PACK_FUNCTION(exp)
+ALEMBERT_PACK_FUNCTION(log)
+ALEMBERT_PACK_FUNCTION(sinh)
+ALEMBERT_PACK_FUNCTION(cosh)
+ALEMBERT_PACK_FUNCTION(tanh)
+ALEMBERT_PACK_FUNCTION_2(atan2)
+ALEMBERT_PACK_FUNCTION_2(pow)
+#undef ALEMBERT_PACK_FUNCTION
+#undef ALEMBERT_PACK_FUNCTION_2
+
+inline Pack abs(const Pack& a) {
+  double x[Pack::kLanes];
+  a.store(x);
+  for (int i = 0; i < Pack::kLanes; ++i) x[i] = ::fabs(x[i]);
+  return Pack::load(x);
+}
+
+/// -1, 0 or 1.
+inline Pack sign(const Pack& a) {
+  double x[Pack::kLanes];
+  a.store(x);
+  for (int i = 0; i < Pack::kLanes; ++i) x[i] = (x[i] > 0 ? 1.0 : 0.0) - (x[i] < 0 ? 1.0 : 0.0);
+  return Pack::load(x);
+}
+
+/// Sines and cosines of n packs of angles, within 1 ulp.
+inline void sines_and_cosines(int n, const Pack* angle, Pack* sine, Pack* cosine) {
+  const int count = n * Pack::kLanes;
+  const double* x = reinterpret_cast<const double*>(angle);
+  double* s = reinterpret_cast<double*>(sine);
+  double* c = reinterpret_cast<double*>(cosine);
+#if defined(__GNUC__)
+  if (sines_and_cosines_of_lanes(count, x, s, c)) return;
+  // What is too large for polynomials, or no number.
+  for (int i = 0; i < count; ++i) {
+    if (::fabs(x[i]) <= 1e5) continue;
+    s[i] = ::sin(x[i]);
+    c[i] = ::cos(x[i]);
+  }
+#else
+  for (int i = 0; i < count; ++i) {
+    s[i] = ::sin(x[i]);
+    c[i] = ::cos(x[i]);
+  }
+#endif
+}
+inline Pack sin(const Pack& a) {
+  Pack s, c;
+  sines_and_cosines(1, &a, &s, &c);
+  return s;
+}
+inline Pack cos(const Pack& a) {
+  Pack s, c;
+  sines_and_cosines(1, &a, &s, &c);
+  return c;
+}
+
+/// States first ... first + count - 1, count being kLanes or less: one pack.
+struct Window {
+  ::std::size_t first;
+  int count;
+
+  /// Entries 0 ... n - 1 of an array. Lanes without a state get the last one.
+  void load(int n, const double* x, ::std::size_t stride, Pack* out) const {
+    for (int i = 0; i < n; ++i) {
+      const double* from = x + static_cast<::std::size_t>(i) * stride + first;
+      if (count == Pack::kLanes) {
+        out[i] = Pack::load(from);
+      } else {
+        double lanes[Pack::kLanes];
+        for (int k = 0; k < Pack::kLanes; ++k) lanes[k] = from[k < count ? k : count - 1];
+        out[i] = Pack::load(lanes);
+      }
+    }
+  }
+  void store(int n, const Pack* in, double* x, ::std::size_t stride) const {
+    for (int i = 0; i < n; ++i) {
+      double* to = x + static_cast<::std::size_t>(i) * stride + first;
+      if (count == Pack::kLanes) {
+        in[i].store(to);
+      } else {
+        double lanes[Pack::kLanes];
+        in[i].store(lanes);
+        for (int k = 0; k < count; ++k) to[k] = lanes[k];
+      }
+    }
+  }
+};
+
+/// Calls body(window) -> number of failures for the windows of a range, one after the other, and adds up. The
+/// last one overlaps the one before, whose states it computes again: no lane is left empty unless the range
+/// is shorter than a pack. So failures of those count in the last window only as far as they are new:
+/// body(window, skip) is to leave out the first `skip` lanes.
+template <class Body>
+::std::size_t for_each_window(::std::size_t first, ::std::size_t last, const Body& body) {
+  constexpr ::std::size_t kLanes = Pack::kLanes;
+  ::std::size_t failed = 0, at = first;
+  for (; at + kLanes <= last; at += kLanes) failed += body(Window{at, Pack::kLanes}, 0);
+  if (at == last) return failed;
+  if (last - first < kLanes) return body(Window{first, static_cast<int>(last - first)}, 0);
+  return failed + body(Window{last - kLanes, Pack::kLanes}, static_cast<int>(at - (last - kLanes)));
+}
+
+/// 0 in lanes where all n numbers are finite, NaN in the others.
+inline Pack zero_if_finite(int n, const Pack* x) {
+  const Pack zero(0.0);
+  Pack even = zero, odd = zero;
+  for (int i = 0; i + 1 < n; i += 2) {
+    even = even + x[i] * zero;
+    odd = odd + x[i + 1] * zero;
+  }
+  return n % 2 == 0 ? even + odd : even + odd + x[n - 1] * zero;
+}
+
+/// States of a window, beyond the first `skip`, whose lane of `sum` is not zero.
+inline ::std::size_t count_not_finite(const Window& window, int skip, const Pack& sum) {
+  double x[Pack::kLanes];
+  sum.store(x);
+  ::std::size_t count = 0;
+  for (int k = skip; k < window.count; ++k) count += x[k] == 0 ? 0U : 1U;
+  return count;
+}
+
+/// x = M^-1 b by L D L^T without a branch; M and b are spoilt. In lanes where M has a pivot that is not
+/// positive beyond rounding, or something is not finite, x is NaN.
+template <::std::size_t N>
+void solve_positive_definite(Pack* M, Pack* x) {
+  constexpr double kRounding = static_cast<double>(N) * ::std::numeric_limits<double>::epsilon();
+  Pack diagonal[N], bad = x[0] - x[0];
+  for (::std::size_t k = 0; k < N; ++k) diagonal[k] = M[k * N + k];
+  for (::std::size_t k = 0; k < N; ++k) {
+    const Pack pivot = M[k * N + k];
+    bad = bad + Pack::nan_unless_greater(pivot, Pack(0.0)) +
+          Pack::nan_unless_greater(pivot, diagonal[k] * Pack(kRounding));
+    const Pack inverse = Pack(1.0) / pivot;
+    for (::std::size_t i = k + 1; i < N; ++i) {
+      const Pack l = M[i * N + k] * inverse;
+      for (::std::size_t j = k + 1; j <= i; ++j) M[i * N + j] = M[i * N + j] - l * M[j * N + k];
+      x[i] = x[i] - l * x[k];
+    }
+    // Column k keeps D L; the inverse of D is kept for the way back.
+    M[k * N + k] = inverse;
+  }
+  for (::std::size_t i = N; i-- > 0;) {
+    Pack sum = x[i];
+    for (::std::size_t k = i + 1; k < N; ++k) sum = sum - M[k * N + i] * x[k];
+    x[i] = sum * M[i * N + i];
+  }
+  for (::std::size_t i = 0; i < N; ++i) x[i] = x[i] + bad;
+}
+
+}  // namespace alembert::ALEMBERT_PACK_NAMESPACE
