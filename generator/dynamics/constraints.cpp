@@ -2,7 +2,9 @@
 #include "dynamics/constraints.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "dynamics/contact_frames.hpp"
 #include "dynamics/formulations.hpp"
@@ -59,33 +61,79 @@ SpeedRows pfaffian_rows(const Constraint& constraint, std::span<const Expr> equa
   return rows;
 }
 
+/// Rate of a surface's point along one speed, on the tangents p0 and p1 of its frame.
+struct TangentRate {
+  int speed;
+  Expr x, y;
+};
+
+/// Where the point depends on its coordinates u and v alone, the metric says it all and no frame is needed:
+/// p0 . f_u = |f_u|, p1 . f_u = 0, p0 . f_v = f_u . f_v / |f_u|, p1 . f_v = n . (f_u x f_v) / |f_u|.
+std::vector<TangentRate> tangent_rates(const SurfaceFrame& surface, const SourceLocation& where,
+                                       const Mechanism& mechanism, const SpeedDerivatives& derivatives,
+                                       ExprGraph& graph) {
+  const auto speed_of = [&](Expr symbol) {
+    const auto found = std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
+                                    [&](const Coordinate& c) { return c.symbols[0] == symbol; });
+    return found == mechanism.coordinates.end() ? -1 : found->first_speed;
+  };
+  const int u = speed_of(surface.u), v = speed_of(surface.v);
+  const std::vector<SpeedPartial> partials = derivatives.partials(surface.point.entries);
+  const auto vector = [](const SpeedPartial& p) -> Vec3 { return {{p.values[0], p.values[1], p.values[2]}}; };
+  const bool own = partials.size() == 2 && std::all_of(partials.begin(), partials.end(), [&](const auto& p) {
+                     return p.speed == u || p.speed == v;
+                   });
+  std::vector<TangentRate> rates;
+  if (own) {
+    const bool in_order = partials[0].speed == u;
+    const Vec3 fu = vector(partials[in_order ? 0 : 1]), fv = vector(partials[in_order ? 1 : 0]);
+    const Vec3 across = cross(fu, fv);
+    std::vector<Expr> metric{dot(fu, fu), dot(across, across), dot(fu, fv)};
+    metric = simplify(metric);
+    std::vector<Expr> lengths{sqrt(metric[0]), sqrt(metric[1])};
+    lengths = simplify(lengths);
+    const Expr height = lengths[1] / lengths[0];
+    rates = {{u, lengths[0], graph.zero()}, {v, metric[2] / lengths[0], surface.flip ? -height : height}};
+    return rates;
+  }
+  const Mat3 R = surface_rotation(surface, where, graph);
+  const auto along = [&](std::size_t column, const Vec3& rate) {
+    return dot({{R(0, column), R(1, column), R(2, column)}}, rate);
+  };
+  for (const SpeedPartial& partial : partials) {
+    const Vec3 rate = vector(partial);
+    const Expr x = along(0, rate), y = along(1, rate);
+    rates.push_back({partial.speed, x, y});
+  }
+  return rates;
+}
+
 /// Velocity, in the tangent plane, of the point of the second body at the contact relative to the first:
 /// Rz(spin)^T R1^T dt1/dt - R2^T dt2/dt, rows x and y.
-SpeedRows rolling_rows(const Mate& mate, const SourceLocation& where, const SpeedDerivatives& derivatives,
-                       ExprGraph& graph) {
-  const Mat3 R1 = surface_rotation(mate.first, where, graph);
-  const Mat3 R2 = surface_rotation(mate.second, where, graph);
+SpeedRows rolling_rows(const Mate& mate, const SourceLocation& where, const Mechanism& mechanism,
+                       const SpeedDerivatives& derivatives, ExprGraph& graph) {
   const Expr cosine = cos(mate.spin), sine = sin(mate.spin);
-  const auto along = [](const Mat3& R, std::size_t column, const Vec3& v) {
-    return dot({{R(0, column), R(1, column), R(2, column)}}, v);
+  std::map<int, std::array<Expr, 2>> slip;
+  const auto add = [&](int speed, Expr x, Expr y) {
+    std::array<Expr, 2>& sum = slip.try_emplace(speed, std::array{graph.zero(), graph.zero()}).first->second;
+    sum[0] += x;
+    sum[1] += y;
   };
-  std::vector<Expr> points(mate.first.point.entries.begin(), mate.first.point.entries.end());
-  points.insert(points.end(), mate.second.point.entries.begin(), mate.second.point.entries.end());
-
-  SpeedRows rows;
-  std::vector<Expr> flat;
-  for (const SpeedPartial& partial : derivatives.partials(points)) {
-    const std::vector<Expr>& d = partial.values;
-    const Vec3 first{{d[0], d[1], d[2]}}, second{{d[3], d[4], d[5]}};
-    const Expr x = along(R1, 0, first), y = along(R1, 1, first);
-    const Expr slip_x = cosine * x + sine * y, slip_y = cosine * y - sine * x;
-    flat.push_back(slip_x - along(R2, 0, second));
-    flat.push_back(slip_y - along(R2, 1, second));
-    rows.coefficients.push_back({partial.speed, {}});
+  for (const TangentRate& rate : tangent_rates(mate.first, where, mechanism, derivatives, graph)) {
+    const Expr x = cosine * rate.x + sine * rate.y, y = cosine * rate.y - sine * rate.x;
+    add(rate.speed, x, y);
   }
+  for (const TangentRate& rate : tangent_rates(mate.second, where, mechanism, derivatives, graph))
+    add(rate.speed, -rate.x, -rate.y);
+
+  std::vector<Expr> flat;
+  for (const auto& [speed, sum] : slip) flat.insert(flat.end(), sum.begin(), sum.end());
   flat = simplify(flat);
-  for (std::size_t i = 0; i < rows.coefficients.size(); ++i)
-    rows.coefficients[i].values = {flat[2 * i], flat[2 * i + 1]};
+  SpeedRows rows;
+  for (const auto& [speed, sum] : slip) {
+    const std::size_t first = 2 * rows.coefficients.size();
+    rows.coefficients.push_back({speed, {flat[first], flat[first + 1]}});
+  }
   rows.position.assign(2, graph.zero());
   return rows;
 }
@@ -141,7 +189,7 @@ ConstraintEquations constraint_equations(const Mechanism& mechanism, const Motio
       case ConstraintType::rolling: {
         const Body& body = mechanism.bodies[static_cast<std::size_t>(constraint.body)];
         const Factor& factor = body.transform.factors[constraint.factor];
-        return rolling_rows(std::get<Mate>(factor.value), factor.where, derivatives, graph);
+        return rolling_rows(std::get<Mate>(factor.value), factor.where, mechanism, derivatives, graph);
       }
     }
     return SpeedRows{};

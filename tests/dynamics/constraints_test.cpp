@@ -145,7 +145,7 @@ void expect_rates(ConstrainedMechanism& mechanism) {
 }
 
 /// An ellipsoid on an ellipsoid with spin; the lower one fixed, or carried about.
-std::string ellipsoids(bool carried, const std::string& flip) {
+std::string ellipsoids(bool carried, const std::string& flip, const std::string& longitude = "u1") {
   const std::string coordinates = carried ? "a, b, {name: turn, type: quaternion}, " : "";
   const std::string carrier = carried ? R"(  - name: ground
     transform: [{translate: [a, 0.3, b]}, {rotate: {quaternion: turn}}, {rotate: {axis: [1, 2, 2], angle: a*b + t}}]
@@ -153,38 +153,37 @@ std::string ellipsoids(bool carried, const std::string& flip) {
     inertia: {xx: 1, yy: 1, zz: 1}
 )"
                                       : "";
-  return "alembert: 1\nname: rolling\ncoordinates: [" + coordinates +
-         "{name: u1, initial: 0.3}, {name: v1, initial: 0.4}, {name: u2, initial: -0.5}, {name: v2, initial: "
-         "0.2}, {name: s, initial: 0.7}]\nbodies:\n" +
-         carrier + "  - name: ball\n    parent: " + (carried ? "ground" : "world") + R"(
+  std::string text =
+      "alembert: 1\nname: rolling\ncoordinates: [" + coordinates +
+      "{name: u1, initial: 0.3}, {name: v1, initial: 0.4}, {name: u2, initial: -0.5}, {name: v2, initial: "
+      "0.2}, {name: s, initial: 0.7}]\nbodies:\n" +
+      carrier + "  - name: ball\n    parent: " + (carried ? "ground" : "world") + R"(
     transform:
       - mate:
-          - surface: {point: [2*cos(u1)*cos(v1), 1.5*sin(u1)*cos(v1), sin(v1)], along: [u1, v1]}
+          - surface: {point: [2*cos(@)*cos(v1), 1.5*sin(@)*cos(v1), sin(v1)], along: [u1, v1]}
           - surface: {point: [0.5*cos(u2)*cos(v2), 0.4*sin(u2)*cos(v2), 0.3*sin(v2)], along: [u2, v2], flip: )" +
-         flip + R"(}
+      flip + R"(}
         spin: s
     mass: 1
     com: [0.1, 0, 0.2]
     inertia: {xx: 1, yy: 1.2, zz: 1.4}
 )";
+  for (std::size_t at; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, longitude);
+  return text;
 }
 
-class Rolling : public testing::TestWithParam<std::tuple<bool, const char*>> {
- protected:
-  static ConstrainedMechanism make() {
-    LoadedMechanism loaded =
-        LoadedMechanism::text(ellipsoids(std::get<0>(GetParam()), std::get<1>(GetParam())));
-    Constraint roll = constraint("roll", ConstraintType::rolling);
-    roll.body = static_cast<int>(loaded.mechanism->bodies.size()) - 1;
-    loaded.mechanism->constraints.push_back(roll);
-    return ConstrainedMechanism(std::move(loaded));
-  }
-  ConstrainedMechanism mechanism = make();
-};
+/// With rolling between the last body and its parent.
+ConstrainedMechanism rolling(const std::string& description) {
+  LoadedMechanism loaded = LoadedMechanism::text(description);
+  Constraint roll = constraint("roll", ConstraintType::rolling);
+  roll.body = static_cast<int>(loaded.mechanism->bodies.size()) - 1;
+  loaded.mechanism->constraints.push_back(roll);
+  return ConstrainedMechanism(std::move(loaded));
+}
 
 /// World velocities of the points of both bodies that touch are equal where P u + (part from time) = 0, and
 /// differ by as much as the rows say elsewhere.
-TEST_P(Rolling, ThePointsThatTouchMoveTogether) {
+void expect_no_slip(ConstrainedMechanism& mechanism) {
   const int child = mechanism.mechanism().constraints[0].body;
   const Body& body = mechanism.mechanism().bodies[static_cast<std::size_t>(child)];
   const Mate& mate = std::get<Mate>(body.transform.factors[0].value);
@@ -215,6 +214,15 @@ TEST_P(Rolling, ThePointsThatTouchMoveTogether) {
   }
 }
 
+class Rolling : public testing::TestWithParam<std::tuple<bool, const char*>> {
+ protected:
+  ConstrainedMechanism mechanism = rolling(ellipsoids(std::get<0>(GetParam()), std::get<1>(GetParam())));
+};
+
+TEST_P(Rolling, ThePointsThatTouchMoveTogether) {
+  expect_no_slip(mechanism);
+}
+
 TEST_P(Rolling, RowsHaveTheirRates) {
   EXPECT_EQ(mechanism.rows(), 2);
   expect_rates(mechanism);
@@ -233,6 +241,16 @@ INSTANTIATE_TEST_SUITE_P(Ellipsoids, Rolling,
                            return std::string(std::get<0>(test.param) ? "OnMovingBody" : "OnWorld") +
                                   (std::string(std::get<1>(test.param)) == "true" ? "Flipped" : "");
                          });
+
+/// A surface written with a further coordinate, so that its metric along u and v does not say it all.
+TEST(RollingSurfaces, MayDependOnFurtherCoordinates) {
+  for (const char* flip : {"false", "true"}) {
+    ConstrainedMechanism mechanism = rolling(ellipsoids(true, flip, "(u1 + a*t/2)"));
+    EXPECT_GT(mechanism.P().col(0).norm(), 0.01);
+    expect_no_slip(mechanism);
+    expect_rates(mechanism);
+  }
+}
 
 /// Two bodies whose frames are held together, with quaternions, a shared coordinate and time.
 TEST(Holonomic, FramesHeldTogether) {
@@ -396,6 +414,22 @@ TEST(ConstraintChecks, ADerivativeWithoutValueIsNamed) {
     EXPECT_THAT(error.what(), testing::HasSubstr("derivative of constraint 'loop[1]' has no value"));
   }
 }
+
+class ConstrainedCatalogue : public testing::TestWithParam<std::string> {};
+TEST_P(ConstrainedCatalogue, RowsHaveTheirRates) {
+  const LoadedMechanism loaded = LoadedMechanism::file(GetParam());
+  if (loaded.mechanism->constraints.empty()) GTEST_SKIP() << "it has no constraints";
+  const Kinematics kinematics = loaded.kinematics();
+  const ConstraintLaws laws = constraint_laws(kinematics, equations_of(loaded, kinematics));
+  ASSERT_TRUE(laws.velocity_rate);
+  EXPECT_LT(*laws.velocity_rate, 1e-7);
+  const bool holonomic = std::ranges::any_of(
+      loaded.mechanism->constraints, [](const Constraint& c) { return c.type == ConstraintType::holonomic; });
+  ASSERT_EQ(laws.position_rate.has_value(), holonomic);
+  EXPECT_LT(laws.position_rate.value_or(0), 1e-7);
+}
+INSTANTIATE_TEST_SUITE_P(Files, ConstrainedCatalogue, testing::ValuesIn(catalogue()),
+                         [](const auto& test) { return test_name(test.param); });
 
 TEST(Constraints, NoneGiveNoRows) {
   const LoadedMechanism loaded = LoadedMechanism::text(kSleigh);

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "differentiation/jacobian.hpp"
-#include "dynamics/constraint_checks.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/rigid_links.hpp"
@@ -209,21 +208,6 @@ TEST_P(Laws, BodyJacobiansAndInertiasGiveTheKineticEnergy) {
     EXPECT_NEAR(sum, expected, 1e-11 * (1 + std::abs(expected))) << "at state " << seed;
   }
   EXPECT_GE(finite, kStates / 2);
-}
-
-/// P, gamma, velocity and position of the constraints against rates measured along motions.
-TEST_P(Laws, ConstraintsHaveTheirRates) {
-  const Mechanism& mechanism = *loaded.mechanism;
-  if (mechanism.constraints.empty()) GTEST_SKIP() << "it has no constraints";
-  const ConstraintEquations rows =
-      constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, *loaded.graph);
-  const ConstraintLaws laws = constraint_laws(kinematics, rows);
-  ASSERT_TRUE(laws.velocity_rate);
-  EXPECT_LT(*laws.velocity_rate, 1e-7);
-  const bool holonomic = std::ranges::any_of(
-      mechanism.constraints, [](const Constraint& c) { return c.type == ConstraintType::holonomic; });
-  ASSERT_EQ(laws.position_rate.has_value(), holonomic);
-  EXPECT_LT(laws.position_rate.value_or(0), 1e-7);
 }
 
 /// Solving for the accelerations by the straight-line factorisation gives back the forces.
