@@ -54,7 +54,7 @@ std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, u
 }
 
 void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
-  const auto check = [&](const Transform& transform) {
+  const auto check = [&](const Transform& transform, const std::string& owner) {
     for (const Factor& factor : transform.factors) {
       Pose pose = identity_pose(graph);
       for (const Motion& motion : elementary_motions(Transform{{factor}}, mechanism, graph))
@@ -63,19 +63,22 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
       entries.insert(entries.end(), pose.origin.entries.begin(), pose.origin.entries.end());
       const std::vector<double> values = evaluate(entries, state_values(mechanism, graph, 0));
       if (all_finite(values)) continue;
-      const bool frenet =
-          std::holds_alternative<CurveFrame>(factor.value) && !std::get<CurveFrame>(factor.value).reference;
+      const CurveFrame* curve = std::get_if<CurveFrame>(&factor.value);
+      if (curve != nullptr && !curve->reference) {
+        throw InputError(factor.where, "the Frenet frame of the curve of " + owner +
+                                           " is undefined at the initial value of '" +
+                                           to_string(curve->along) +
+                                           "' (an inflection or a straight part); use `frame: {reference: "
+                                           "[x, y, z]}`, or another initial value");
+      }
       throw InputError(factor.where,
-                       frenet ? "the Frenet frame of this curve is undefined at the initial state (an "
-                                "inflection or a straight "
-                                "part); use `frame: {reference: [x, y, z]}`, or another initial value"
-                              : "this transform has no value at the initial state (a frame that is singular "
-                                "there, or a division "
-                                "by zero); choose another initial value");
+                       "the transform of " + owner +
+                           " has no value at the initial state (a frame that is singular there, "
+                           "or a division by zero); choose another initial value");
     }
   };
-  for (const Body& body : mechanism.bodies) check(body.transform);
-  for (const Frame& frame : mechanism.frames) check(frame.transform);
+  for (const Body& body : mechanism.bodies) check(body.transform, "body '" + body.name + "'");
+  for (const Frame& frame : mechanism.frames) check(frame.transform, "frame '" + frame.name + "'");
 }
 
 void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations) {
