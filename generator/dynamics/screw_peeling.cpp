@@ -84,7 +84,7 @@ class Peeler {
   std::optional<std::vector<Motion>> run(const std::vector<Motion>& motions) {
     for (const Motion& motion : motions)
       core_.push_back({motion, twist_partials(motion, mechanism_, derivatives_, graph_)});
-    if (is_plain()) return std::nullopt;
+    if (is_plain() || has_pieces()) return std::nullopt;
     while (peel_one()) {
     }
     if (left_.empty() && right_.empty()) return std::nullopt;
@@ -116,6 +116,16 @@ class Peeler {
       for (const SpeedPartial& partial : part.partials) seen.push_back(partial.speed);
     }
     return true;
+  }
+
+  /// Whether a function that is put together from pieces, such as a spline, is in the motions: states near
+  /// the initial one show some of its pieces only.
+  bool has_pieces() const {
+    std::vector<Expr> poses;
+    for (const Part& part : core_) append_pose(poses, part.motion);
+    const std::vector<std::uint32_t> nodes = postorder(poses);
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [&](std::uint32_t id) { return graph_.node(id).op == Op::sign; });
   }
 
   std::vector<int> moving_speeds() const {

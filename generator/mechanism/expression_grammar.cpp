@@ -19,6 +19,7 @@ struct ParseState {
   struct OpenCall {
     std::size_t begin, end;
     int arguments;
+    int knots = 0;
   };
   std::vector<OpenCall> calls;
   PostfixToken reference{};
@@ -43,6 +44,15 @@ struct function_name : pegtl::identifier {};
 struct open_call : pegtl::seq<function_name, blank, pegtl::one<'('>> {};
 struct close_call : pegtl::one<')'> {};
 struct call : pegtl::if_must<open_call, blank, argument, pegtl::star<pegtl::if_must<symbol<','>, argument>>, close_call> {};
+struct open_spline : pegtl::seq<TAO_PEGTL_STRING("spline"), blank, pegtl::one<'('>> {};
+struct items : pegtl::list_must<argument, symbol<','>> {};
+struct close_list : symbol<']'> {};
+struct bracketed : pegtl::if_must<symbol<'['>, items, close_list> {};
+struct knots : pegtl::sor<bracketed, items> {};
+struct values : pegtl::sor<bracketed, items> {};
+struct semicolon : symbol<';'> {};
+struct close_spline : pegtl::one<')'> {};
+struct spline : pegtl::if_must<open_spline, blank, argument, semicolon, knots, semicolon, values, close_spline> {};
 struct referring : pegtl::seq<pegtl::sor<TAO_PEGTL_STRING("position"), pegtl::one<'d'>>, pegtl::not_at<pegtl::identifier_other>> {};
 struct open_reference : pegtl::seq<referring, blank, pegtl::one<'('>> {};
 struct referent : pegtl::identifier {};
@@ -52,7 +62,7 @@ struct reference : pegtl::seq<pegtl::if_must<open_reference, blank, referent, bl
 struct name : pegtl::identifier {};
 struct close_group : pegtl::one<')'> {};
 struct group : pegtl::if_must<symbol<'('>, expression, close_group> {};
-struct primary : pegtl::seq<pegtl::sor<number, reference, call, name, group>, blank> {};
+struct primary : pegtl::seq<pegtl::sor<number, reference, spline, call, name, group>, blank> {};
 
 struct raise : pegtl::if_must<symbol<'^'>, operand> {};
 struct power : pegtl::seq<primary, pegtl::opt<raise>> {};
@@ -90,6 +100,18 @@ template <>
 constexpr const char* Expected::message<grammar::close_call> = "an operator, ',' or ')'";
 template <>
 constexpr const char* Expected::message<grammar::close_group> = "an operator or ')'";
+template <>
+constexpr const char* Expected::message<grammar::knots> = "the knots of the spline";
+template <>
+constexpr const char* Expected::message<grammar::values> = "the values of the spline";
+template <>
+constexpr const char* Expected::message<grammar::items> = kExpectedOperand;
+template <>
+constexpr const char* Expected::message<grammar::semicolon> = "an operator or ';'";
+template <>
+constexpr const char* Expected::message<grammar::close_list> = "an operator, ',' or ']'";
+template <>
+constexpr const char* Expected::message<grammar::close_spline> = "an operator, ',' or ')'";
 template <>
 constexpr const char* Expected::message<grammar::referent> = "a name";
 template <>
@@ -191,7 +213,6 @@ struct Action<grammar::open_call> {
     const std::size_t begin = in.iterator().byte;
     const std::string_view text = in.string_view();
     const std::string_view called = text.substr(0, text.find_first_of(" \t\n\r("));
-    if (called == "spline") throw SyntaxError{begin, "spline is not supported by this version", {}};
     state.calls.push_back({begin, begin + called.size(), 0});
   }
 };
@@ -207,6 +228,23 @@ struct Action<grammar::call> : Nesting {
     state.calls.pop_back();
     state.postfix.push_back(
         {PostfixToken::Kind::call, call.begin, call.end, in.iterator().byte + in.size(), call.arguments});
+  }
+};
+
+template <>
+struct Action<grammar::open_spline> : Action<grammar::open_call> {};
+template <>
+struct Action<grammar::knots> {
+  static void apply0(ParseState& state) { state.calls.back().knots = state.calls.back().arguments - 1; }
+};
+template <>
+struct Action<grammar::spline> : Nesting {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    const ParseState::OpenCall call = state.calls.back();
+    state.calls.pop_back();
+    state.postfix.push_back({PostfixToken::Kind::spline, call.begin, call.end, in.iterator().byte + in.size(),
+                             call.arguments, call.knots});
   }
 };
 

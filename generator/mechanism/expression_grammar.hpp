@@ -12,12 +12,27 @@ namespace alembert {
 /// One operation of an expression in postfix order. A reference is `d(NAME)` or `position(NAME)`, with or
 /// without `.part`.
 struct PostfixToken {
-  enum class Kind { number, name, reference, call, add, subtract, multiply, divide, power, negate, group };
+  enum class Kind {
+    number,
+    name,
+    reference,
+    call,
+    spline,
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    negate,
+    group
+  };
   Kind kind;
-  /// Of the number, name, operator; of a call or reference: its name; of a group: parentheses included.
+  /// Of the number, name, operator; of a call, spline or reference: its name; of a group: parentheses
+  /// included.
   std::size_t begin, end;
-  std::size_t close = 0;                       ///< of a call or reference: one past its end
-  int arguments = 0;                           ///< of a call
+  std::size_t close = 0;  ///< of a call, spline or reference: one past its end
+  int arguments = 0;      ///< of a call; of a spline: its argument, knots and values together
+  int knots = 0;          ///< of a spline
   std::size_t referent = 0, referent_end = 0;  ///< of a reference: the name in parentheses
   std::size_t part = 0;  ///< of a reference: the word after its point, 0 if there is none
 };

@@ -26,7 +26,9 @@ Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) 
     out.expr = graph_.symbol("t");
     out.dependence = Dependence::time;
   } else {
-    if (text == "spline") throw error(reading, token.begin, "spline is not supported by this version");
+    if (text == "spline")
+      throw error(reading, token.begin, "'spline' needs its argument, knots and values in parentheses",
+                  "spline(x; [knots]; [values])");
     if (function_arity(text) > 0)
       throw error(reading, token.begin, fmt::format("function '{}' needs its argument in parentheses", text));
     NameEntry* entry = scope_.find(text);

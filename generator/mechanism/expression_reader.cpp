@@ -13,34 +13,6 @@
 namespace alembert {
 namespace {
 
-struct Function {
-  std::string_view name;
-  Expr (*build)(Expr);
-  double (*value)(double);
-};
-// Indirections, because overload sets have no address.
-constexpr Function kFunctions[] = {
-    {"sin", [](Expr x) { return sin(x); }, [](double x) { return std::sin(x); }},
-    {"cos", [](Expr x) { return cos(x); }, [](double x) { return std::cos(x); }},
-    {"tan", [](Expr x) { return tan(x); }, [](double x) { return std::tan(x); }},
-    {"asin", [](Expr x) { return asin(x); }, [](double x) { return std::asin(x); }},
-    {"acos", [](Expr x) { return acos(x); }, [](double x) { return std::acos(x); }},
-    {"atan", [](Expr x) { return atan(x); }, [](double x) { return std::atan(x); }},
-    {"sqrt", [](Expr x) { return sqrt(x); }, [](double x) { return std::sqrt(x); }},
-    {"exp", [](Expr x) { return exp(x); }, [](double x) { return std::exp(x); }},
-    {"log", [](Expr x) { return log(x); }, [](double x) { return std::log(x); }},
-    {"abs", [](Expr x) { return abs(x); }, [](double x) { return std::abs(x); }},
-    {"sinh", [](Expr x) { return sinh(x); }, [](double x) { return std::sinh(x); }},
-    {"cosh", [](Expr x) { return cosh(x); }, [](double x) { return std::cosh(x); }},
-    {"tanh", [](Expr x) { return tanh(x); }, [](double x) { return std::tanh(x); }},
-};
-
-std::vector<std::string> function_names() {
-  std::vector<std::string> names = {"atan2", "position"};
-  for (const Function& function : kFunctions) names.emplace_back(function.name);
-  return names;
-}
-
 /// The rational that an expression is, if it is one.
 std::optional<Rational> as_rational(const Expr& x) {
   const Node& node = x.graph().node(x.ref().node());
@@ -101,11 +73,13 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
         stack.back().value.initial = -stack.back().value.initial;
         stack.back().begin = token.begin;
         break;
-      case PostfixToken::Kind::call: {
+      case PostfixToken::Kind::call:
+      case PostfixToken::Kind::spline: {
         const std::size_t first = stack.size() - static_cast<std::size_t>(token.arguments);
         const std::vector<Operand> arguments(stack.begin() + static_cast<std::ptrdiff_t>(first), stack.end());
         stack.resize(first);
-        stack.push_back(call(reading, token, arguments));
+        stack.push_back(token.kind == PostfixToken::Kind::call ? call(reading, token, arguments)
+                                                               : spline(reading, token, arguments));
         break;
       }
       case PostfixToken::Kind::add:
@@ -205,6 +179,7 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
       case PostfixToken::Kind::name:
       case PostfixToken::Kind::reference:
       case PostfixToken::Kind::call:
+      case PostfixToken::Kind::spline:
       case PostfixToken::Kind::negate:
       case PostfixToken::Kind::group:
         throw InternalError("not a binary operator");
@@ -238,90 +213,6 @@ void ExpressionReader::check_power(const Reading& reading, const Operand& base, 
         fmt::format("'{}' is 0{}; a base of 0 needs a constant exponent", text_of(reading, base), when));
   if (u == 0 && !integer && v < 2 && moves(base.value.dependence))
     make_rough(result, fmt::format("'{}', whose base is 0 at the initial state", text_of(reading, result)));
-}
-
-ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const PostfixToken& token,
-                                                 const std::vector<Operand>& arguments) const {
-  const std::string_view function =
-      std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
-  const int arity = function_arity(function);
-  if (arity == 0) {
-    std::string message;
-    if (const NameEntry* entry = scope_.find(function); entry != nullptr)
-      message = fmt::format("'{}' is a {}, not a function", function, noun(entry->kind));
-    else if (function == "pi" || function == "t")
-      message = fmt::format("'{}' is not a function", function);
-    else
-      message = fmt::format("unknown function '{}'{}", printable(function),
-                            did_you_mean(function, function_names()));
-    throw error(reading, token.begin, message);
-  }
-  if (arity != token.arguments)
-    throw error(reading, token.begin,
-                fmt::format("function '{}' takes {} argument{}, found {}", function, arity,
-                            arity == 1 ? "" : "s", token.arguments));
-  Operand out{{}, token.begin, token.close};
-  bool known = true;
-  for (const Operand& argument : arguments) {
-    if (includes(argument.value.dependence, Dependence::speed))
-      throw not_linear(reading, out, "is a function of speeds");
-    known = known && !std::isnan(argument.value.initial);
-    out.value.dependence = out.value.dependence | argument.value.dependence;
-    if (out.value.roughness == nullptr) out.value.roughness = argument.value.roughness;
-  }
-  const Operand& x = arguments[0];
-  try {
-    if (function == "atan2") {
-      if (x.value.initial == 0 && arguments[1].value.initial == 0)
-        throw error(reading, token.begin,
-                    fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
-                                out.value.dependence == Dependence::none ? "" : " at the initial state"));
-      out.value.initial = std::atan2(x.value.initial, arguments[1].value.initial);
-      out.value.expr = atan2(x.value.expr, arguments[1].value.expr);
-    } else {
-      check_call(reading, function, x, out);
-      for (const Function& f : kFunctions)
-        if (f.name == function) {
-          out.value.initial = f.value(x.value.initial);
-          out.value.expr = f.build(x.value.expr);
-        }
-    }
-  } catch (const std::domain_error&) {
-    throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
-  }
-  if (!std::isfinite(out.value.initial) && known)
-    throw error(reading, token.begin,
-                fmt::format("'{}' has no finite value{}", text_of(reading, out),
-                            out.value.dependence == Dependence::none ? "" : " at the initial state"));
-  return out;
-}
-
-void ExpressionReader::check_call(const Reading& reading, std::string_view function, const Operand& x,
-                                  Operand& result) const {
-  const double u = x.value.initial;
-  const char* when = x.value.dependence == Dependence::none ? "" : " at the initial state";
-  const auto refuse = [&](std::string_view of) {
-    return error(reading, x.begin, fmt::format("{}: '{}' is {:.6g}{}", of, text_of(reading, x), u, when));
-  };
-  const bool moving = moves(x.value.dependence);
-  if (function == "sqrt") {
-    if (u < 0) throw refuse("sqrt of a negative number");
-    if (u == 0 && moving)
-      make_rough(result,
-                 fmt::format("'{}', whose argument is 0 at the initial state", text_of(reading, result)));
-  } else if (function == "log") {
-    if (u == 0) throw refuse("log of zero");
-    if (u < 0) throw refuse("log of a negative number");
-  } else if (function == "asin" || function == "acos") {
-    if (std::abs(u) > 1) throw refuse(fmt::format("{} of a number outside [-1, 1]", function));
-    if (std::abs(u) == 1 && moving)
-      make_rough(result, fmt::format("'{}', whose argument is {:.6g} at the initial state",
-                                     text_of(reading, result), u));
-  } else if (function == "abs" && moving && result.value.roughness == nullptr) {
-    const Interval bounds = graph_.bounds(x.value.expr.ref());
-    if (bounds.lower < 0 && bounds.upper > 0)
-      make_rough(result, fmt::format("'{}', whose argument may change its sign", text_of(reading, result)));
-  }
 }
 
 InputError ExpressionReader::error(const Reading& reading, std::size_t offset, const std::string& message,

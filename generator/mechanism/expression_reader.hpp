@@ -74,6 +74,8 @@ class ExpressionReader {
   Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
   Operand call(const Reading& reading, const PostfixToken& token,
                const std::vector<Operand>& arguments) const;
+  Operand spline(const Reading& reading, const PostfixToken& token,
+                 const std::vector<Operand>& operands) const;
   void check_power(const Reading& reading, const Operand& base, const Operand& exponent,
                    Operand& result) const;
   void check_call(const Reading& reading, std::string_view function, const Operand& x, Operand& result) const;

@@ -83,6 +83,13 @@ TEST_P(Peeled, IsTheSameTransform) {
   }
 }
 
+TEST(Peeling, LeavesFunctionsInPiecesAlone) {
+  // Near the initial state, q = 0, the spline is a straight line.
+  const auto loaded = LoadedMechanism::text(
+      one_body("q", "      - translate: [\"spline(q; [10, 10.5, 11]; [0, 0.1, 0.3])\", 0, 0]\n"));
+  EXPECT_FALSE(loaded.kinematics().peeled);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Spellings, Peeled,
     testing::Values(

@@ -21,6 +21,9 @@ std::string postfix(std::string_view text) {
       case PostfixToken::Kind::call:
         out += piece + "/" + std::to_string(token.arguments);
         break;
+      case PostfixToken::Kind::spline:
+        out += piece + "/" + std::to_string(token.arguments) + "," + std::to_string(token.knots);
+        break;
       case PostfixToken::Kind::add:
       case PostfixToken::Kind::subtract:
       case PostfixToken::Kind::multiply:
@@ -46,6 +49,17 @@ TEST(ExpressionGrammar, ReadsReferences) {
   EXPECT_EQ(postfix("-position(tip).y^2"), "position(tip).y 2 ^ ~");
   EXPECT_EQ(postfix("dd(q)"), "q dd/1");
   EXPECT_EQ(postfix("positions(q)"), "q positions/1");
+}
+TEST(ExpressionGrammar, ReadsSplines) {
+  EXPECT_EQ(postfix("spline(x; [0, 1]; [a, b])"), "x 0 1 a b spline/5,2");
+  EXPECT_EQ(postfix("spline( x ; 0 , 1 , 2 ; a+b , sin(c), 3 ) * 2"),
+            "x 0 1 2 a b + c sin/1 3 spline/7,3 2 *");
+  EXPECT_EQ(postfix("spline (spline(x; 0; 1); [0]; 1, 2)"), "x 0 1 spline/3,1 0 1 2 spline/4,1");
+  EXPECT_EQ(postfix("splines(x)"), "x splines/1");
+  for (const char* text :
+       {"spline(x, [0, 1], [0, 1])", "spline(x; [0, 1])", "spline(x; []; [])", "spline(x; [0; 1])",
+        "spline(x; [0, 1]; [0, 1]; 2)", "spline(x; [[0, 1]]; [1])", "spline()", "[0]", "sin([x])"})
+    EXPECT_THROW(parse_expression(text), SyntaxError) << text;
 }
 TEST(ExpressionGrammar, BindsProductsBeforeSums) {
   EXPECT_EQ(postfix("a + b*c"), "a b c * +");
@@ -138,7 +152,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"2**3", 2, "expected a number, a name or '(', found '*'"},
                     Wrong{"a = b", 2, "expected an operator or the end of the expression, found '='"},
                     Wrong{"\xCE\xB8", 0, "expected a number, a name or '(', found '\xCE\xB8'"},
-                    Wrong{"spline(q; 0; 1)", 0, "spline is not supported by this version"}));
+                    Wrong{"spline(q)", 8, "expected an operator or ';', found ')'"},
+                    Wrong{"spline(q, 0, 1)", 8, "expected an operator or ';', found ','"},
+                    Wrong{"spline(q; [0, 1], [2, 3])", 16, "expected an operator or ';', found ','"},
+                    Wrong{"spline(q; [0, 1; 2, 3])", 15, "expected an operator, ',' or ']', found ';'"},
+                    Wrong{"spline(q; 0, 1; 2, 3; 4)", 20, "expected an operator, ',' or ')', found ';'"},
+                    Wrong{"spline(q; []; [])", 11, "expected a number, a name or '(', found ']'"},
+                    Wrong{"d(q + 1)", 4, "expected ')' after the name, found '+'"},
+                    Wrong{"d(2)", 2, "expected a name, found '2'"},
+                    Wrong{"position(f).", 12,
+                          "expected x, y or z after the point, found the end of the expression"}));
 
 TEST(ExpressionGrammar, LimitsNestingWithoutRunningOutOfStack) {
   const auto deep = [](const std::string& open, std::size_t n, const std::string& close) {
