@@ -1,9 +1,12 @@
 #!/bin/sh
 # Installs what alembert needs from Debian's packages: `install_packages.sh` for building and using it, `install_packages.sh tests` for
-# everything the tests use as well. Runs as root or through sudo; does nothing where all is installed.
+# everything the tests use as well, `install_packages.sh reproduce` for the report on the paper. Runs as root or through sudo; does nothing where all is installed.
 set -eu
 
 packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev nlohmann-json3-dev"
+if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
+  packages="$packages python3 python3-numpy python3-matplotlib python3-yaml"
+fi
 if [ "${1:-}" = tests ]; then
   packages="$packages git clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
             liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev"
