@@ -16,9 +16,11 @@ import timing
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("alembert", "measure", "mechanisms", "out"):
+    for name in ("alembert", "mechanisms", "out"):
         parser.add_argument(f"--{name}", type=Path, required=True)
+    parser.add_argument("--measure", type=Path, help="the program measure_chains; no times without it")
     parser.add_argument("--seconds", type=float, default=60, help="length of the simulations")
+    parser.add_argument("--largest", type=int, default=60, help="no chains of more coordinates")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     started = time.monotonic()
@@ -32,9 +34,10 @@ def main() -> int:
     lines += ["The paper: B. Guenter and S.-H. Lee, *Symbolic Lagrangian Multibody Dynamics*.", ""]
     progress("Table 1")
     lines += counts.table_1(counter)
-    lines += counts.figures(counter, arguments.out, progress)
-    progress("times")
-    lines += timing.section(arguments.measure, arguments.out)
+    lines += counts.figures(counter, arguments.out, arguments.largest, progress)
+    if arguments.measure:
+        progress("times")
+        lines += timing.section(arguments.measure, arguments.out)
     lines += motion.section(arguments.alembert, arguments.mechanisms / "paper", arguments.seconds, arguments.out, progress)
 
     report = arguments.out / "report.md"
