@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
@@ -95,6 +96,32 @@ TEST(ForwardDynamics, WidelyScaledButRegularIsSolved) {
   Eigen::Vector3d x(1e12, 1, 1e-12);
   alembert::solve_ldlt(A, x);
   EXPECT_EQ(x, Eigen::Vector3d::Ones());
+}
+
+template <int N>
+void expect_solved() {
+  std::mt19937 random(N);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Matrix = Eigen::Matrix<double, N, N>;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  const Matrix B = Matrix::NullaryExpr([&] { return uniform(random); });
+  const Matrix A = B * B.transpose() + Matrix::Identity();
+  const Vector x = Vector::NullaryExpr([&] { return uniform(random); });
+  Matrix factor = A;
+  factor.template triangularView<Eigen::StrictlyUpper>().setConstant(
+      kNan);  // only the lower triangle is read
+  ASSERT_EQ(alembert::factor_ldlt(factor), Status::ok);
+  Vector solved = A * x;
+  alembert::solve_ldlt(factor, solved);
+  EXPECT_LT((solved - x).norm(), 1e-12) << N;
+}
+
+TEST(ForwardDynamics, SystemsOfAnySizeAreSolved) {
+  expect_solved<1>();
+  expect_solved<5>();
+  expect_solved<12>();
+  expect_solved<13>();
+  expect_solved<40>();
 }
 
 TEST(ForwardDynamics, WhatIsNotFiniteIsReported) {
