@@ -143,8 +143,12 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"rk4", "euler"}))
       ->capture_default_str();
   command->add_option("--csv", simulate.csv, "file to write; - is standard output")->capture_default_str();
-  command->add_option("--q", simulate.q, "initial coordinates")->delimiter(',');
-  command->add_option("--qd", simulate.qd, "initial speeds")->delimiter(',');
+  command->add_option("--q", simulate.start.q, "initial coordinates")->delimiter(',');
+  command->add_option("--qd", simulate.start.qd, "initial speeds")->delimiter(',');
+  command->add_option("--hold", simulate.start.hold, "coordinates that assembling leaves as they are")
+      ->delimiter(',');
+  command->add_flag("!--no-assemble", simulate.start.assemble,
+                    "fail if the initial state does not keep the constraints, instead of changing it");
   command->callback([&] { result = run_simulate(common, simulate); });
 
   command =

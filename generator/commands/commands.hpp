@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/start_state.hpp"
 #include "dynamics/equations.hpp"
 #include "pipeline.hpp"
 
@@ -52,7 +53,7 @@ struct SimulateOptions {
   int every = 10;  ///< one row of output each so many steps
   std::string integrator = "rk4";
   std::string csv = "-";
-  std::vector<double> q, qd;  ///< initial state instead of the description's
+  StartOptions start;
 };
 int run_simulate(const CommonOptions& common, const SimulateOptions& options);
 

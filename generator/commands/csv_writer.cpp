@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/constraint_rows.hpp"
+
 namespace alembert {
 
 namespace {
@@ -15,7 +17,10 @@ std::string header(const Mechanism& mechanism) {
   };
   for (const Coordinate& c : mechanism.coordinates) names(c.name, c.nq());
   for (const Coordinate& c : mechanism.coordinates) names("d(" + c.name + ")", c.nv());
-  return out + ",kinetic,potential,energy\n";
+  out += ",kinetic,potential,energy";
+  const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
+  for (const ConstraintRow& row : rows) out += ",lambda(" + row.name + ")";
+  return out + (rows.empty() ? "\n" : ",residual\n");
 }
 
 }  // namespace
@@ -30,7 +35,10 @@ void CsvWriter::write(const TrajectoryPoint& point) {
   std::string out = fmt::format("{:.17g}", point.state.t);
   for (const double x : point.state.q) out += fmt::format(",{:.17g}", x);
   for (const double x : point.state.qd) out += fmt::format(",{:.17g}", x);
-  put(out + fmt::format(",{:.17g},{:.17g},{:.17g}\n", point.kinetic, point.potential, point.energy()));
+  out += fmt::format(",{:.17g},{:.17g},{:.17g}", point.kinetic, point.potential, point.energy());
+  for (const double x : point.lambda) out += fmt::format(",{:.17g}", x);
+  if (!point.lambda.empty()) out += fmt::format(",{:.17g}", point.residual);
+  put(out + "\n");
 }
 
 void CsvWriter::flush() {

@@ -1,5 +1,6 @@
 // A motion as comma-separated values. In: points of a trajectory. Out: a file or standard output, a header
-// and one row a point: t, q, qd, kinetic, potential and total energy.
+// and one row a point: t, q, qd, kinetic, potential and total energy; with constraints, lambda of each row
+// and the largest violation.
 #pragma once
 
 #include <cstdio>

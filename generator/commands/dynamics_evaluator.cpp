@@ -2,7 +2,6 @@
 #include "commands/dynamics_evaluator.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "program/passes.hpp"
 
@@ -25,9 +24,8 @@ EvaluationState DynamicsEvaluator::initial_state() const {
   return state;
 }
 
-std::vector<double> DynamicsEvaluator::operator()(FunctionKind kind, const EvaluationState& state) {
-  const Program& program = compiled_.function(kind).program;
-  inputs_.clear();
+void program_inputs(const Program& program, const EvaluationState& state, std::vector<double>& inputs) {
+  inputs.clear();
   for (const InputSlot& slot : program.inputs) {
     const auto value = [&]() -> double {
       switch (slot.kind) {
@@ -44,30 +42,22 @@ std::vector<double> DynamicsEvaluator::operator()(FunctionKind kind, const Evalu
         case ArgumentKind::wrench:
           return state.wrenches.at(slot.index);
         case ArgumentKind::tau:
-          return state.tau.at(slot.index);
+          return state.tau.empty() ? 0.0 : state.tau.at(slot.index);
       }
       return 0;
     };
-    inputs_.push_back(value());
+    inputs.push_back(value());
   }
+}
+
+std::vector<double> DynamicsEvaluator::operator()(FunctionKind kind, const EvaluationState& state) {
+  const Program& program = compiled_.function(kind).program;
+  program_inputs(program, state, inputs_);
   std::size_t size = 0;
   for (const OutputArray& output : program.outputs) size += output.values.size();
   std::vector<double> outputs(size);
   interpret(program, inputs_, outputs, scratch_);
   return outputs;
-}
-
-std::vector<double> DynamicsEvaluator::forward_dynamics(const EvaluationState& state,
-                                                        std::span<const double> tau) {
-  const Eigen::Index n = compiled_.mechanism->nv;
-  const std::vector<double> values = (*this)(FunctionKind::mass_matrix_and_bias, state);
-  const Eigen::Map<const Eigen::MatrixXd> M(values.data(), n, n);
-  const Eigen::Map<const Eigen::VectorXd> c(values.data() + n * n, n);
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(M);
-  if (cholesky.info() != Eigen::Success) return {};
-  const Eigen::VectorXd qdd = cholesky.solve(Eigen::Map<const Eigen::VectorXd>(tau.data(), n) - c);
-  if (!qdd.allFinite()) return {};
-  return {qdd.data(), qdd.data() + n};
 }
 
 }  // namespace alembert

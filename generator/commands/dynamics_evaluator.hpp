@@ -1,8 +1,6 @@
 // Numbers from compiled programs, through the interpreter: what `evaluate`, `simulate` and `check` stand on.
 #pragma once
 
-#include <Eigen/Dense>
-#include <span>
 #include <vector>
 
 #include "pipeline.hpp"
@@ -15,8 +13,11 @@ struct EvaluationState {
   std::vector<double> q, qd, qdd;
   double t = 0;
   std::vector<double> parameters, wrenches;
-  std::vector<double> tau;  ///< only for forward_dynamics
+  std::vector<double> tau;  ///< generalized forces; empty: none
 };
+
+/// Values for the inputs of a program, in their order.
+void program_inputs(const Program& program, const EvaluationState& state, std::vector<double>& inputs);
 
 /// Evaluates the functions of one compiled mechanism.
 class DynamicsEvaluator {
@@ -27,8 +28,6 @@ class DynamicsEvaluator {
   EvaluationState initial_state() const;
   /// All outputs of a function, concatenated.
   std::vector<double> operator()(FunctionKind kind, const EvaluationState& state);
-  /// M^-1 (tau - c) by Cholesky; empty if M is not positive definite or a value is not finite.
-  std::vector<double> forward_dynamics(const EvaluationState& state, std::span<const double> tau);
 
  private:
   const CompiledMechanism& compiled_;

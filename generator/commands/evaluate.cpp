@@ -1,4 +1,5 @@
-// `evaluate`: states in, one JSON object a line; tau, M, c and the accelerations of forward dynamics out.
+// `evaluate`: states in, one JSON object a line; tau, M, c and the accelerations of forward dynamics out, and
+// with constraints their rows, residuals and reactions.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/dynamics_evaluator.hpp"
+#include "commands/interpreted_mechanism.hpp"
 
 namespace alembert {
 
@@ -37,7 +39,7 @@ class StateReader {
     }
     if (!object.is_object()) fail("expected a JSON object with q, qd, qdd, t, tau, parameters, wrenches");
     EvaluationState state = defaults_;
-    static const std::vector<std::string> kKeys{"q", "qd", "qdd", "t", "parameters", "wrenches"};
+    static const std::vector<std::string> kKeys{"q", "qd", "qdd", "t", "tau", "parameters", "wrenches"};
     for (const auto& [key, value] : object.items()) {
       if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
         fail("unknown key '" + printable(key) + "'" + did_you_mean(key, kKeys));
@@ -46,6 +48,10 @@ class StateReader {
     array(object, "q", state.q);
     array(object, "qd", state.qd);
     array(object, "qdd", state.qdd);
+    if (object.contains("tau")) {
+      state.tau.resize(state.qd.size());
+      array(object, "tau", state.tau);
+    }
     if (object.contains("t")) state.t = number(object["t"], "t");
     if (object.contains("parameters")) parameters(object["parameters"], state);
     if (object.contains("wrenches")) wrenches(object["wrenches"], state);
@@ -135,12 +141,97 @@ std::string json_matrix(std::span<const double> values, std::size_t columns) {
 }
 
 std::string text_row(std::string_view name, std::span<const double> values) {
-  std::string out = fmt::format("{:<4}", name);
+  std::string out = fmt::format("{:<8}", name);
   for (const double value : values) out += fmt::format(" {:>14.7g}", value);
   return out + "\n";
 }
 
 constexpr std::size_t kPoseSize = 12;  // rows [R | p]
+
+/// Names as JSON: they are names of the language, with nothing to escape.
+std::string json_names(const std::vector<std::string>& names) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "\"" : ",\"") + names[i] + "\"";
+  return out + "]";
+}
+
+/// Forward dynamics under tau, and the constraints at the state.
+struct ForwardDynamics {
+  Status status = Status::ok;
+  ConstrainedMotion<double, Eigen::Dynamic, Eigen::Dynamic> motion;
+  std::vector<std::string> redundant;  ///< names of rows
+};
+
+ForwardDynamics forward_dynamics(const CompiledMechanism& compiled, const EvaluationState& state,
+                                 const std::vector<double>& tau) {
+  const InterpretedMechanism system(compiled, state);
+  const auto vector_of = [](const std::vector<double>& values) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  };
+  const Eigen::VectorXd u = vector_of(state.qd), force = vector_of(tau);
+  ForwardDynamics out;
+  out.status = constrained_accelerations(system, vector_of(state.q), u, force, {}, out.motion);
+  for (Eigen::Index i = 0; i < out.motion.redundant.rows(); ++i) {
+    if (out.motion.redundant(i)) out.redundant.push_back(system.rows()[static_cast<std::size_t>(i)].name);
+  }
+  return out;
+}
+
+/// What a state gave.
+struct Answer {
+  std::size_t nv, nc;
+  std::vector<double> tau, mass_matrix_and_bias, constraints, rates, poses;
+  ForwardDynamics forward;
+  std::span<const double> M() const { return std::span(mass_matrix_and_bias).first(nv * nv); }
+  std::span<const double> c() const { return std::span(mass_matrix_and_bias).subspan(nv * nv); }
+  std::span<const double> P() const { return std::span(constraints).first(nc * nv); }
+  std::span<const double> gamma() const { return std::span(constraints).subspan(nc * nv, nc); }
+  std::span<const double> velocity() const { return std::span(constraints).subspan(nc * nv + nc, nc); }
+  std::span<const double> position() const { return std::span(constraints).subspan(nc * nv + 2 * nc, nc); }
+  std::span<const double> qdd() const { return {forward.motion.qdd.data(), nv}; }
+  std::span<const double> lambda() const { return {forward.motion.lambda.data(), nc}; }
+};
+
+std::string json_answer(const Answer& a) {
+  const bool ok = a.forward.status == Status::ok;
+  std::string out =
+      fmt::format("{{\"tau\": {}, \"M\": {}, \"c\": {}, \"qdd\": {}, \"qdot\": {}, \"poses\": {}",
+                  json_array(a.tau), json_matrix(a.M(), a.nv), json_array(a.c()),
+                  ok ? json_array(a.qdd()) : "null", json_array(a.rates), json_matrix(a.poses, kPoseSize));
+  if (a.nc > 0) {
+    out += fmt::format(
+        ", \"lambda\": {}, \"P\": {}, \"gamma\": {}, \"velocity\": {}, \"position\": {}, \"redundant\": {}, "
+        "\"status\": \"{}\"",
+        ok ? json_array(a.lambda()) : "null", json_matrix(a.P(), a.nv), json_array(a.gamma()),
+        json_array(a.velocity()), json_array(a.position()), json_names(a.forward.redundant),
+        to_string(a.forward.status));
+  }
+  return out + "}\n";
+}
+
+std::string text_matrix(std::string_view name, std::span<const double> values, std::size_t columns) {
+  std::string out;
+  for (std::size_t r = 0; r * columns < values.size(); ++r)
+    out += text_row(r == 0 ? name : "", values.subspan(r * columns, columns));
+  return out;
+}
+
+std::string text_answer(const Answer& a) {
+  std::string out = text_row("tau", a.tau) + text_matrix("M", a.M(), a.nv) + text_row("c", a.c());
+  if (a.forward.status == Status::ok) {
+    out += text_row("qdd", a.qdd());
+  } else {
+    out += fmt::format("qdd      none: {} here\n", to_string(a.forward.status));
+  }
+  if (a.nc > 0) {
+    if (a.forward.status == Status::ok) out += text_row("lambda", a.lambda());
+    out += text_matrix("P", a.P(), a.nv) + text_row("gamma", a.gamma()) + text_row("velocity", a.velocity()) +
+           text_row("position", a.position());
+    for (const std::string& name : a.forward.redundant)
+      out += fmt::format("{} follows from the other rows\n", name);
+  }
+  return out + "\n";
+}
 
 }  // namespace
 
@@ -151,9 +242,8 @@ int run_evaluate(const CommonOptions& common, bool json) {
   }
   const CompiledMechanism compiled =
       compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias,
-                       FunctionKind::coordinate_rates, FunctionKind::body_poses});
+                       FunctionKind::coordinate_rates, FunctionKind::body_poses, FunctionKind::constraints});
   const Mechanism& mechanism = *compiled.mechanism;
-  const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   DynamicsEvaluator evaluator(compiled);
   const EvaluationState defaults = evaluator.initial_state();
   StateReader reader(mechanism, defaults);
@@ -166,23 +256,16 @@ int run_evaluate(const CommonOptions& common, bool json) {
                        "this line is too long for a state");
     }
     const EvaluationState state = reader.read(text, line);
-    const std::vector<double> tau = evaluator(FunctionKind::inverse_dynamics, state);
-    const std::vector<double> values = evaluator(FunctionKind::mass_matrix_and_bias, state);
-    const std::span<const double> M = std::span(values).first(nv * nv),
-                                  c = std::span(values).subspan(nv * nv);
-    const std::vector<double> qdd = evaluator.forward_dynamics(state, tau);
-    if (json) {
-      fmt::print("{{\"tau\": {}, \"M\": {}, \"c\": {}, \"qdd\": {}, \"qdot\": {}, \"poses\": {}}}\n",
-                 json_array(tau), json_matrix(M, nv), json_array(c), qdd.empty() ? "null" : json_array(qdd),
-                 json_array(evaluator(FunctionKind::coordinate_rates, state)),
-                 json_matrix(evaluator(FunctionKind::body_poses, state), kPoseSize));
-    } else {
-      std::string out = text_row("tau", tau);
-      for (std::size_t r = 0; r < nv; ++r) out += text_row(r == 0 ? "M" : "", M.subspan(r * nv, nv));
-      out += text_row("c", c);
-      out += qdd.empty() ? "qdd  none: M is not positive definite here\n" : text_row("qdd", qdd);
-      fmt::print("{}\n", out);
-    }
+    Answer answer;
+    answer.nv = static_cast<std::size_t>(mechanism.nv);
+    answer.nc = constraint_rows(mechanism).size();
+    answer.tau = evaluator(FunctionKind::inverse_dynamics, state);
+    answer.mass_matrix_and_bias = evaluator(FunctionKind::mass_matrix_and_bias, state);
+    answer.constraints = evaluator(FunctionKind::constraints, state);
+    answer.rates = evaluator(FunctionKind::coordinate_rates, state);
+    answer.poses = evaluator(FunctionKind::body_poses, state);
+    answer.forward = forward_dynamics(compiled, state, state.tau.empty() ? answer.tau : state.tau);
+    fmt::print("{}", json ? json_answer(answer) : text_answer(answer));
     std::fflush(stdout);
   }
   return 0;

@@ -6,39 +6,23 @@
 
 #include "commands/commands.hpp"
 #include "commands/csv_writer.hpp"
+#include "commands/start_state.hpp"
 #include "commands/trajectory.hpp"
 
 namespace alembert {
 
-namespace {
-
-/// The description's initial state, or the one of the command line.
-EvaluationState start_state(const CompiledMechanism& compiled, const SimulateOptions& options) {
-  EvaluationState state = DynamicsEvaluator(compiled).initial_state();
-  const auto replace = [&](const char* option, const std::vector<double>& given,
-                           std::vector<double>& values) {
-    if (given.empty()) return;
-    if (given.size() != values.size())
-      throw InputError(compiled.mechanism->where, fmt::format("{} takes {} values", option, values.size()));
-    values = given;
-  };
-  replace("--q", options.q, state.q);
-  replace("--qd", options.qd, state.qd);
-  return state;
-}
-
-}  // namespace
-
 int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
   const CompiledMechanism compiled = compile(common, trajectory_functions());
   const Mechanism& mechanism = *compiled.mechanism;
-  const EvaluationState start = start_state(compiled, options);
+  const auto note = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+  const EvaluationState start = start_state(compiled, options.start, note);
   TrajectoryOptions trajectory;
   trajectory.duration = options.duration;
   trajectory.step = options.step;
   trajectory.every = options.every;
   trajectory.method =
       options.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
+  trajectory.note = note;
   const bool progress = isatty(STDERR_FILENO) != 0 && options.csv != "-";
   if (progress) trajectory.progress = [](double done) { fmt::print(stderr, "\r{:3.0f} %", 100 * done); };
   if (!step_count(trajectory))

@@ -1,4 +1,4 @@
-// Fixed-step integration through the interpreter (see the header).
+// Fixed steps by the runtime library's integrators through the interpreter (see the header).
 #include "commands/trajectory.hpp"
 
 #include <fmt/format.h>
@@ -6,108 +6,170 @@
 #include <algorithm>
 #include <cmath>
 
+#include "alembert/integrate.hpp"
+#include "commands/frame_monitor.hpp"
+#include "commands/interpreted_mechanism.hpp"
+#include "dynamics/state_checks.hpp"
+
 namespace alembert {
 
 namespace {
 
-/// The state's rates, and steps of the integrators over q and speeds.
-class Integrator {
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// A motion as it goes on.
+class MovingMechanism {
  public:
-  Integrator(const CompiledMechanism& compiled, EvaluationState state)
+  MovingMechanism(const CompiledMechanism& compiled, const EvaluationState& start)
       : mechanism_(*compiled.mechanism),
         evaluator_(compiled),
-        state_(std::move(state)),
-        tau_(state_.qd.size(), 0.0) {}
+        system_(compiled, start),
+        monitor_(compiled),
+        q_(vector_of(start.q)),
+        u_(vector_of(start.qd)) {}
 
-  const EvaluationState& state() const { return state_; }
-  DynamicsEvaluator& evaluator() { return evaluator_; }
+  double time() const { return system_.time(); }
   /// Time is set from the number of steps, not summed, so that it does not drift.
-  void set_time(double t) { state_.t = t; }
+  void set_time(double t) { system_.set_time(t); }
 
-  /// False if M is not positive definite or a value is not finite: the state is then left as it was.
-  bool step(IntegrationMethod method, double h) {
-    switch (method) {
-      case IntegrationMethod::rk4:
-        return rk4(h);
-      case IntegrationMethod::semi_implicit_euler:
-        return semi_implicit_euler(h);
+  /// Energies, reactions and residual here.
+  std::optional<InputError> point(TrajectoryPoint& out) {
+    out.state = system_.state(q_, u_);
+    const std::vector<double> energy = evaluator_(FunctionKind::energy, out.state);
+    out.kinetic = energy[0];
+    out.potential = energy[1];
+    out.lambda.assign(static_cast<std::size_t>(system_.nc()), 0.0);
+    out.residual = worst_violation(system_, q_, u_).size;
+    if (system_.nc() == 0) return std::nullopt;
+    ConstrainedMotion<double, Eigen::Dynamic, Eigen::Dynamic> motion;
+    const Status status = constrained_accelerations(system_, q_, u_, no_force(), {}, motion);
+    report_ = motion;
+    if (status != Status::ok) return failure(status, 0);
+    out.lambda.assign(motion.lambda.begin(), motion.lambda.end());
+    return std::nullopt;
+  }
+
+  /// Goes on by one step, or says why not; the state is then left as it was.
+  std::optional<InputError> step(IntegrationMethod method, double h) {
+    const auto force = [this](double, const Eigen::VectorXd&, const Eigen::VectorXd&) { return no_force(); };
+    const Eigen::VectorXd q = q_, u = u_;
+    const double t = time();
+    const auto advance = [&]() -> Status {
+      switch (method) {
+        case IntegrationMethod::rk4:
+          return advance_by_rk4(system_, q_, u_, h, force, {}, report_);
+        case IntegrationMethod::semi_implicit_euler:
+          return advance_by_semi_implicit_euler(system_, q_, u_, h, force, {}, report_);
+      }
+      return Status::ok;
+    };
+    const Status status = advance();
+    if (status != Status::ok) return failure(status, h);
+    if (std::optional<InputError> singular = check_frames()) {
+      q_ = q;
+      u_ = u;
+      set_time(t);
+      return singular;
     }
-    return false;
+    return std::nullopt;
+  }
+
+  std::optional<InputError> check_frames() { return monitor_.check(system_.state(q_, u_)); }
+
+  /// Names of the rows that follow from the others, at the last step or point.
+  std::string redundant_rows() const {
+    std::string out;
+    for (std::size_t i = 0; i < system_.rows().size(); ++i) {
+      if (static_cast<Eigen::Index>(i) < report_.redundant.rows() &&
+          report_.redundant(static_cast<Eigen::Index>(i)))
+        out += (out.empty() ? "" : ", ") + system_.rows()[i].name;
+    }
+    return out;
   }
 
  private:
-  bool rk4(double h) {
-    const EvaluationState start = state_;
-    Rates k[4];
-    const double at[4] = {0, h / 2, h / 2, h};
-    for (int s = 0; s < 4; ++s) {
-      EvaluationState stage = start;
-      if (s > 0) advance(stage, k[s - 1], at[s]);
-      stage.t = start.t + at[s];
-      if (!rates(stage, k[s])) return false;
+  Eigen::VectorXd no_force() const { return Eigen::VectorXd::Zero(mechanism_.nv); }
+
+  /// Why there is no step of this length from here.
+  InputError failure(Status status, double h) {
+    const double t = time();
+    const auto row_at_fault = [&](int row) -> const ConstraintRow& {
+      return system_.rows()[static_cast<std::size_t>(row)];
+    };
+    switch (status) {
+      case Status::ok:
+        break;
+      case Status::inconsistent_constraints: {
+        const ConstraintRow& row = row_at_fault(report_.inconsistent_row);
+        return InputError(
+            mechanism_.constraints[row.constraint].where,
+            fmt::format(
+                "the constraints contradict each other at t = {:.9g}: row {} cannot be kept beside those it "
+                "depends on, or the mechanism is at a singular position there (the output so far is kept)",
+                t, row.name));
+      }
+      case Status::no_convergence: {
+        const Violation worst = worst_violation(system_, q_, u_);
+        return InputError(
+            mechanism_.where,
+            fmt::format("after the step from t = {:.9g} the state finds no way back to the constraints "
+                        "(before it the worst row was {}, off by {:.3g}): try a shorter --step (the "
+                        "output so far is kept)",
+                        t, worst.row < 0 ? "none" : row_at_fault(worst.row).name, worst.size));
+      }
+      case Status::not_positive_definite:
+      case Status::not_finite:
+        return no_finite_step(h);
     }
-    Rates sum = k[0];
-    const double weights[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    for (std::size_t i = 0; i < sum.q.size(); ++i) {
-      sum.q[i] = 0;
-      for (int s = 0; s < 4; ++s) sum.q[i] += weights[s] * k[s].q[i];
-    }
-    for (std::size_t i = 0; i < sum.u.size(); ++i) {
-      sum.u[i] = 0;
-      for (int s = 0; s < 4; ++s) sum.u[i] += weights[s] * k[s].u[i];
-    }
-    return accept(sum, h);
+    return InputError(mechanism_.where, "no step");
   }
 
-  bool semi_implicit_euler(double h) {
-    Rates now;
-    if (!rates(state_, now)) return false;
-    EvaluationState faster = state_;
-    for (std::size_t i = 0; i < now.u.size(); ++i) faster.qd[i] += h * now.u[i];
-    now.q = evaluator_(FunctionKind::coordinate_rates, faster);
-    return accept(now, h);
-  }
-
-  struct Rates {
-    std::vector<double> q, u;
-  };
-
-  bool rates(const EvaluationState& state, Rates& out) {
-    out.q = evaluator_(FunctionKind::coordinate_rates, state);
-    out.u = evaluator_.forward_dynamics(state, tau_);
-    return !out.u.empty() || state.qd.empty();
-  }
-  static void advance(EvaluationState& state, const Rates& rates, double h) {
-    for (std::size_t i = 0; i < rates.q.size(); ++i) state.q[i] += h * rates.q[i];
-    for (std::size_t i = 0; i < rates.u.size(); ++i) state.qd[i] += h * rates.u[i];
-  }
-  bool accept(const Rates& rates, double h) {
-    EvaluationState next = state_;
-    advance(next, rates, h);
-    for (const Coordinate& coordinate : mechanism_.coordinates) {
-      if (coordinate.type != CoordinateType::quaternion) continue;
-      double* x = next.q.data() + coordinate.first_q;
-      const double norm = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
-      for (int a = 0; a < 4; ++a) x[a] /= norm;
+  InputError no_finite_step(double h) {
+    const Eigen::VectorXd rate = system_.coordinate_rates(q_, u_);
+    for (const double part : {0.0, 0.5, 1.0}) {  // where the stages of the step were
+      EvaluationState ahead = system_.state(q_ + part * h * rate, u_);
+      ahead.t += part * h;
+      if (const std::optional<InputError> singular = monitor_.check(ahead)) return InputError(*singular);
     }
-    const auto finite = [](double v) { return std::isfinite(v); };
-    if (!std::all_of(next.q.begin(), next.q.end(), finite) ||
-        !std::all_of(next.qd.begin(), next.qd.end(), finite))
-      return false;
-    state_ = std::move(next);
-    return true;
+    Eigen::MatrixXd mass;
+    Eigen::VectorXd c;
+    system_.mass_matrix_and_bias(q_, u_, mass, c);
+    if (mass.allFinite() && mass.size() > 0) {
+      const Coordinate* culprit =
+          coordinate_without_inertia(mechanism_, {mass.data(), static_cast<std::size_t>(mass.size())});
+      if (culprit != nullptr) {
+        return InputError(
+            culprit->where,
+            fmt::format("the mass matrix is singular at t = {:.9g}: nothing with mass or inertia moves "
+                        "with coordinate '{}' alone there, a pole of these coordinates; describe "
+                        "the motion by others, for rotations by a quaternion (the output so far "
+                        "is kept)",
+                        time(), culprit->name));
+      }
+    }
+    return InputError(
+        mechanism_.where,
+        fmt::format("no finite step from t = {:.9g}: the mass matrix is not positive definite there, or "
+                    "the motion diverges; try a shorter --step (the output so far is kept)",
+                    time()));
   }
 
   const Mechanism& mechanism_;
   DynamicsEvaluator evaluator_;
-  EvaluationState state_;
-  std::vector<double> tau_;
+  InterpretedMechanism system_;
+  FrameMonitor monitor_;
+  Eigen::VectorXd q_, u_;
+  ConstraintReport<Eigen::Dynamic> report_;
 };
 
 }  // namespace
 
 std::vector<FunctionKind> trajectory_functions() {
-  return {FunctionKind::mass_matrix_and_bias, FunctionKind::coordinate_rates, FunctionKind::energy};
+  std::vector<FunctionKind> kinds = interpreted_functions();
+  kinds.push_back(FunctionKind::energy);
+  return kinds;
 }
 
 std::optional<long> step_count(const TrajectoryOptions& options) {
@@ -119,28 +181,37 @@ std::optional<long> step_count(const TrajectoryOptions& options) {
 std::optional<InputError> integrate(const CompiledMechanism& compiled, const EvaluationState& start,
                                     const TrajectoryOptions& options,
                                     const std::function<void(const TrajectoryPoint&)>& take) {
-  const Mechanism& mechanism = *compiled.mechanism;
   const std::optional<long> count = step_count(options);
   if (!count) {
-    throw InputError(mechanism.where, "--duration and --step make no sensible number of steps (at most 1e9)");
+    throw InputError(compiled.mechanism->where,
+                     "--duration and --step make no sensible number of steps (at most 1e9)");
   }
-  Integrator integrator(compiled, start);
-  const auto give = [&] {
-    const std::vector<double> energy = integrator.evaluator()(FunctionKind::energy, integrator.state());
-    take({integrator.state(), energy[0], energy[1]});
-  };
-  give();
-  for (long i = 1; i <= *count; ++i) {
-    if (!integrator.step(options.method, options.step)) {
-      return InputError(
-          mechanism.where,
-          fmt::format("no finite step from t = {:.9g}: the mass matrix is not positive definite there, or "
-                      "the motion diverges "
-                      "(the output so far is kept)",
-                      integrator.state().t));
+  MovingMechanism motion(compiled, start);
+  bool noted = false;
+  const auto give = [&]() -> std::optional<InputError> {
+    TrajectoryPoint point;
+    std::optional<InputError> stopped = motion.point(point);
+    take(point);
+    const std::string redundant = noted ? "" : motion.redundant_rows();
+    if (!redundant.empty() && !stopped) {
+      noted = true;
+      if (options.note) {
+        options.note(
+            fmt::format("rows of the constraints that follow from the others at t = {:.9g}: {} (their lambda "
+                        "is 0)",
+                        motion.time(), redundant));
+      }
     }
-    integrator.set_time(start.t + static_cast<double>(i) * options.step);
-    if (i % options.every == 0 || i == *count) give();
+    return stopped;
+  };
+  if (std::optional<InputError> stopped = motion.check_frames()) return stopped;
+  if (std::optional<InputError> stopped = give()) return stopped;
+  for (long i = 1; i <= *count; ++i) {
+    if (std::optional<InputError> stopped = motion.step(options.method, options.step)) return stopped;
+    motion.set_time(start.t + static_cast<double>(i) * options.step);
+    if (i % options.every == 0 || i == *count) {
+      if (std::optional<InputError> stopped = give()) return stopped;
+    }
     if (options.progress && i % std::max(1L, *count / 100) == 0)
       options.progress(static_cast<double>(i) / static_cast<double>(*count));
   }

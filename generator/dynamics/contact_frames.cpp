@@ -47,13 +47,23 @@ Mat3 columns(const Vec3& x, const Vec3& y, const Vec3& z) {
 
 }  // namespace
 
-Mat3 curve_rotation(const CurveFrame& curve, const SourceLocation& where, ExprGraph&) {
+NormalFactors normal_factors(const CurveFrame& curve) {
   const Vec3 tangent = derivative(curve.point, curve.along);
+  return {tangent, curve.reference ? *curve.reference : derivative(tangent, curve.along)};
+}
+
+NormalFactors normal_factors(const SurfaceFrame& surface) {
+  const Vec3 along_u = derivative(surface.point, surface.u);
+  const Vec3 along_v = derivative(surface.point, surface.v);
+  return {along_u, along_v};
+}
+
+Mat3 curve_rotation(const CurveFrame& curve, const SourceLocation& where, ExprGraph&) {
+  const auto [tangent, toward] = normal_factors(curve);
   if (is_zero(tangent)) {
     throw InputError(where, "the curve does not move along its coordinate '" + to_string(curve.along) +
                                 "': it has no tangent");
   }
-  const Vec3 toward = curve.reference ? *curve.reference : derivative(tangent, curve.along);
   const Vec3 across = simplified(cross(tangent, toward));
   if (is_zero(across)) {
     if (curve.reference) {
@@ -73,8 +83,7 @@ Mat3 curve_rotation(const CurveFrame& curve, const SourceLocation& where, ExprGr
 }
 
 Mat3 surface_rotation(const SurfaceFrame& surface, const SourceLocation& where, ExprGraph&) {
-  const Vec3 fu = derivative(surface.point, surface.u);
-  const Vec3 fv = derivative(surface.point, surface.v);
+  const auto [fu, fv] = normal_factors(surface);
   const Vec3 across = simplified(cross(fu, fv));
   if (is_zero(across)) {
     throw InputError(where, "the surface has no normal: its derivatives along '" + to_string(surface.u) +

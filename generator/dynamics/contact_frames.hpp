@@ -7,6 +7,14 @@
 
 namespace alembert {
 
+/// The two vectors whose cross product is along the normal n of a frame: f_s and f_ss or the reference; f_u
+/// and f_v. The frame is singular where that product is zero.
+struct NormalFactors {
+  Vec3 first, second;
+};
+NormalFactors normal_factors(const CurveFrame& curve);
+NormalFactors normal_factors(const SurfaceFrame& surface);
+
 /// Columns b = f_s/|f_s|, p = n x b, n = b x f_ss normalised (or b x reference normalised). Throws InputError
 /// at `where` if the columns are undefined for all values of the coordinate, naming the cure.
 Mat3 curve_rotation(const CurveFrame& curve, const SourceLocation& where, ExprGraph& graph);

@@ -81,41 +81,38 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
   for (const Frame& frame : mechanism.frames) check(frame.transform, "frame '" + frame.name + "'");
 }
 
+const Coordinate* coordinate_without_inertia(const Mechanism& mechanism, std::span<const double> values) {
+  constexpr double kSingular = 1e-13;  // smallest eigenvalue of M scaled to a unit diagonal
+  const Eigen::Index n = mechanism.nv;
+  const Eigen::Map<const Eigen::MatrixXd> M(values.data(), n, n);
+  const double largest = M.diagonal().cwiseAbs().maxCoeff();
+  const Eigen::VectorXd diagonal = M.diagonal();
+  Eigen::Index culprit = 0;
+  if (diagonal.minCoeff(&culprit) > 1e-15 * largest) {
+    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal());
+    if (solver.eigenvalues()(0) > kSingular) return nullptr;
+    solver.eigenvectors().col(0).cwiseAbs().maxCoeff(&culprit);
+  }
+  return &*std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
+                        [&](const Coordinate& c) { return culprit < c.first_speed + c.nv(); });
+}
+
 void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations) {
   const Mechanism& mechanism = kinematics.mechanism;
-  const Eigen::Index n = mechanism.nv;
-  const auto coordinate_of = [&](Eigen::Index speed) -> const Coordinate& {
-    const auto after = std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
-                                    [&](const Coordinate& c) { return speed < c.first_speed + c.nv(); });
-    return *after;
-  };
-  constexpr double kSingular = 1e-13;  // smallest eigenvalue of M scaled to a unit diagonal
-  Eigen::Index culprit = 0;
-  bool evaluated = false;
+  const Coordinate* culprit = nullptr;
   for (const unsigned seed : {0u, 1u, 2u, 3u, 4u}) {
     const std::vector<double> values = evaluate(equations.M, state_values(mechanism, kinematics.graph, seed));
     if (!all_finite(values)) continue;
-    evaluated = true;
-    Eigen::MatrixXd M = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
-    const double largest = M.diagonal().cwiseAbs().maxCoeff();
-    const Eigen::VectorXd diagonal = M.diagonal();
-    Eigen::Index smallest = 0;
-    if (diagonal.minCoeff(&smallest) <= 1e-15 * largest) {
-      culprit = smallest;
-      continue;
-    }
-    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal());
-    if (solver.eigenvalues()(0) > kSingular) return;
-    solver.eigenvectors().col(0).cwiseAbs().maxCoeff(&culprit);
+    culprit = coordinate_without_inertia(mechanism, values);
+    if (culprit == nullptr) return;
   }
-  if (!evaluated) {
+  if (culprit == nullptr) {
     throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
   }
-  const Coordinate& coordinate = coordinate_of(culprit);
-  throw InputError(coordinate.where,
+  throw InputError(culprit->where,
                    "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
-                       coordinate.name + "' alone; give a mass or an inertia to what it moves");
+                       culprit->name + "' alone; give a mass or an inertia to what it moves");
 }
 
 }  // namespace alembert

@@ -1,6 +1,9 @@
 // Checks that need numbers: frames that exist at the initial state, a mass matrix that is positive definite.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "mechanism/model.hpp"
 
 namespace alembert {
@@ -13,5 +16,9 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
 /// one around it. Speeds, rates and wrenches are zero at the initial state and random elsewhere; runtime
 /// parameters have their defaults.
 std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
+
+/// The coordinate that M, nv x nv, has no inertia for, or none if M is positive definite well beyond
+/// rounding. M must be finite.
+const Coordinate* coordinate_without_inertia(const Mechanism& mechanism, std::span<const double> M);
 
 }  // namespace alembert
