@@ -3,21 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "program/passes.hpp"
 
 namespace alembert {
 
 namespace {
 
-std::string quoted_list(const std::vector<std::string>& names) {
+/// `s = 1.57, r = 0.2` of the coordinates named.
+std::string values_of(const std::vector<std::string>& names, const Mechanism& mechanism,
+                      const EvaluationState& state) {
   std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "'" : ", '") + name + "'";
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    if (std::find(names.begin(), names.end(), coordinate.name) == names.end()) continue;
+    out += fmt::format("{}{} = {:.6g}", out.empty() ? "" : ", ", coordinate.name,
+                       state.q[static_cast<std::size_t>(coordinate.first_q)]);
+  }
   return out;
 }
 
 }  // namespace
 
-FrameMonitor::FrameMonitor(const CompiledMechanism& compiled) : frames_(frame_normals(*compiled.mechanism)) {
+FrameMonitor::FrameMonitor(const CompiledMechanism& compiled)
+    : mechanism_(*compiled.mechanism), frames_(frame_normals(mechanism_)) {
   if (frames_.empty()) return;
   OutputExpressions factors{"normals", static_cast<std::uint32_t>(6 * frames_.size()), 1, {}};
   for (const FrameNormal& frame : frames_) {
@@ -41,11 +50,10 @@ std::optional<InputError> FrameMonitor::check(const EvaluationState& state) {
     const bool singular = !(now[i].norm() > kSingular * first.norm() * second.norm());
     const bool crossed = !before_.empty() && before_[i].dot(now[i]) < 0;
     if (!singular && !crossed) continue;
-    return InputError(
-        frames_[i].where,
-        fmt::format("{} of {} is singular {} t = {:.9g}, where {} came to a place without a normal: {}",
-                    frames_[i].frame, frames_[i].owner, singular ? "at" : "just before", state.t,
-                    quoted_list(frames_[i].coordinates), frames_[i].cure));
+    return InputError(frames_[i].where,
+                      fmt::format("{} of {} is singular {} t = {:.9g}, {}: {}", frames_[i].frame,
+                                  frames_[i].owner, singular ? "at" : "just before", state.t,
+                                  values_of(frames_[i].coordinates, mechanism_, state), frames_[i].cure));
   }
   before_ = std::move(now);
   return std::nullopt;

@@ -23,6 +23,7 @@ class FrameMonitor {
   std::optional<InputError> check(const EvaluationState& state);
 
  private:
+  const Mechanism& mechanism_;
   std::vector<FrameNormal> frames_;
   Program program_;  ///< both factors of each normal, six values a frame
   std::vector<double> inputs_, scratch_, values_;

@@ -207,7 +207,10 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   if (std::optional<InputError> stopped = motion.check_frames()) return stopped;
   if (std::optional<InputError> stopped = give()) return stopped;
   for (long i = 1; i <= *count; ++i) {
-    if (std::optional<InputError> stopped = motion.step(options.method, options.step)) return stopped;
+    if (std::optional<InputError> stopped = motion.step(options.method, options.step)) {
+      if ((i - 1) % options.every != 0) give();  // the last state that is good
+      return stopped;
+    }
     motion.set_time(start.t + static_cast<double>(i) * options.step);
     if (i % options.every == 0 || i == *count) {
       if (std::optional<InputError> stopped = give()) return stopped;

@@ -4,25 +4,12 @@
 #include <cmath>
 
 #include "cli/command.hpp"
+#include "cli/csv.hpp"
 
 namespace alembert::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<std::vector<double>> csv_rows(const std::string& text) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<double> row;
-    std::istringstream cells(line);
-    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 TEST(Simulate, ConservesTheEnergyOfADoublePendulum) {
   const TemporaryFolder folder;
@@ -32,7 +19,7 @@ TEST(Simulate, ConservesTheEnergyOfADoublePendulum) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(read_text(csv), testing::StartsWith("t,"));
-  const auto rows = csv_rows(read_text(csv));
+  const auto rows = Csv(read_text(csv)).rows;
   ASSERT_EQ(rows.size(), 501u);
   EXPECT_DOUBLE_EQ(rows.back()[0], 5.0);
   EXPECT_NE(rows.back()[1], 1.0);
@@ -45,7 +32,7 @@ TEST(Simulate, KeepsQuaternionsOfUnitLength) {
       alembert(folder, "simulate " + mechanism_file("free_body") +
                            " --duration 1 --integrator euler --qd 0.1,0.2,0.3,1,2,3");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  for (const auto& row : csv_rows(result.out)) {
+  for (const auto& row : Csv(result.out).rows) {
     double norm = 0;
     for (std::size_t i = 4; i < 8; ++i) norm += row[i] * row[i];
     EXPECT_NEAR(norm, 1, 1e-14);
