@@ -84,7 +84,7 @@ TEST(SimulateConstrained, WithoutAssemblingTheStateMustBeRight) {
       alembert(folder, "simulate " + mechanism_file("paper/five_bar") + " --duration 0 --no-assemble");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, "");
-  EXPECT_THAT(result.err, HasSubstr("five_bar.yaml:58:"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("five_bar.yaml:[0-9]+:11: error"));
   EXPECT_THAT(result.err, HasSubstr("the initial state does not keep row loop[0]: it is off by 0.19"));
   const CommandResult right =
       alembert(folder, "simulate " + folder.write("rod.yaml", kRod) + " --duration 0 --no-assemble");
