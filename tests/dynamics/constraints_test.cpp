@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
