@@ -57,8 +57,8 @@ std::string measured() {
   };
   const double equations = median_nanoseconds(kStates, evaluate);
   const double cholesky = median_nanoseconds(kStates, solve);
-  return fmt::format(R"({{"coordinates": {}, "equations": {:.1f}, "solve": {:.1f}, "checksum": {:.17g}}})", M::kNq,
-                     equations, cholesky, sink);
+  return fmt::format(R"({{"coordinates": {}, "equations": {:.1f}, "solve": {:.1f}, "checksum": {:.17g}}})",
+                     M::kNq, equations, cholesky, sink);
 }
 
 template <class... M>
