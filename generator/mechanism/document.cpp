@@ -81,6 +81,7 @@ class TreeBuilder final : public YAML::EventHandler {
     refuse_tag(mark, tag);
     node.plain = tag == "?" || tag.empty();
     node.text = value;
+    node.expanded_text = value.size();
     if (!node.plain && !document_.quote_is_closed(node)) {
       throw InputError(document_.where(node), "this quote is never closed");
     }
@@ -165,6 +166,11 @@ class TreeBuilder final : public YAML::EventHandler {
       throw InputError(document_.where(parent),
                        fmt::format("more than {} values, aliases counted as often as they are used",
                                    Document::kMaximumNodes));
+    parent.expanded_text += node.expanded_text;
+    if (parent.expanded_text > Document::kMaximumText)
+      throw InputError(document_.where(parent),
+                       fmt::format("more than {} MiB of text, aliases counted as often as they are used",
+                                   Document::kMaximumText >> 20));
   }
 
   Document& document_;

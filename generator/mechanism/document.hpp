@@ -21,6 +21,7 @@ struct YamlNode {
   bool finished = true;                ///< false while its children are being read
   int line = 1, column = 1;            ///< of its first character (of the key, if null)
   std::size_t expanded = 1;            ///< nodes below and including this one, aliases followed
+  std::size_t expanded_text = 0;       ///< characters of scalars, counted likewise
   std::string text;                    ///< of a scalar
   std::vector<const YamlNode*> items;  ///< of a sequence; of a mapping: key, value, key, value ...
 };
@@ -42,6 +43,7 @@ class Document {
 
   static constexpr int kMaximumDepth = 64;
   static constexpr std::size_t kMaximumNodes = 1000000;
+  static constexpr std::size_t kMaximumText = std::size_t{32} << 20;
 
  private:
   friend class TreeBuilder;

@@ -71,6 +71,21 @@ TEST(Document, SkipsAByteOrderMark) {
   EXPECT_EQ(document.root().items[2]->column, 1);
 }
 
+TEST(Document, LimitsTextThatAliasesRepeat) {
+  const auto rows = [](int count) {
+    std::string text = "a: &long \"" + std::string(std::size_t{1} << 20, 'q') + "\"\nb: [*long";
+    for (int i = 1; i < count; ++i) text += ", *long";
+    return text + "]\n";
+  };
+  EXPECT_NO_THROW(Document{source_of(rows(20))});
+  try {
+    const Document document(source_of(rows(40)));
+    FAIL() << "was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where().line, 2);
+    EXPECT_EQ(error.message(), "more than 32 MiB of text, aliases counted as often as they are used");
+  }
+}
 TEST(Document, SharesAliasedNodes) {
   const Document document(source_of("a: &x [1, 2]\nb: *x\n"));
   EXPECT_EQ(document.root().items[1], document.root().items[3]);
