@@ -36,6 +36,23 @@ TEST(Frenet, AtTheInitialState) {
   }
 }
 
+TEST(Frenet, AlongTheWay) {
+  const TemporaryFolder folder;
+  const std::string csv = folder / "out.csv";
+  const CommandResult result =
+      run_for_a_minute(folder, "simulate --step 0.01 --every 1 --duration 30 --csv " + csv + " " +
+                                   folder.write("eight.yaml", with_frenet_frames("0.9")));
+  EXPECT_EQ(result.exit_code, 1);
+  for (const char* part :
+       {"eight.yaml:", "Frenet", "body 'car1'", "t = 6.7", "s = 3.14", "frame: {reference: [x, y, z]}"})
+    EXPECT_THAT(result.err, HasSubstr(part));
+  // What was there before is kept: the first car comes down to the straight part below the bridge.
+  const std::string rows = read_text(csv);
+  const std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  EXPECT_NEAR(std::stod(last), 6.77, 0.02);
+  EXPECT_NEAR(std::stod(last.substr(last.find(',') + 1)), M_PI, 0.02);
+}
+
 TEST(Frenet, AReferenceCuresIt) {
   const TemporaryFolder folder;
   const CommandResult result =

@@ -26,7 +26,7 @@ const std::map<std::string, std::optional<Bounds>> kEnergy = {
     {"chain_upper", {{1e-4, 3e-3}}},
     {"chain_whole", {{1e-3, 2e-2}}},
     {"knee", {{6e-5, 2e-3}}},
-    {"knee_spline", {{6e-5, 2e-3}}},
+    {"knee_spline", {{7e-4, 2e-3}}},  // third derivatives jump at the knots
     {"rolling_wheels_bowl", {{6e-6, 2e-4}}},
     {"rolling_wheels_hill", {{3e-3, 6e-2}}},
     {"rolling_wheels_outside", {{3e-6, 8e-5}}},

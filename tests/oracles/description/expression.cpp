@@ -126,7 +126,32 @@ class Parser {
     if (!value) fail("unknown name '" + name + "'");
     return value;
   }
+  /// After the opening parenthesis: x; knots; values), lists in brackets or without.
+  Expression spline() {
+    Expression x = sum();
+    std::array<std::vector<double>, 2> lists;
+    for (std::vector<double>& list : lists) {
+      expect(';');
+      const bool brackets = accept('[');
+      do {
+        const Expression entry = sum();
+        if (!is_constant(entry)) fail("a spline's knots and values are constants");
+        list.push_back(constant_value(entry));
+      } while (accept(','));
+      if (brackets) expect(']');
+    }
+    expect(')');
+    auto node = std::make_shared<ExpressionNode>();
+    node->operation = Operation::spline;
+    node->operand[0] = std::move(x);
+    node->spline = Spline(std::move(lists[0]), std::move(lists[1]));
+    return node;
+  }
   Expression call(const std::string& name) {
+    if (name == "spline") {
+      expect('(');
+      return spline();
+    }
     const auto found = functions().find(name);
     if (found == functions().end()) fail("unknown function '" + name + "'");
     expect('(');
@@ -146,6 +171,25 @@ class Parser {
 };
 
 }  // namespace
+
+/// The bends m of a natural spline: for three neighbouring knots, with lengths l and slopes s of the pieces
+/// between them, l0 m0 + 2 (l0 + l1) m1 + l1 m2 = 6 (s1 - s0); eliminated downward, solved upward.
+Spline::Spline(std::vector<double> at, std::vector<double> through)
+    : knots(std::move(at)), values(std::move(through)), bends(knots.size(), 0.0) {
+  if (knots.size() != values.size() || knots.size() < 2)
+    throw std::runtime_error("a spline needs as many values as knots, two or more");
+  const std::size_t n = knots.size();
+  std::vector<double> pivot(n, 1.0), right(n, 0.0), above(n, 0.0);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double l0 = knots[i] - knots[i - 1], l1 = knots[i + 1] - knots[i];
+    const double factor = l0 / pivot[i - 1];
+    pivot[i] = 2 * (l0 + l1) - factor * above[i - 1];
+    above[i] = l1;
+    right[i] =
+        6 * ((values[i + 1] - values[i]) / l1 - (values[i] - values[i - 1]) / l0) - factor * right[i - 1];
+  }
+  for (std::size_t i = n - 1; i-- > 1;) bends[i] = (right[i] - above[i] * bends[i + 1]) / pivot[i];
+}
 
 Expression number(double value) {
   auto node = std::make_shared<ExpressionNode>();

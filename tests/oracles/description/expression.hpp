@@ -37,16 +37,46 @@ enum class Operation {
   sinh,
   cosh,
   tanh,
+  spline,
 };
 
 /// One node of an expression; shared, immutable.
 struct ExpressionNode;
 using Expression = std::shared_ptr<const ExpressionNode>;
+
+/// Natural cubic spline through (knot, value), straight on both sides.
+struct Spline {
+  std::vector<double> knots, values;
+  std::vector<double> bends;  ///< second derivatives at the knots, 0 at the first and the last
+
+  Spline() = default;
+  Spline(std::vector<double> knots, std::vector<double> values);
+
+  /// Between two knots the line through their values, and what the bends add to it.
+  template <class S>
+  S at(const S& x) const {
+    const double where = leading(x);
+    const std::size_t last = knots.size() - 1;
+    std::size_t i = 0;
+    while (i + 1 < last && where >= knots[i + 1]) ++i;
+    const double length = knots[i + 1] - knots[i], slope = (values[i + 1] - values[i]) / length;
+    const double bend = bends[i], next = bends[i + 1];
+    if (where < knots[0]) return S(values[0]) + S(slope - length / 6 * (2 * bend + next)) * (x - S(knots[0]));
+    if (where > knots[last])
+      return S(values[last]) + S(slope + length / 6 * (bend + 2 * next)) * (x - S(knots[last]));
+    const S left = x - S(knots[i]), right = S(knots[i + 1]) - x;
+    return S(values[i]) + S(slope) * left -
+           left * right *
+               (S(bend / (6 * length)) * (right + S(length)) + S(next / (6 * length)) * (left + S(length)));
+  }
+};
+
 struct ExpressionNode {
   Operation operation = Operation::number;
   double number = 0;   ///< of a number
   int coordinate = 0;  ///< of a coordinate: index into q (of a constraint's: into all its variables)
   std::array<Expression, 2> operand;
+  Spline spline;  ///< of a spline, of operand 0
 };
 using Expression3 = std::array<Expression, 3>;
 
@@ -115,6 +145,8 @@ S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
       return cosh(operand(0));
     case Operation::tanh:
       return tanh(operand(0));
+    case Operation::spline:
+      return e->spline.at(operand(0));
   }
   return S(0.0);
 }
