@@ -10,11 +10,12 @@ set(allowed_program passes:symbolic lower:symbolic verify:symbolic optimize:symb
                     exact_comparison:symbolic to_expressions:symbolic)
 set(allowed_dynamics differentiation symbolic mechanism program)
 set(allowed_emit program mechanism)
+set(allowed_viewer dynamics mechanism symbolic)
 # Commands integrate and solve by the algorithms that users get.
-set(allowed_commands pipeline emit program dynamics mechanism symbolic src)
+set(allowed_commands pipeline emit viewer program dynamics mechanism symbolic src)
 set(allowed_pipeline emit program dynamics mechanism symbolic)
 set(allowed_main pipeline emit program dynamics mechanism commands)
-set(rooms support symbolic differentiation mechanism program dynamics emit commands)
+set(rooms support symbolic differentiation mechanism program dynamics emit viewer commands)
 
 set(failures 0)
 set(includes 0)

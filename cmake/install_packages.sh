@@ -9,7 +9,9 @@ if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
 fi
 if [ "${1:-}" = tests ]; then
   packages="$packages git python3 clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
-            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev"
+            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev chromium"
+  # npm, unless it came with a node that is no Debian package.
+  command -v npm >/dev/null || packages="$packages npm"
 fi
 
 missing=""

@@ -8,7 +8,8 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} -S ${ROOT} -B ${BUILD} -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release
-    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1" -DALEMBERT_SANITIZE=address,undefined,fuzzer-no-link -DALEMBERT_BUILD_TESTS=ON -DALEMBERT_BUILD_FUZZERS=ON)
+    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1" -DALEMBERT_SANITIZE=address,undefined,fuzzer-no-link -DALEMBERT_BUILD_TESTS=ON -DALEMBERT_BUILD_FUZZERS=ON
+    -DALEMBERT_BUILD_VIEWER=OFF)
 run(${CMAKE_COMMAND} --build ${BUILD})
 set(ENV{UBSAN_OPTIONS} print_stacktrace=1)
 set(ENV{ASAN_OPTIONS} strict_string_checks=1:detect_stack_use_after_return=1)

@@ -131,7 +131,9 @@ int run(int argc, char** argv) {
   command->callback([&] { result = run_evaluate(common, evaluate_json); });
 
   SimulateOptions simulate;
-  command = add_command(app, "simulate", "integrate the free motion; CSV of t, q, qd, energy", common);
+  command =
+      add_command(app, "simulate",
+                  "integrate the free motion; CSV of t, q, qd, energy; page and scene to see it", common);
   command->add_option("--duration", simulate.duration, "seconds")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -142,7 +144,15 @@ int run(int argc, char** argv) {
   command->add_option("--integrator", simulate.integrator, "rk4 or euler (semi-implicit)")
       ->check(CLI::IsMember({"rk4", "euler"}))
       ->capture_default_str();
-  command->add_option("--csv", simulate.csv, "file to write; - is standard output")->capture_default_str();
+  command->add_option("--csv", simulate.csv,
+                      "file to write; - is standard output (default without --html and --glb)");
+  command->add_option("--html", simulate.html, "page to write: the motion in three dimensions, and plots");
+  command->add_option("--glb", simulate.glb, "glTF scene to write (binary), with the motion as an animation");
+  command->add_option("--fps", simulate.fps, "frames a second of page and scene")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--scene", simulate.scene, "further descriptions to be seen beside the first")
+      ->delimiter(',');
   command->add_option("--q", simulate.start.q, "initial coordinates")->delimiter(',');
   command->add_option("--qd", simulate.start.qd, "initial speeds")->delimiter(',');
   command->add_option("--hold", simulate.start.hold, "coordinates that assembling leaves as they are")

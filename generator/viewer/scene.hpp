@@ -1,0 +1,82 @@
+// What is to be seen: meshes, and bodies of one or several mechanisms with their poses over time. In: a
+// mechanism and a motion of it, its poses worked out at every frame, because viewers know no parametric
+// joints. Out: a scene, which glb.hpp and page.hpp write.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mechanism/model.hpp"
+#include "viewer/mesh.hpp"
+
+namespace alembert {
+
+/// Red, green, blue from 0 to 1, as on screens (sRGB).
+using Color = std::array<double, 3>;
+
+/// A mesh in its place on a body, or in the world.
+struct ScenePart {
+  std::size_t mesh = 0;  ///< index into Scene::meshes
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+  Color color{0.5, 0.5, 0.5};
+};
+
+struct SceneBody {
+  std::string name;
+  Eigen::Vector3d center_of_mass = Eigen::Vector3d::Zero();  ///< body frame
+  std::vector<ScenePart> parts;
+  std::vector<Eigen::Vector3d> origins;  ///< one for each frame, world axes
+  std::vector<Eigen::Quaterniond>
+      rotations;  ///< likewise; neighbours on one side: their dot product is not negative
+};
+
+/// A value over time, to be plotted.
+struct Series {
+  std::string name;
+  std::vector<double> values;
+};
+
+struct SceneMechanism {
+  std::string name;
+  std::string description;
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();  ///< its world in the scene, where z is up
+  std::vector<double> times;                                    ///< seconds, increasing
+  std::vector<SceneBody> bodies;
+  std::vector<ScenePart> scenery;  ///< fixed to the world
+  std::vector<Series> coordinates;
+  std::vector<Series> energies;  ///< kinetic, potential, total
+};
+
+struct Scene {
+  std::string title;
+  std::vector<Mesh> meshes;
+  std::vector<SceneMechanism> mechanisms;
+
+  /// Index of a mesh, added if there is none like it.
+  std::size_t mesh_index(Mesh mesh);
+};
+
+/// A motion at its frames. All vectors have one entry a frame.
+struct BakedMotion {
+  std::vector<double> times;
+  std::vector<std::vector<double>> q;      ///< nq each
+  std::vector<std::vector<double>> poses;  ///< function body_poses: rows [R | p] of each body
+  std::vector<double> kinetic, potential;  ///< J
+};
+
+/// Adds a mechanism in motion: its bodies with the shapes of the description, or default ones (looks.hpp). It
+/// is turned so that its gravity points down. A name that is there already gets a number. Throws InputError
+/// at a shape that cannot be drawn.
+void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion);
+
+/// Box around all that a mechanism shows over its first `frames` frames, in its own world axes.
+Eigen::AlignedBox3d bounds(const Scene& scene, const SceneMechanism& mechanism,
+                           std::size_t frames = std::numeric_limits<std::size_t>::max());
+
+/// Shifts the mechanisms so that they stand beside each other, in rows along x, on one floor.
+void place_side_by_side(Scene& scene);
+
+}  // namespace alembert

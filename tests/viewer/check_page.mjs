@@ -1,0 +1,182 @@
+// Pages of simulated mechanisms in Chromium: poses against forward kinematics, times, plots, colours, and no error.
+//   node check_page.mjs ALEMBERT FOLDER DESCRIPTION...
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { basename } from "node:path";
+import { drawn, openPage, startBrowser } from "./browser.mjs";
+
+const [alembert, folder, ...descriptions] = process.argv.slice(2);
+assert(descriptions.length > 0, "no descriptions");
+mkdirSync(folder, { recursive: true });
+
+const run = (args, input = "") => execFileSync(alembert, args, { input, encoding: "utf8", maxBuffer: 1 << 28 });
+
+/// Simulates: a frame each 20 ms, a row of the CSV each 10 ms.
+function simulate(description, more = []) {
+  const path = `${folder}/${basename(description, ".yaml")}`;
+  run(["simulate", description, "--duration", "1", "--step", "0.001", "--fps", "50", "--every", "10",
+    "--html", `${path}.html`, "--csv", `${path}.csv`, ...more]);
+  return path;
+}
+
+/// Times and poses of all bodies, by `evaluate` from the coordinates in the CSV.
+function kinematics(description, csv) {
+  const [header, ...lines] = readFileSync(csv, "utf8").trim().split("\n");
+  const names = header.split(",");
+  const nq = names.findIndex((name) => name.startsWith("d("));
+  const rows = lines.map((line) => line.split(",").map(Number));
+  const states = rows.map((row) => JSON.stringify({ t: row[0], q: row.slice(1, nq) })).join("\n");
+  const poses = run(["evaluate", description, "--json"], states).trim().split("\n").map((line) => JSON.parse(line).poses);
+  assert.equal(poses.length, rows.length);
+  return rows.map((row, k) => ({ t: row[0], poses: poses[k] }));
+}
+
+/// Largest difference between two poses' entries.
+function difference(matrix, rows) {
+  let most = 0;
+  for (let i = 0; i < 12; ++i) most = Math.max(most, Math.abs(matrix[Math.floor(i / 4)][i % 4] - rows[i]));
+  return most;
+}
+
+const posesAt = (page, t) =>
+  page.evaluate((time) => {
+    window.viewer.seek(time);
+    return window.viewer.mechanisms[0].bodies.map((name) => window.viewer.pose(name));
+  }, t);
+
+/// Brightness from 0 to 1 in the mean, and number of different colours, of the picture.
+async function picture(page) {
+  await drawn(page);
+  return page.evaluate(() => {
+    const canvas = document.querySelector("#stage canvas");
+    const copy = document.createElement("canvas");
+    copy.width = copy.height = 256;
+    const context = copy.getContext("2d");
+    context.drawImage(canvas, 0, 0, 256, 256);
+    const { data } = context.getImageData(0, 0, 256, 256);
+    const colors = new Set();
+    let sum = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      colors.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      sum += data[i] + data[i + 1] + data[i + 2];
+    }
+    return { brightness: sum / (256 * 256 * 3 * 255), colors: colors.size };
+  });
+}
+
+async function checkPoses(browser, description) {
+  const path = simulate(description);
+  const states = kinematics(description, `${path}.csv`);
+  const { page, wrong } = await openPage(browser, `${path}.html`, { width: 900, height: 480 });
+  assert.equal(await page.evaluate(() => window.viewer.drawn), true, "no WebGL: nothing was drawn");
+  assert.ok(Math.abs((await page.evaluate(() => window.viewer.duration)) - 1) < 1e-6);
+  let scale = 1;
+  for (const { poses } of states) for (const rows of poses) for (const value of rows) scale = Math.max(scale, Math.abs(value));
+  let atFrames = 0;
+  let between = 0;
+  for (let k = 0; k < states.length; k += 5) {
+    const { t, poses } = states[k];
+    const shown = await posesAt(page, t);
+    assert.equal(shown.length, poses.length);
+    shown.forEach((matrix, b) => {
+      assert.deepEqual(matrix[3], [0, 0, 0, 1]);
+      const error = difference(matrix, poses[b]) / scale;
+      if (k % 2 === 0) atFrames = Math.max(atFrames, error);
+      else between = Math.max(between, error);
+    });
+  }
+  console.log(`${basename(description)}: poses off by ${atFrames.toExponential(1)} at frames, ${between.toExponential(1)} between`);
+  assert.ok(atFrames < 1e-6, "at a frame the pose is that of the kinematics, in single precision");
+  assert.ok(between < 2e-3, "between frames it is near");
+  const { brightness, colors } = await picture(page);
+  assert.ok(brightness > 0.7 && colors > 60, `light: brightness ${brightness}, ${colors} colours`);
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+/// Playing, seeking by slider and plot, dark and light.
+async function checkControls(browser, description) {
+  const { page, wrong } = await openPage(browser, `${simulate(description)}.html`, { scheme: "dark" });
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  const dark = await picture(page);
+  assert.ok(dark.brightness < 0.3 && dark.colors > 60, `dark: brightness ${dark.brightness}, ${dark.colors} colours`);
+  await page.screenshot({ path: `${folder}/dark.png` });
+  await page.click("#theme");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "light");
+  const light = await picture(page);
+  assert.ok(light.brightness > 0.7, `light: brightness ${light.brightness}`);
+  await page.screenshot({ path: `${folder}/light.png` });
+
+  const time = () => page.evaluate(() => window.viewer.time);
+  await page.evaluate(() => window.viewer.seek(0));
+  await page.click("#play");
+  await page.waitForFunction(() => window.viewer.time > 0.05);
+  await page.click("#play");
+  const paused = await time();
+  await drawn(page);
+  assert.equal(await time(), paused, "paused, and yet it goes on");
+
+  await page.evaluate(() => {
+    const slider = document.getElementById("time");
+    slider.value = "0.25";
+    slider.dispatchEvent(new Event("input"));
+  });
+  assert.ok(Math.abs((await time()) - 0.25) < 1e-6);
+  assert.match(await page.$eval("#clock", (clock) => clock.textContent), /^0\.25 s$/);
+
+  const plot = await page.$("#plots canvas");
+  const box = await plot.boundingBox();
+  await page.mouse.click(box.x + 52 + (box.width - 62) / 2, box.y + 40);
+  assert.ok(Math.abs((await time()) - 0.5) < 0.01, `a click in the middle of a plot went to ${await time()}`);
+
+  await page.evaluate(() => window.viewer.seek(99));
+  assert.ok(Math.abs((await time()) - 1) < 1e-6, "times end with the motion");
+  await page.click("#trails");
+  await drawn(page);
+  assert.equal(await page.evaluate(() => window.viewer.pose("nobody")), null);
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+/// Several mechanisms in one page, and texts that try to leave their place.
+async function checkScene(browser, other) {
+  const path = `${folder}/evil.yaml`;
+  const text = "</script><script>window.evil = 1</script><img src=x onerror='window.evil = 2'> @scene@ @title@";
+  writeFileSync(path, `alembert: 1
+name: evil
+description: "${text}"
+coordinates: [{name: q, initial: 0.3}]
+bodies:
+  - {name: bob, transform: [{rotate: {axis: y, angle: q}}, {translate: [0, 0, -0.5]}], mass: 1}
+`);
+  const { page, wrong } = await openPage(browser, `${simulate(path, ["--scene", `${path},${other}`])}.html`);
+  const names = await page.evaluate(() => window.viewer.mechanisms.map((mechanism) => mechanism.name));
+  assert.deepEqual(names, ["evil", "evil 2", basename(other, ".yaml")]);
+  assert.equal(await page.evaluate(() => window.evil), undefined);
+  assert.equal(await page.$eval("#heading p", (p) => p.textContent), text);
+  const states = kinematics(path, `${folder}/evil.csv`);
+  const both = await page.evaluate((t) => {
+    window.viewer.seek(t);
+    return ["evil", "evil 2"].map((mechanism) => window.viewer.pose("bob", mechanism));
+  }, states[50].t);
+  for (const matrix of both) assert.ok(difference(matrix, states[50].poses[0]) < 1e-6);
+  const buttons = await page.$$("#mechanisms button");
+  assert.equal(buttons.length, 3);
+  await buttons[2].click();
+  assert.notEqual(await page.$eval("#heading h1", (h) => h.textContent), "evil");
+  await page.evaluate(() => window.viewer.showAll());
+  await drawn(page);
+  await page.screenshot({ path: `${folder}/scene.png` });
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+const browser = await startBrowser();
+try {
+  for (const description of descriptions) await checkPoses(browser, description);
+  await checkControls(browser, descriptions[0]);
+  await checkScene(browser, descriptions[0]);
+} finally {
+  await browser.close();
+}

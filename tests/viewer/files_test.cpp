@@ -1,0 +1,163 @@
+// The bytes of .glb files and the scene in pages: read back and compared with the scene.
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "viewer/glb.hpp"
+#include "viewer/page.hpp"
+#include "viewer/small_scene.hpp"
+
+namespace alembert::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kPendulum = R"(alembert: 1
+name: pendulum
+description: "Ends: </script><script>alert(1)</script> @scene@ @title@ <b>&amp;"
+coordinates: [q]
+bodies:
+  - name: bob
+    transform:
+      - rotate: {axis: y, angle: q}
+      - translate: [0, 0, -0.5]
+    mass: 2
+    inertia: {xx: 0.01, yy: 0.02, zz: 0.02}
+)";
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  std::uint32_t out = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    out |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes.at(at + k))) << (8 * k);
+  return out;
+}
+
+/// The two chunks of a .glb file.
+struct Glb {
+  explicit Glb(const std::string& bytes) {
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(word(bytes, 4), 2u);
+    EXPECT_EQ(word(bytes, 8), bytes.size());
+    const std::size_t size = word(bytes, 12);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    json = Json::parse(bytes.substr(20, size));
+    EXPECT_EQ(word(bytes, 20 + size), bytes.size() - 28 - size);
+    EXPECT_EQ(bytes.substr(24 + size, 4), std::string("BIN\0", 4));
+    binary = bytes.substr(28 + size);
+  }
+  std::vector<float> floats(std::size_t accessor) const {
+    const Json& a = json["accessors"][accessor];
+    const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+    std::vector<float> out;
+    for (std::size_t i = 0; i < view["byteLength"].get<std::size_t>(); i += 4)
+      out.push_back(std::bit_cast<float>(word(binary, view["byteOffset"].get<std::size_t>() + i)));
+    return out;
+  }
+  Json json;
+  std::string binary;
+};
+
+TEST(Glb, HoldsPosesAsAnAnimation) {
+  std::vector<double> angles;
+  for (int k = 0; k < 100; ++k) angles.push_back(0.2 * k);
+  const SmallScene small(kPendulum, angles);
+  const SceneBody& bob = small.scene.mechanisms.at(0).bodies.at(0);
+  const Glb glb(glb_file(small.scene));
+  const Json& animation = glb.json["animations"].at(0);
+  int checked = 0;
+  for (const Json& channel : animation["channels"]) {
+    const Json& node = glb.json["nodes"][channel["target"]["node"].get<std::size_t>()];
+    EXPECT_EQ(node["name"], "bob");
+    const Json& sampler = animation["samplers"][channel["sampler"].get<std::size_t>()];
+    EXPECT_EQ(sampler["interpolation"], "LINEAR");
+    const std::vector<float> times = glb.floats(sampler["input"]);
+    const std::vector<float> values = glb.floats(sampler["output"]);
+    ASSERT_EQ(times.size(), angles.size());
+    const bool rotation = channel["target"]["path"] == "rotation";
+    ASSERT_EQ(values.size(), angles.size() * (rotation ? 4 : 3));
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      EXPECT_FLOAT_EQ(times[k], 0.1F * static_cast<float>(k));
+      for (std::size_t i = 0; i < (rotation ? 4u : 3u); ++i) {
+        const Eigen::Index a = static_cast<Eigen::Index>(i);
+        const double expected = rotation ? bob.rotations[k].coeffs()[a] : bob.origins[k][a];
+        EXPECT_NEAR(static_cast<double>(values[(rotation ? 4 : 3) * k + i]), expected, 1e-6);
+        ++checked;
+      }
+    }
+  }
+  EXPECT_EQ(checked, 700);
+}
+
+TEST(Glb, HoldsTheMeshesOnce) {
+  SmallScene small(kPendulum, {0.1, 0.2});
+  small.add(kPendulum, {0.1, 0.2});
+  const Glb glb(glb_file(small.scene));
+  EXPECT_EQ(glb.json["meshes"].size(), small.scene.mechanisms[0].bodies[0].parts.size());
+  std::size_t parts = 0;
+  for (const Json& node : glb.json["nodes"]) parts += node.contains("mesh") ? 1 : 0;
+  EXPECT_EQ(parts, 2 * glb.json["meshes"].size());
+}
+
+TEST(Glb, OfAMomentHasNoAnimation) {
+  const SmallScene small(kPendulum, {0.3});
+  const Glb glb(glb_file(small.scene));
+  EXPECT_FALSE(glb.json.contains("animations"));
+  const Json& bob = glb.json["nodes"].at(2);
+  EXPECT_EQ(bob["name"], "bob");
+  EXPECT_NEAR(bob["translation"][0].get<double>(), -0.5 * std::sin(0.3), 1e-12);
+}
+
+std::vector<float> floats_of_base64(const std::string& text) {
+  static const std::string kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(kDigits.find(c));
+    if ((count += 6) >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
+  }
+  std::vector<float> out;
+  for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) out.push_back(std::bit_cast<float>(word(bytes, i)));
+  return out;
+}
+
+TEST(Page, HoldsTheScene) {
+  // 1, 2, 3, ... frames: every length of base64's last group.
+  for (const std::size_t count : {1u, 2u, 3u, 4u}) {
+    std::vector<double> angles;
+    for (std::size_t k = 0; k < count; ++k) angles.push_back(0.3 * static_cast<double>(k));
+    const SmallScene small(kPendulum, angles);
+    const Json json = Json::parse(scene_json(small.scene));
+    const Json& mechanism = json["mechanisms"].at(0);
+    EXPECT_EQ(mechanism["description"], small.scene.mechanisms[0].description);
+    const std::vector<float> q = floats_of_base64(mechanism["coordinates"].at(0)["values"]);
+    ASSERT_EQ(q.size(), count);
+    for (std::size_t k = 0; k < count; ++k) EXPECT_FLOAT_EQ(q[k], static_cast<float>(angles[k]));
+    const std::vector<float> origins = floats_of_base64(mechanism["bodies"].at(0)["origins"]);
+    ASSERT_EQ(origins.size(), 3 * count);
+    EXPECT_EQ(floats_of_base64(json["meshes"].at(0)["positions"]).size(),
+              3 * small.scene.meshes[0].positions.size());
+  }
+}
+
+TEST(Page, LetsNoTextEndItsElement) {
+  const SmallScene small(kPendulum, {0.1, 0.2});
+  EXPECT_EQ(scene_json(small.scene).find('<'), std::string::npos);
+  EXPECT_EQ(html_escaped("</title><b a=\"x\">&"), "&lt;/title&gt;&lt;b a=&quot;x&quot;&gt;&amp;");
+  if (page_template().empty()) GTEST_SKIP() << "built without the page";
+  const std::string page = html_page(small.scene), empty = page_template();
+  const auto count = [](const std::string& text, const std::string& part) {
+    int n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count(page, "<script"), count(empty, "<script"));
+  EXPECT_EQ(count(page, "</script"), count(empty, "</script"));
+  EXPECT_THAT(page, testing::HasSubstr("<title>pendulum</title>"));
+}
+
+}  // namespace
+}  // namespace alembert::test
