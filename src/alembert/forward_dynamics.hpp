@@ -18,6 +18,7 @@ enum class Status {
       2,  ///< M has a pivot that is not positive beyond rounding: the mechanism is singular here
   inconsistent_constraints = 3,  ///< a row of the constraints contradicts the others
   no_convergence = 4,            ///< an iteration came to no solution
+  residual_too_large = 5,        ///< the closest state is further away than was allowed
 };
 
 /// The status in words, for messages.
@@ -33,6 +34,8 @@ constexpr const char* to_string(Status status) noexcept {
       return "the constraints contradict each other";
     case Status::no_convergence:
       return "the iteration found no solution";
+    case Status::residual_too_large:
+      return "the closest state is too far away";
   }
   return "unknown status";
 }

@@ -3,8 +3,10 @@
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
 #include "alembert/integrate.hpp"
+#include "alembert/topology.hpp"
 #include "runtime/constrained_models.hpp"
 #include "runtime/models.hpp"
+#include "runtime/plane_models.hpp"
 
 static_assert(__cplusplus < 202002L, "this file is for C++17");
 using Model = models::SpinningBody<float>;
@@ -29,4 +31,11 @@ alembert::Status constrained_step_in_cxx17(Top::CoordinateVector& q, Top::SpeedV
   if (const auto status = alembert::consistent_state<Top>(q, u, in, report); status != alembert::Status::ok)
     return status;
   return alembert::rk4_step<Top>(q, u, in, 0.1f, force);
+}
+
+using Rods = models::HingedByRows;
+
+alembert::Status change_in_cxx17(const std::array<alembert::BodyMotion<double>, 2>& bodies, Rods::Vector& q,
+                                 Rods::Vector& u) {
+  return alembert::change_topology<Rods>(bodies, {}, q, u);
 }

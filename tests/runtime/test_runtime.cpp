@@ -277,6 +277,7 @@ TEST(Runtime, StatusInWords) {
   EXPECT_STREQ(alembert::to_string(Status::inconsistent_constraints),
                "the constraints contradict each other");
   EXPECT_STREQ(alembert::to_string(Status::no_convergence), "the iteration found no solution");
+  EXPECT_STREQ(alembert::to_string(Status::residual_too_large), "the closest state is too far away");
 }
 
 }  // namespace
