@@ -54,9 +54,10 @@ Eigen::VectorXd vector_of(const nlohmann::json& values) {
 }
 
 Eigen::MatrixXd matrix_of(const nlohmann::json& rows) {
-  Eigen::MatrixXd m(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(rows.size()));
+  const std::size_t columns = rows.empty() ? 0 : rows[0].size();
+  Eigen::MatrixXd m(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].size() != rows.size()) throw std::runtime_error("M is not square");
+    if (rows[i].size() != columns) throw std::runtime_error("a matrix has rows of different lengths");
     m.row(static_cast<Eigen::Index>(i)) = vector_of(rows[i]).transpose();
   }
   return m;
@@ -102,7 +103,15 @@ std::vector<Answer> ask_alembert(const std::string& executable, const std::strin
     answer.dynamics.tau = vector_of(line.at("tau"));
     answer.dynamics.mass_matrix = matrix_of(line.at("M"));
     answer.dynamics.bias = vector_of(line.at("c"));
+    if (line.at("qdd").is_null())
+      throw std::runtime_error("alembert evaluate " + file +
+                               ": no accelerations: " + line.value("status", text));
     answer.rates = vector_of(line.at("qdd"));
+    if (line.contains("P")) {
+      answer.rows = {matrix_of(line.at("P")), vector_of(line.at("gamma")), vector_of(line.at("velocity")),
+                     vector_of(line.at("position"))};
+      answer.multipliers = vector_of(line.at("lambda"));
+    }
     answers.push_back(std::move(answer));
   }
   if (answers.size() != states.size()) {

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "oracles/state.hpp"
+#include "oracles/taylor/numeric_constraints.hpp"
 
 namespace alembert::oracles {
 
 struct Answer {
   Dynamics dynamics;
-  Eigen::VectorXd rates;  ///< forward dynamics for tau
+  Eigen::VectorXd rates;        ///< forward dynamics for tau, constrained if there are constraints
+  ConstraintRows rows;          ///< empty if there are none
+  Eigen::VectorXd multipliers;  ///< of the same size
 };
 
 /// One line of input for `alembert evaluate --json`.

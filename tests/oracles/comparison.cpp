@@ -1,12 +1,14 @@
 // The comparison behind the oracle table (see the header).
 #include "oracles/comparison.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "oracles/engines/constrained_engine.hpp"
+#include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
 namespace alembert::oracles {
@@ -45,17 +47,47 @@ void append(std::vector<Comparison>& lines, const Comparison& base, const std::v
   }
 }
 
-void append_forward(std::vector<Comparison>& lines, const Comparison& base,
-                    const std::vector<Answer>& answers, const std::vector<State>& states) {
-  Comparison line = base;
-  line.function = "forward_dynamics";
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const Eigen::Map<const Eigen::VectorXd> rates(states[i].rates.data(),
-                                                  static_cast<Eigen::Index>(states[i].rates.size()));
-    line.error = std::max(line.error, relative_error(answers[i].rates, rates));
-  }
+Comparison judged(Comparison line, const std::string& function) {
+  line.function = function;
   line.verdict = line.error <= line.tolerance ? Comparison::Verdict::pass : Comparison::Verdict::fail;
-  lines.push_back(line);
+  return line;
+}
+
+/// Accelerations under the forces that unconstrained motion with the state's rates takes, and, with
+/// constraints, their rows and the reactions P^T lambda.
+void append_forward(std::vector<Comparison>& lines, const Comparison& base,
+                    const std::vector<Answer>& answers, const Description& description,
+                    const std::vector<State>& states) {
+  Comparison forward = base, rows = base, reactions = base;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Answer& answer = answers[i];
+    const auto grow = [](Comparison& line, const Eigen::MatrixXd& subject, const Eigen::MatrixXd& oracle) {
+      line.error = std::max(line.error, relative_error(subject, oracle));
+    };
+    if (description.constraints.empty()) {
+      const Eigen::Map<const Eigen::VectorXd> rates(states[i].rates.data(),
+                                                    static_cast<Eigen::Index>(states[i].rates.size()));
+      grow(forward, answer.rates, rates);
+      continue;
+    }
+    const ConstraintRows expected = numeric_constraints(description, states[i]);
+    grow(rows, answer.rows.P, expected.P);
+    grow(rows, answer.rows.gamma, expected.gamma);
+    grow(rows, answer.rows.velocity, expected.velocity);
+    grow(rows, answer.rows.position, expected.position);
+    const ConstrainedMotion motion = constrained_motion(numeric_lagrangian(description, states[i]), expected);
+    grow(forward, answer.rates, motion.rates);
+    if (answer.multipliers.size() != motion.multipliers.size()) {
+      reactions.error = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    grow(reactions, answer.rows.P.transpose() * answer.multipliers,
+         expected.P.transpose() * motion.multipliers);
+  }
+  lines.push_back(judged(forward, "forward_dynamics"));
+  if (description.constraints.empty()) return;
+  lines.push_back(judged(rows, "constraints"));
+  lines.push_back(judged(reactions, "reactions"));
 }
 
 void append_engine(std::vector<Comparison>& lines, Comparison base, const Engine& engine,
@@ -86,6 +118,75 @@ void append_engine(std::vector<Comparison>& lines, Comparison base, const Engine
   }
 }
 
+bool well_conditioned(const Description& description, const State& state) {
+  const Dynamics dynamics = numeric_lagrangian(description, state);
+  if (!(condition(dynamics.mass_matrix) < kConditionLimit)) return false;
+  if (description.constraints.empty()) return true;
+  return constrained_motion(dynamics, numeric_constraints(description, state)).condition < kConditionLimit;
+}
+
+/// Random states near the initial one that keep the constraints, with rates that take no forces.
+std::vector<State> constrained_states(const Description& description, int count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<State> states;
+  for (int trial = 0; trial < 50 * count && static_cast<int>(states.size()) < count; ++trial) {
+    State near = random_state(description, random);
+    for (const Coordinate& c : description.coordinates) {
+      double square = 0;
+      for (std::size_t i = 0; i < c.initial.size(); ++i) {
+        double& x = near.q[static_cast<std::size_t>(c.first_q) + i];
+        x = c.initial[i] + 0.2 * (x - c.initial[i]);
+        square += x * x;
+      }
+      for (std::size_t i = 0; c.quaternion && i < 4; ++i)
+        near.q[static_cast<std::size_t>(c.first_q) + i] /= std::sqrt(square);
+    }
+    std::optional<State> state = consistent(description, near);
+    if (!state || !well_conditioned(description, *state)) continue;
+    const Dynamics dynamics = numeric_lagrangian(description, *state);
+    const Eigen::VectorXd rates = dynamics.mass_matrix.ldlt().solve(-dynamics.bias);
+    state->rates.assign(rates.begin(), rates.end());
+    states.push_back(*state);
+  }
+  if (static_cast<int>(states.size()) < count)
+    throw BadlyConditioned(description.name + ": too few states keep the constraints");
+  return states;
+}
+
+/// Accelerations of bodies under constraints and no forces but gravity, at states that keep the constraints.
+void append_constrained_engine(std::vector<Comparison>& lines, Comparison base, const std::string& executable,
+                               const std::string& file, const Description& description, int count,
+                               std::uint64_t seed) {
+  base.oracle = "Simbody";
+  base.tolerance = kTolerance;
+  base.formulation = executable.empty() ? "" : "auto";
+  base.function = "forward_dynamics";
+  const ConstrainedEngine engine = constrained_simbody();
+  if (!engine) {
+    base.verdict = Comparison::Verdict::not_installed;
+    return lines.push_back(base);
+  }
+  try {
+    const std::vector<State> states = constrained_states(description, count, seed);
+    std::vector<Answer> answers;
+    if (!executable.empty()) answers = ask_alembert(executable, file, states, "auto");
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const Eigen::VectorXd rates = executable.empty()
+                                        ? constrained_motion(numeric_lagrangian(description, states[i]),
+                                                             numeric_constraints(description, states[i]))
+                                              .rates
+                                        : answers[i].rates;
+      base.error = std::max(base.error, relative_error(body_accelerations(description, states[i], rates),
+                                                       engine(description, states[i])));
+    }
+    lines.push_back(judged(base, "forward_dynamics"));
+  } catch (const NotExpressible& reason) {
+    base.verdict = Comparison::Verdict::not_expressible;
+    base.note = reason.what();
+    lines.push_back(base);
+  }
+}
+
 const char* to_string(Comparison::Verdict verdict) {
   switch (verdict) {
     case Comparison::Verdict::pass:
@@ -107,11 +208,11 @@ std::vector<State> comparable_states(const Description& description, int count, 
   std::vector<State> states;
   for (int trial = 0; trial < 20 * count && static_cast<int>(states.size()) < count; ++trial) {
     const State state = random_state(description, random);
-    if (condition(numeric_lagrangian(description, state).mass_matrix) < kConditionLimit)
-      states.push_back(state);
+    if (well_conditioned(description, state)) states.push_back(state);
   }
   if (static_cast<int>(states.size()) < count) {
-    throw BadlyConditioned(description.name + ": M is badly conditioned at almost all states");
+    throw BadlyConditioned(description.name +
+                           ": M or its constraints are badly conditioned at almost all states");
   }
   return states;
 }
@@ -136,7 +237,7 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
         const std::vector<Answer> answers = ask_alembert(executable, file, states, formulation);
         for (std::size_t i = 0; i < states.size(); ++i) subject[i] = answers[i].dynamics;
         append(lines, base, subject, taylor);
-        append_forward(lines, base, answers, states);
+        append_forward(lines, base, answers, description, states);
       }
     }
     const Description for_engines = equivalent.empty() ? description : read_description(equivalent);
@@ -147,6 +248,8 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
       append(lines, base, subject, other);
     }
     for (const Engine& engine : engines()) append_engine(lines, base, engine, for_engines, states, subject);
+    if (!description.constraints.empty())
+      append_constrained_engine(lines, base, executable, file, description, count, seed);
   } catch (const std::exception& failure) {
     base.function = "all";
     base.verdict = Comparison::Verdict::fail;

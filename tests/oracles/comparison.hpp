@@ -25,8 +25,8 @@ struct BadlyConditioned : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// States at which M, scaled to a unit diagonal, is well enough conditioned (below 1e5) for accelerations to
-/// be compared; throws
+/// States at which M and P M^-1 P^T, scaled to unit diagonals, are well enough conditioned (below 1e5) for
+/// accelerations to be compared; throws
 /// BadlyConditioned if they are too few.
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
 

@@ -93,6 +93,19 @@ std::string RandomExpressions::old_coordinate() {
   return name;
 }
 
+std::string RandomExpressions::any_coordinate() {
+  if (reals_.empty()) return decimal(between(-1, 1));
+  return reals_[static_cast<std::size_t>(below(static_cast<int>(reals_.size())))];
+}
+
+std::string RandomExpressions::any_speed() {
+  const int reals = static_cast<int>(reals_.size());
+  const int which = below(reals + 3 * quaternions_);
+  if (which < reals) return "d(" + reals_[static_cast<std::size_t>(which)] + ")";
+  const int speed = which - reals;
+  return "d(r" + std::to_string(speed / 3) + ")." + "xyz"[speed % 3];
+}
+
 std::string RandomExpressions::curved(const std::string& x) {
   const std::string a = constant(0.3, 1.2), b = constant(0.1, 0.4);
   switch (below(17)) {

@@ -36,6 +36,11 @@ class RandomExpressions {
   /// An earlier coordinate, if the transform may still depend on it, or a number.
   std::string old_coordinate();
 
+  /// Any real coordinate, or the speed of any coordinate, whatever it moves; a number if there is none.
+  std::string any_coordinate();
+  std::string any_speed();
+  int speeds() const { return speeds_; }
+
   /// A smooth function of x alone, defined for |x| <= 1.5.
   std::string curved(const std::string& x);
   /// A function that moves with x, and perhaps with earlier coordinates and time.

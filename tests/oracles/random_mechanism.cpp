@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracles/comparison.hpp"
+#include "oracles/random_constraints.hpp"
 #include "oracles/random_expressions.hpp"
 
 namespace alembert::oracles {
@@ -21,11 +22,13 @@ class Writer : private RandomExpressions {
     const int bodies = 1 + below(5);
     for (int i = 0; i < bodies; ++i) write_body(i);
     if (chance(0.3)) std::reverse(bodies_.begin(), bodies_.end());  // children before parents
+    const std::string constraints = chance(0.6) ? random_constraints(*this, bodies, rolling_) : "";
     std::string text = "gravity: " + list({gravity(), decimal(between(-3, 3)), gravity()}) + "\n";
     text += "coordinates:\n" + coordinates();
     if (!definitions().empty()) text += "definitions:\n" + definitions();
     text += "bodies:\n";
     for (const std::string& body : bodies_) text += body;
+    text += constraints;
     return "alembert: 1\nname: random_mechanism\n" + parameters_in(text) + text;
   }
 
@@ -137,6 +140,7 @@ class Writer : private RandomExpressions {
   std::string surface(bool flip) {
     const std::string u = new_coordinate();
     const std::string v = new_coordinate(-1.2, 1.2);
+    surface_coordinates_.insert(surface_coordinates_.end(), {u, v});
     const std::string R = constant(0.8, 1.4), r = constant(0.2, 0.5), k = constant(0.2, 0.6);
     std::vector<std::string> point;
     switch (below(4)) {
@@ -212,10 +216,20 @@ class Writer : private RandomExpressions {
   void write_body(int index) {
     begin_transform();
     std::string text = "  - name: body" + std::to_string(index) + "\n";
-    if (index > 0 && chance(0.8)) text += "    parent: body" + std::to_string(below(index)) + "\n";
+    std::string parent = "world";
+    if (index > 0 && chance(0.8)) {
+      parent = "body" + std::to_string(below(index));
+      text += "    parent: " + parent + "\n";
+    }
     text += "    transform:\n";
-    const int factors = 1 + below(3);
     bool moves = false;
+    if (!joints_only_ && chance(0.2) && has_room(5)) {
+      text += "      - " + mate() + "\n";
+      moves = true;
+      const auto c = surface_coordinates_.end() - 4;
+      rolling_.push_back({"body" + std::to_string(index), parent, c[0], c[1], c[2], c[3]});
+    }
+    const int factors = moves ? 0 : 1 + below(3);
     for (int i = 0; i < factors; ++i) {
       if (chance(0.6)) text += "      - " + shift() + "\n";
       if (chance(0.4)) text += "      - " + turn() + "\n";
@@ -258,6 +272,8 @@ class Writer : private RandomExpressions {
 
   bool joints_only_;  // nothing that multibody engines have no words for
   std::vector<std::string> bodies_;
+  std::vector<std::string> surface_coordinates_;  // of all surfaces drawn, two each
+  std::vector<RollingBody> rolling_;
 };
 
 }  // namespace

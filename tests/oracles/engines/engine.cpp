@@ -1,6 +1,8 @@
 // The list of engines, and the way back from joints to speeds.
 #include "oracles/engines/engine.hpp"
 
+#include "oracles/engines/constrained_engine.hpp"
+
 namespace alembert::oracles {
 
 std::vector<Engine> engines() {
@@ -19,6 +21,14 @@ std::vector<Engine> engines() {
   list[3].make = make_simbody;
 #endif
   return list;
+}
+
+ConstrainedEngine constrained_simbody() {
+#ifdef ALEMBERT_ORACLE_SIMBODY
+  return simbody_constrained_accelerations;
+#else
+  return {};
+#endif
 }
 
 Dynamics engine_dynamics(EngineModel& model, const JointTree& tree, const State& state) {

@@ -2,6 +2,7 @@
 #include "oracles/taylor/numeric_constraints.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <limits>
 
 #include "oracles/taylor/poses.hpp"
@@ -147,6 +148,33 @@ State with_consistent_speeds(const Description& description, State state) {
   for (std::size_t k = 0; k < state.speeds.size(); ++k)
     state.speeds[k] += change[static_cast<Eigen::Index>(k)];
   return state;
+}
+
+std::optional<State> consistent(const Description& description, const State& given) {
+  State state = given;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const ConstraintRows rows = numeric_constraints(description, state);
+    if (!rows.position.allFinite()) return std::nullopt;
+    if (rows.position.size() == 0 || rows.position.cwiseAbs().maxCoeff() < 1e-13)
+      return with_consistent_speeds(description, state);
+    Eigen::MatrixXd P = rows.P;
+    Eigen::Index row = 0;
+    for (const Constraint& constraint : description.constraints) {
+      for (std::size_t i = 0; i < constraint.rows(); ++i, ++row)
+        if (constraint.kind != ConstraintKind::holonomic) P.row(row).setZero();
+    }
+    const Eigen::VectorXd change =
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(P).solve(-rows.position);
+    const std::vector<double> step =
+        coordinate_rates(description, state.q, {change.data(), change.data() + change.size()});
+    for (std::size_t i = 0; i < step.size(); ++i) state.q[i] += step[i];
+    for (const Coordinate& c : description.coordinates) {
+      double* x = &state.q[static_cast<std::size_t>(c.first_q)];
+      const double norm = c.quaternion ? std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]) : 1;
+      for (int i = 0; c.quaternion && i < 4; ++i) x[i] /= norm;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace alembert::oracles

@@ -3,6 +3,8 @@
 // contact have one velocity along the surfaces; no formula of the generator is shared.
 #pragma once
 
+#include <optional>
+
 #include "oracles/state.hpp"
 
 namespace alembert::oracles {
@@ -27,6 +29,10 @@ struct ConstrainedMotion {
 /// Solves the whole system at once, by a complete orthogonal decomposition of [M -P^T; P 0] with speeds and
 /// rows scaled.
 ConstrainedMotion constrained_motion(const Dynamics& dynamics, const ConstraintRows& rows);
+
+/// The state with its coordinates moved to where the rows' positions are 0, by Newton's method, and its
+/// speeds to where their velocities are. Nothing if Newton's method does not get there.
+std::optional<State> consistent(const Description& description, const State& state);
 
 /// The state with its speeds moved, by the least change, to where the rows' velocities are 0.
 State with_consistent_speeds(const Description& description, State state);

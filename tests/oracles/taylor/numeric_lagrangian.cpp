@@ -121,4 +121,30 @@ std::pair<double, double> energy(const Description& description, const State& st
   return result;
 }
 
+std::vector<BodyState> body_states(const Description& description, const State& state) {
+  const std::vector<double> no_rates(state.speeds.size(), 0.0);
+  const auto poses =
+      world_poses(description, trajectory(description, state, no_rates), T(state.time, 1.0, 0.0));
+  std::vector<BodyState> states;
+  for (const RigidMotion<T>& pose : poses) {
+    const BodyMotion m = motion_of(Body{}, pose);  // its centre of mass at the origin
+    states.push_back({m.R, m.com, m.velocity, m.R * m.omega});
+  }
+  return states;
+}
+
+BodyAccelerations body_accelerations(const Description& description, const State& state,
+                                     const Eigen::VectorXd& rates) {
+  const std::vector<double> given(rates.begin(), rates.end());
+  const auto motions =
+      motions_of(description, trajectory(description, state, given), T(state.time, 1.0, 0.0));
+  BodyAccelerations result(6, static_cast<Eigen::Index>(motions.size()));
+  Eigen::Index i = 0;
+  for (const BodyMotion& m : motions) {
+    result.col(i).head<3>() = m.acceleration;
+    result.col(i++).tail<3>() = m.R * m.alpha;
+  }
+  return result;
+}
+
 }  // namespace alembert::oracles

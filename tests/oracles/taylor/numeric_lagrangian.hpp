@@ -14,4 +14,16 @@ Dynamics numeric_lagrangian(const Description& description, const State& state);
 /// Kinetic and potential energy (potential zero at the world's origin).
 std::pair<double, double> energy(const Description& description, const State& state);
 
+/// Where a body is and how it moves, in world axes: its axes and origin.
+struct BodyState {
+  Eigen::Matrix3d R;
+  Eigen::Vector3d origin, velocity, omega;
+};
+std::vector<BodyState> body_states(const Description& description, const State& state);
+
+/// By body, in world axes: acceleration of the centre of mass, angular acceleration.
+using BodyAccelerations = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+BodyAccelerations body_accelerations(const Description& description, const State& state,
+                                     const Eigen::VectorXd& rates);
+
 }  // namespace alembert::oracles
