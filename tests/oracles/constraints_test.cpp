@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include "oracles/random_mechanism.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 #include "oracles/taylor/poses.hpp"
@@ -125,6 +127,18 @@ TEST(Constraints, GammaIsTheRateOfVelocity) {
     EXPECT_LT((rate - expected).cwiseAbs().maxCoeff(), 1e-7 * std::max(1.0, expected.cwiseAbs().maxCoeff()))
         << name;
   }
+}
+
+// What random mechanisms test is there: each type of constraint, many times in 200.
+TEST(Constraints, OfRandomMechanismsAreOfAllTypes) {
+  std::array<int, 3> found{};
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (const Constraint& constraint : parse_description(random_mechanism(seed)).constraints)
+      ++found[static_cast<std::size_t>(constraint.kind)];
+  }
+  EXPECT_GT(found[static_cast<std::size_t>(ConstraintKind::pfaffian)], 20);
+  EXPECT_GT(found[static_cast<std::size_t>(ConstraintKind::rolling)], 8);
+  EXPECT_GT(found[static_cast<std::size_t>(ConstraintKind::holonomic)], 40);
 }
 
 // A weight held by its position bears its weight, one held twice bears it together, and nothing moves.

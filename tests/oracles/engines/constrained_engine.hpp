@@ -7,13 +7,17 @@
 
 namespace alembert::oracles {
 
-/// Accelerations of all bodies, without forces but gravity, at a state that keeps the constraints. Throws
-/// NotExpressible for mechanisms that are not written down. Empty: the engine was not there when this was
-/// built.
-using ConstrainedEngine = std::function<BodyAccelerations(const Description&, const State&)>;
+struct ConstrainedEngine {
+  /// Whether a mechanism is written down. Empty, like the other: the engine was not there when this was
+  /// built.
+  std::function<bool(const Description&)> expresses;
+  /// Accelerations of all bodies, without forces but gravity, at a state that keeps the constraints.
+  std::function<BodyAccelerations(const Description&, const State&)> accelerations;
+};
 
 ConstrainedEngine constrained_simbody();
 
+bool simbody_expresses_constraints(const Description& description);
 BodyAccelerations simbody_constrained_accelerations(const Description& description, const State& state);
 
 }  // namespace alembert::oracles

@@ -25,7 +25,7 @@ std::vector<Engine> engines() {
 
 ConstrainedEngine constrained_simbody() {
 #ifdef ALEMBERT_ORACLE_SIMBODY
-  return simbody_constrained_accelerations;
+  return {simbody_expresses_constraints, simbody_constrained_accelerations};
 #else
   return {};
 #endif

@@ -2,6 +2,8 @@
 // kept from slipping in two directions, a ball rolls on a plane.
 #include <Simbody.h>
 
+#include <map>
+
 #include "oracles/engines/constrained_engine.hpp"
 #include "oracles/taylor/poses.hpp"
 
@@ -74,19 +76,17 @@ class Scene {
       : description_(description), given_(state), bodies_(description.bodies.size()) {
     const auto& g = description.gravity;
     SimTK::Force::UniformGravity(forces_, matter_, vector_of(g));
-    if (description.name == "five_bar") {
-      five_bar();
-    } else if (description.name == "stewart") {
-      stewart();
-    } else if (description.name == "rolling_disc") {
-      rolling_disc();
-    } else if (description.name == "chaplygin_sleigh") {
-      chaplygin_sleigh();
-    } else if (description.name == "rolling_ball") {
-      rolling_ball();
-    } else {
-      throw NotExpressible("not written down for Simbody's constraints");
-    }
+    (this->*constructions().at(description.name))();
+  }
+
+  using Construction = void (Scene::*)();
+  static const std::map<std::string, Construction>& constructions() {
+    static const std::map<std::string, Construction> table = {{"five_bar", &Scene::five_bar},
+                                                              {"stewart", &Scene::stewart},
+                                                              {"rolling_disc", &Scene::rolling_disc},
+                                                              {"chaplygin_sleigh", &Scene::chaplygin_sleigh},
+                                                              {"rolling_ball", &Scene::rolling_ball}};
+    return table;
   }
 
   BodyAccelerations accelerations() {
@@ -276,6 +276,10 @@ class Scene {
 };
 
 }  // namespace
+
+bool simbody_expresses_constraints(const Description& description) {
+  return Scene::constructions().count(description.name) > 0;
+}
 
 BodyAccelerations simbody_constrained_accelerations(const Description& description, const State& state) {
   return Scene(description, state).accelerations();
