@@ -66,6 +66,7 @@ std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
   if (options.passes.peeling && kinematics.peeled) {
     Passes others = options.passes;
     others.peeling = false;
+    others.effort = 0;
     add(Formulation::reduced, others);
     // Programs of both are compared, unless one is so much shorter that nothing can change it.
     const auto much_longer = [](std::span<const Expr> x, std::span<const Expr> y) {

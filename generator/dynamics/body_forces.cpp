@@ -3,8 +3,9 @@
 
 namespace alembert {
 
-FrameMotion::FrameMotion(const Vec3& angular, const Vec3& angular_rate, const Vec3& linear)
-    : om(angular), al(angular_rate), acc(linear) {
+FrameMotion::FrameMotion(const Vec3& angular, const Vec3& angular_rate, const Vec3& linear,
+                         const Scale& factors)
+    : om(angular), al(angular_rate), acc(linear), scale(factors) {
   xx = om[0] * om[0];
   yy = om[1] * om[1];
   zz = om[2] * om[2];
@@ -23,12 +24,19 @@ FrameMotion::FrameMotion(const Vec3& angular, const Vec3& angular_rate, const Ve
 }
 
 Vec3 FrameMotion::at(const Vec3& t) const {
-  return acc + U * t;
+  Vec3 out = acc;
+  for (std::size_t r = 0; r < 3; ++r) {
+    Expr sum = U(r, 0) * times(1 / scale[r], t[0]);
+    sum += U(r, 1) * times(1 / scale[r], t[1]);
+    sum += U(r, 2) * times(1 / scale[r], t[2]);
+    out[r] = acc[r] + sum;
+  }
+  return out;
 }
 
 namespace {
 
-/// J al + om x J om. With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may be
+/// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may be
 /// written with J instead.
 Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g) {
   const Mat3& J = mass.inertia;
@@ -43,18 +51,19 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
   for (std::size_t x = 0; x < 3; ++x) {
     const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
     // (U K)_zy - (U K)_yz, off-diagonal entries of K (which are those of -J) first
-    n[x] -= s.U(z, x) * J(x, y);
-    n[x] += s.U(y, x) * J(x, z);
+    const double d = s.scale[x];
+    n[x] -= s.U(z, x) * times(d, J(x, y));
+    n[x] += s.U(y, x) * times(d, J(x, z));
     const Expr difference = squares[z] - squares[y];  // U_zz - U_yy
-    n[x] -= difference * J(y, z);
+    n[x] -= difference * times(d, J(y, z));
     switch (mass.forms[x]) {
       case MomentForm::pseudo_inertia:
-        n[x] += s.U(z, y) * K[y];
-        n[x] -= s.U(y, z) * K[z];
+        n[x] += s.U(z, y) * times(d, K[y]);
+        n[x] -= s.U(y, z) * times(d, K[z]);
         break;
       case MomentForm::inertia:
-        n[x] += s.al[x] * J(x, x);
-        n[x] += products[x] * (J(z, z) - J(y, y));
+        n[x] += s.al[x] * times(d, J(x, x));
+        n[x] += products[x] * times(d, J(z, z) - J(y, y));
         break;
     }
   }
@@ -64,8 +73,21 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
 }  // namespace
 
 ForceMoment inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph) {
-  const Vec3 rotational = rotational_moment(motion, mass, graph);
-  return {mass.mass * motion.acc + motion.U * mass.moment, rotational + cross(mass.moment, motion.acc)};
+  const Scale& d = motion.scale;
+  const Vec3& h = mass.moment;
+  ForceMoment out{{}, rotational_moment(motion, mass, graph)};
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+    Expr sum = motion.U(x, 0) * times(d[x], h[0]);
+    sum += motion.U(x, 1) * times(d[x], h[1]);
+    sum += motion.U(x, 2) * times(d[x], h[2]);
+    const Expr translational = times(d[x] * d[x], mass.mass) * motion.acc[x];
+    out.force[x] = translational + sum;
+    Expr lever = times(d[x] * d[z], h[y]) * motion.acc[z];
+    lever -= times(d[x] * d[y], h[z]) * motion.acc[y];
+    out.moment[x] += lever;
+  }
+  return out;
 }
 
 }  // namespace alembert

@@ -41,6 +41,8 @@ struct Passes {
   bool peeling = true;     ///< screws peeled off transforms (screw_peeling.hpp)
   bool placement = true;   ///< frames placed along the axes (rigid_links.hpp)
   bool regrouping = true;  ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
+  bool scaling = true;     ///< components scaled by constant turns (scaled_vectors.hpp)
+  double effort = 1;       ///< work spent on trying further choices of these, one after another; 0: none
 };
 
 /// Equations of motion by one formulation.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/formulations.hpp"
+#include "dynamics/scaled_vectors.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
@@ -133,9 +134,10 @@ std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& 
   return result;
 }
 
-/// Momentum (force-like f and moment n about the frame's origin).
+/// Momentum (force-like f and moment n about the frame's origin), as stored: scale times what it is.
 struct Wrench {
   Vec3 f, n;
+  Scale scale = kUnscaled;
 };
 
 }  // namespace
@@ -152,6 +154,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     composites[i] = {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)};
   }
 
+  const std::vector<Scale> scales = node_scales(tree);
   std::vector<Expr> M(nv * nv, graph.zero());
   const auto add = [&](const UnitMotion& x, const UnitMotion& y, bool same, Expr value) {
     for (const auto& [k, wk] : x.weights) {
@@ -177,17 +180,23 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
       for (std::size_t b = 0; b <= a; ++b) {
         add(units[i][a], units[i][b], a == b, dot(units[i][b].direction, linear ? momentum.f : momentum.n));
       }
+      // The first step is the one that the composite's own first moment makes: unscaled, it is shared.
+      bool begun = false;
       for (std::size_t j = i; tree.nodes[j].parent >= 0;) {
-        const Motion& motion = tree.nodes[j].motion;
-        if (motion.kind == MotionKind::translation) {
-          momentum.n = momentum.n + cross(motion.offset, momentum.f);
+        const MotionNode& at = tree.nodes[j];
+        begun = begun || (j != i && !at.partials.empty());
+        j = static_cast<std::size_t>(at.parent);
+        if (at.motion.kind == MotionKind::translation) {
+          momentum.n = momentum.n + scaled_cross(at.motion.offset, momentum.f, momentum.scale);
         } else {
-          momentum = {motion.to_parent(momentum.f), motion.to_parent(momentum.n)};
+          const Scale next = carried_inward(at, momentum.scale, scales[j], begun);
+          const ScaledTurn turn(at, next, momentum.scale, begun);
+          momentum = {turn.inward(momentum.f), turn.inward(momentum.n), next};
         }
-        j = static_cast<std::size_t>(tree.nodes[j].parent);
         const bool parent_linear = tree.nodes[j].motion.kind == MotionKind::translation;
         for (const UnitMotion& unit : units[j]) {
-          add(units[i][a], unit, false, dot(unit.direction, parent_linear ? momentum.f : momentum.n));
+          const Vec3 direction = scaled_by(inverse(momentum.scale), unit.direction);
+          add(units[i][a], unit, false, dot(direction, parent_linear ? momentum.f : momentum.n));
         }
       }
     }

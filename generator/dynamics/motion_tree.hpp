@@ -50,6 +50,7 @@ struct MotionNode {
   Vec3 velocity;      ///< angular velocity (rotations) or dt/dt (translations) relative to the parent frame
   Vec3 acceleration;  ///< its componentwise rate
   std::vector<int> bodies;
+  bool scaled = false;  ///< a constant turn after which vectors are stored scaled (scaled_vectors.hpp)
 };
 
 /// How a component of the moment of a body's inertia is written: both are equal, which is shorter depends on

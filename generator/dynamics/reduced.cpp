@@ -6,13 +6,14 @@ namespace alembert {
 
 namespace {
 
-FrameMotion next(const FrameMotion& from, const MotionNode& node, ExprGraph& g) {
+FrameMotion next(const FrameMotion& from, const MotionNode& node, const Scale& scale, ExprGraph& g) {
   if (node.motion.kind == MotionKind::translation) {
     // acc + U t + 2 om x tdot + tddot
     const Vec3 doubled = g.integer(2) * node.velocity;
+    const Scale back = inverse(scale);
     Vec3 acc = from.at(node.motion.offset);
-    acc = acc + cross(from.om, doubled);
-    acc = acc + node.acceleration;
+    acc = acc + scaled_by(back, cross(from.om, doubled));
+    acc = acc + scaled_by(back, node.acceleration);
     FrameMotion out = from;
     out.acc = acc;
     return out;
@@ -21,7 +22,7 @@ FrameMotion next(const FrameMotion& from, const MotionNode& node, ExprGraph& g) 
   const Vec3 om = node.motion.to_child(from.om);
   Vec3 al = node.motion.to_child(from.al) + cross(om, node.velocity);
   al = al + node.acceleration;
-  return {om + node.velocity, al, node.motion.to_child(from.acc)};
+  return {om + node.velocity, al, ScaledTurn(node, from.scale, scale).outward(from.acc), scale};
 }
 
 }  // namespace
@@ -34,9 +35,10 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
 
   std::vector<FrameMotion> motions;
   motions.reserve(count);
+  const std::vector<Scale> scales = node_scales(tree);
   for (const MotionNode& node : tree.nodes) {
     const FrameMotion& from = node.parent < 0 ? root : motions[static_cast<std::size_t>(node.parent)];
-    motions.push_back(next(from, node, graph));
+    motions.push_back(next(from, node, scales[motions.size()], graph));
   }
 
   // External wrenches are given in world axes: the world rotations of the nodes are made only if there are
@@ -50,7 +52,7 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
     }
   }
 
-  std::vector<Vec3> force(count, zero), moment(count, zero);
+  std::vector<Vec3> force(count, zero), moment(count, zero);  // as stored
   for (std::size_t i = 0; i < count; ++i) {
     const FrameMotion& s = motions[i];
     if (tree.masses[i].is_zero()) continue;
@@ -65,26 +67,29 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
     const Mat3 world_to_node = transpose(poses[i].rotation);
     const Vec3 f = world_to_node * wrench.force;
     const Vec3 c = center_at_node(mechanism.bodies[static_cast<std::size_t>(wrench.body)], place);
-    force[i] = force[i] - f;
-    moment[i] = moment[i] - (world_to_node * wrench.torque + cross(c, f));
+    force[i] = force[i] - scaled_by(scales[i], f);
+    moment[i] = moment[i] - scaled_by(scales[i], world_to_node * wrench.torque + cross(c, f));
   }
 
   std::vector<Expr> Q(static_cast<std::size_t>(mechanism.nv), graph.zero());
   for (std::size_t i = count; i-- > 0;) {
     const MotionNode& node = tree.nodes[i];
     const bool linear = node.motion.kind == MotionKind::translation;
+    const Scale& own = scales[i];
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
-      Q[static_cast<std::size_t>(partial.speed)] += dot(partial.direction, linear ? force[i] : moment[i]);
+      const Vec3 direction = scaled_by(inverse(own), partial.direction);
+      Q[static_cast<std::size_t>(partial.speed)] += dot(direction, linear ? force[i] : moment[i]);
     }
     if (node.parent < 0) continue;
     const std::size_t p = static_cast<std::size_t>(node.parent);
     if (linear) {
       force[p] = force[p] + force[i];
-      moment[p] = moment[p] + (moment[i] + cross(node.motion.offset, force[i]));
+      moment[p] = moment[p] + (moment[i] + scaled_cross(node.motion.offset, force[i], own));
     } else {
-      force[p] = force[p] + node.motion.to_parent(force[i]);
-      moment[p] = moment[p] + node.motion.to_parent(moment[i]);
+      const ScaledTurn turn(node, scales[p], own);
+      force[p] = force[p] + turn.inward(force[i]);
+      moment[p] = moment[p] + turn.inward(moment[i]);
     }
   }
   return Q;

@@ -2,96 +2,232 @@
 #include "dynamics/reduced_equations.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
 
 #include "dynamics/formulations.hpp"
 #include "dynamics/rigid_links.hpp"
+#include "dynamics/scaled_vectors.hpp"
+#include "program/passes.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
 
+/// Nodes of expressions that may be written down in trying choices, for an effort of 1: some tenths of a second.
+constexpr double kWork = 30'000;
+
 std::size_t weight(std::span<const Expr> values) {
   const ExprCount n = count_operations(values);
   return n.total() + n.trig;
 }
 
-/// Keeps the list of equal values with fewer operations; the first where they are equal.
-class Shortest {
- public:
-  void offer(std::vector<Expr> values) {
-    const std::size_t weight = alembert::weight(values);
-    if (!values_.empty() && weight >= weight_) return;
-    values_ = std::move(values);
-    weight_ = weight;
+/// How a tree of motions is to be written: on which tree it rests, and the choices that can be tried on it.
+struct Form {
+  const MotionTree* tree = nullptr;     ///< without links: this tree, ...
+  const RigidLinks* links = nullptr;    ///< ... otherwise these, ...
+  std::vector<Regrouping> regroupings;  ///< ... one for each
+  bool inertia_moments = false;         ///< all moments in the form MomentForm::inertia
+  std::vector<int> scaled;              ///< turns that are scaled
+};
+
+MotionTree tree_of(const Form& form, ExprGraph& graph) {
+  MotionTree tree = form.links != nullptr ? form.links->link_tree(form.regroupings, graph) : *form.tree;
+  if (form.inertia_moments) {
+    for (NodeMass& mass : tree.masses) mass.forms.fill(MomentForm::inertia);
   }
-  std::size_t weight() const { return weight_; }
-  std::vector<Expr> take() { return std::move(values_); }
+  mark_scaled(tree, form.scaled);
+  return tree;
+}
+
+/// Constant turns of a form that can be scaled: all of them, and without those of the first link, of whose force
+/// only the moment about one axis is wanted.
+std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
+  const MotionTree tree = tree_of(form, graph);
+  const std::vector<int> turns = scalable_turns(tree);
+  std::vector<int> later;
+  std::vector<int> moving;  // moving frames on the way to the world
+  for (const MotionNode& node : tree.nodes) {
+    const int before = node.parent < 0 ? 0 : moving[static_cast<std::size_t>(node.parent)];
+    moving.push_back(before + (node.partials.empty() ? 0 : 1));
+  }
+  std::copy_if(turns.begin(), turns.end(), std::back_inserter(later),
+               [&](int turn) { return moving[static_cast<std::size_t>(turn)] >= 2; });
+  std::vector<std::vector<int>> out;
+  if (!turns.empty()) out.push_back(turns);
+  if (!later.empty() && later != turns) out.push_back(later);
+  return out;
+}
+
+/// The shortest of the lists of equal values that forms give, and the form it came from.
+class Search {
+ public:
+  using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&);
+  Search(const Kinematics& kinematics, Equations equations)
+      : kinematics_(kinematics),
+        bindings_(symbol_bindings(kinematics.mechanism, kinematics.graph)),
+        equations_(equations) {}
+
+  bool offer(const Form& form) {
+    const MotionTree tree = tree_of(form, kinematics_.graph);
+    const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph);
+    std::vector<Expr> values = value_number(raw);
+    if (best_.empty()) small_ = weight(values) <= kSmall;
+    const std::size_t here = measure(values);
+    work_ += static_cast<double>(postorder(raw).size());
+    if (!best_.empty() && here >= least_) {
+      if (near_.size() < kNear && here <= least_ + least_ / 20) near_.push_back(std::move(values));
+      return false;
+    }
+    if (near_.size() < kNear && !best_.empty()) near_.push_back(std::move(best_));
+    best_ = std::move(values);
+    least_ = here;
+    form_ = form;
+    return true;
+  }
+
+  std::size_t measure(const std::vector<Expr>& values) const {
+    return small_ ? program_weight(values) : weight(values);
+  }
+  /// Keeps the shorter of two lists of equal values.
+  void keep_shorter(std::vector<Expr>& kept, std::vector<Expr> other) const {
+    if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
+  }
+
+  /// Operations of the optimised program, which is what counts in the end; for long lists it would take too long.
+  std::size_t program_weight(const std::vector<Expr>& values) const {
+    const std::array<OutputExpressions, 1> output{{{"values", static_cast<std::uint32_t>(values.size()), 1, values}}};
+    const OperationCount n = count(optimize(lower("candidate", output, bindings_)));
+    return n.mul + n.add + n.div + n.other + n.trig;
+  }
+
+  void offer_scaled() {
+    const Form from = form_;
+    for (const std::vector<int>& turns : scalings(from, kinematics_.graph)) {
+      Form scaled = from;
+      scaled.scaled = turns;
+      offer(scaled);
+    }
+  }
+
+  /// Tries one change after another, each kept where it gains, until none does or the work is done.
+  void refine(const Passes& passes, const std::vector<std::vector<Regrouping>>& candidates) {
+    // A trial of a long list takes all of the work and changes little of it.
+    if (!small_ && passes.effort <= 1) return;
+    const double limit = work_ + passes.effort * kWork;
+    const auto room = [&] { return work_ < limit; };
+    std::vector<int> turns;
+    if (passes.scaling) turns = scalable_turns(tree_of(form_, kinematics_.graph));
+    for (bool better = true; better && room();) {
+      better = false;
+      for (const int turn : turns) {
+        if (!room()) break;
+        Form other = form_;
+        const auto at = std::lower_bound(other.scaled.begin(), other.scaled.end(), turn);
+        if (at != other.scaled.end() && *at == turn) {
+          other.scaled.erase(at);
+        } else {
+          other.scaled.insert(at, turn);
+        }
+        better = offer(other) || better;
+      }
+      if (form_.links == nullptr) continue;
+      for (std::size_t i = form_.regroupings.size(); i-- > 0;) {
+        for (unsigned mask = 0; mask < 8 && room(); ++mask) {
+          Form other = form_;
+          for (std::size_t k = 0; k < 3; ++k) {
+            other.regroupings[i].forms[k] =
+                (mask >> k & 1u) != 0 ? MomentForm::inertia : MomentForm::pseudo_inertia;
+          }
+          if (other.regroupings[i].forms != form_.regroupings[i].forms) better = offer(other) || better;
+        }
+        if (candidates.empty()) continue;
+        for (const Regrouping& how : candidates[i]) {
+          if (!room()) break;
+          Form other = form_;
+          other.regroupings[i] = how;
+          other.regroupings[i].forms = form_.regroupings[i].forms;
+          better = offer(other) || better;
+        }
+      }
+    }
+  }
+
+  std::vector<Expr> best() const { return best_; }
+  /// The first lists that were hardly longer when they were found.
+  const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
 
  private:
-  std::vector<Expr> values_;
-  std::size_t weight_ = 0;
-};
+  static constexpr std::size_t kSmall = 3000;
+  static constexpr std::size_t kNear = 8;
 
-/// Trees of motions that describe the same dynamics, to be tried for Q and for M: as given, and with placed
-/// frames and regrouped inertias.
-struct ReducedTrees {
-  std::vector<MotionTree> force, mass;
+  const Kinematics& kinematics_;
+  std::vector<SymbolBinding> bindings_;
+  Equations equations_;
+  bool small_ = false;  ///< programs are counted, not expressions
+  Form form_;
+  std::vector<Expr> best_;
+  std::size_t least_ = ~std::size_t{0} / 4;
+  double work_ = 0;
+  std::vector<std::vector<Expr>> near_;
 };
-
-ReducedTrees reduced_trees(const Kinematics& kinematics, Passes passes) {
-  ReducedTrees trees;
-  const MotionTree& tree = passes.peeling && kinematics.peeled ? *kinematics.peeled : kinematics.tree;
-  const auto add_both_forms = [&](MotionTree given) {
-    trees.force.push_back(given);
-    for (NodeMass& mass : given.masses) mass.forms.fill(MomentForm::inertia);
-    trees.force.push_back(std::move(given));
-  };
-  add_both_forms(tree);
-  trees.mass.push_back(tree);
-  if (!passes.placement) return trees;
-  const std::optional<RigidLinks> links = RigidLinks::of(kinematics.mechanism, tree, kinematics.graph);
-  if (!links) return trees;
-  const std::vector<Regrouping> as_given(links->links().size());
-  add_both_forms(links->link_tree(as_given, kinematics.graph));
-  trees.mass.push_back(links->link_tree(as_given, kinematics.graph));
-  if (!passes.regrouping) return trees;
-  trees.force.push_back(links->link_tree(choose_regroupings(*links), kinematics.graph));
-  trees.mass.push_back(links->link_tree(minimal_regroupings(*links), kinematics.graph));
-  return trees;
-}
 
 }  // namespace
 
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes) {
   const Mechanism& mechanism = kinematics.mechanism;
   ExprGraph& graph = kinematics.graph;
-  const ReducedTrees trees = reduced_trees(kinematics, passes);
+  const MotionTree& tree = passes.peeling && kinematics.peeled ? *kinematics.peeled : kinematics.tree;
+  std::optional<RigidLinks> links;
+  if (passes.placement) links = RigidLinks::of(mechanism, tree, graph);
 
-  Shortest Q, M, c;
-  std::vector<std::vector<Expr>> all;
-  for (const MotionTree& tree : trees.force) {
-    all.push_back(value_number(reduced_inverse_dynamics(mechanism, tree, graph)));
-    Q.offer(all.back());
+  Search forces(kinematics, reduced_inverse_dynamics), masses(kinematics, composite_mass_matrix);
+  const auto offer_both_moments = [&](Form form) {
+    forces.offer(form);
+    form.inertia_moments = true;
+    forces.offer(form);
+  };
+  Form given;
+  given.tree = &tree;
+  offer_both_moments(given);
+  masses.offer(given);
+  RegroupingChoices choices;
+  if (links) {
+    Form placed;
+    placed.links = &*links;
+    placed.regroupings.resize(links->links().size());
+    offer_both_moments(placed);
+    masses.offer(placed);
+    if (passes.regrouping) {
+      choices = regrouping_choices(*links);
+      placed.regroupings = choices.chosen;
+      forces.offer(placed);
+      placed.regroupings = minimal_regroupings(*links);
+      masses.offer(placed);
+    }
   }
-  // The shortest c need not belong to the shortest Q, but a much longer one it does not.
-  for (const std::vector<Expr>& forces : all) {
-    if (weight(forces) <= Q.weight() + Q.weight() / 5)
-      c.offer(value_number(bias_by_substitution(mechanism, forces, graph)));
+  if (passes.scaling) {
+    forces.offer_scaled();
+    masses.offer_scaled();
   }
-  for (const MotionTree& tree : trees.mass)
-    M.offer(value_number(composite_mass_matrix(mechanism, tree, graph)));
+  forces.refine(passes, choices.candidates);
+  masses.refine(passes, {});
 
   EquationsOfMotion equations;
   equations.formulation = Formulation::reduced;
-  equations.Q = Q.take();
+  equations.Q = forces.best();
+  equations.M = masses.best();
   // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
   // speeds for the bodies.
   if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
-    M.offer(value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+    masses.keep_shorter(equations.M, value_number(coefficient_mass_matrix(mechanism, equations.Q)));
   }
-  equations.M = M.take();
-  equations.c = c.take();
+  // The shortest c need not belong to the shortest Q, but to a much longer one it does not.
+  forces.keep_shorter(equations.c, value_number(bias_by_substitution(mechanism, equations.Q, graph)));
+  for (const std::vector<Expr>& Q : forces.near_ones())
+    forces.keep_shorter(equations.c, value_number(bias_by_substitution(mechanism, Q, graph)));
   return equations;
 }
 

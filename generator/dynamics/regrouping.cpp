@@ -117,7 +117,7 @@ class RegroupingSearch {
  public:
   explicit RegroupingSearch(const RigidLinks& links) : links_(links), choices_(links.links().size()) {}
 
-  std::vector<Regrouping> run() {
+  RegroupingChoices run() {
     const std::size_t n = choices_.size();
     std::vector<std::vector<Regrouping>> candidates(n);
     std::vector<Matrix4d> inertias;
@@ -140,7 +140,7 @@ class RegroupingSearch {
     const RigidLinks::Flow flow = links_.flow(choices_);
     for (std::size_t i = 0; i < n; ++i)
       choices_[i].forms = best_forms(pattern(i, choices_[i], flow.splits[i]));
-    return choices_;
+    return {choices_, std::move(candidates)};
   }
 
  private:
@@ -269,6 +269,10 @@ class RegroupingSearch {
 }  // namespace
 
 std::vector<Regrouping> choose_regroupings(const RigidLinks& links) {
+  return RegroupingSearch(links).run().chosen;
+}
+
+RegroupingChoices regrouping_choices(const RigidLinks& links) {
   return RegroupingSearch(links).run();
 }
 

@@ -112,6 +112,12 @@ class RigidLinks {
 /// Chooses for each link how its inertia is written, by counting the operations it causes: coordinate descent
 /// over the entries that can be zeroed, "do nothing" included. Deterministic.
 std::vector<Regrouping> choose_regroupings(const RigidLinks& links);
+/// The same, and for each link the ways that were considered, the cheapest by its own cost first.
+struct RegroupingChoices {
+  std::vector<Regrouping> chosen;
+  std::vector<std::vector<Regrouping>> candidates;
+};
+RegroupingChoices regrouping_choices(const RigidLinks& links);
 
 /// Mass, first moment and one third of the inertia zeroed at each joint: what the composite-body mass matrix
 /// wants.

@@ -78,7 +78,8 @@ Candidate rewrite(ValueProgram values) {
   for (int round = 0; round < kRounds; ++round) {
     const bool factored = accept(factor_sums(values));
     const bool divided = accept(share_divisions(values));
-    if (!factored && !divided) break;
+    const bool bracketed = accept(share_products(values));
+    if (!factored && !divided && !bracketed) break;
   }
   return best;
 }

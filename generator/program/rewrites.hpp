@@ -22,4 +22,7 @@ std::optional<ValueProgram> factor_sums(const ValueProgram& program);
 /// -> (c*x)/y.
 std::optional<ValueProgram> share_divisions(const ValueProgram& program);
 
+/// a*(b*c), b*(a*d) -> p = a*b, p*c, p*d: products of several factors share pairs of them.
+std::optional<ValueProgram> share_products(const ValueProgram& program);
+
 }  // namespace alembert

@@ -15,6 +15,13 @@ Builder::Term Builder::factor(Ref x) {
   return {signed_as(kOne, x.negative()), magnitude(x)};
 }
 
+// c sin(x) or c cos(x) with a c that is no fraction. The vectors that such a pair turns share the products, so c
+// stays where it is.
+bool Builder::is_scaled_sine(Ref x) const {
+  const Node& n = node(x);
+  return n.op == Op::mul && op(n.a) == Op::real && (op(n.b) == Op::sin || op(n.b) == Op::cos);
+}
+
 Builder::Term Builder::term(Ref x) {
   const Node n = node(x);
   if (n.op == Op::div && n.a != kOne && constant(n.a) && (!n.constant || numeric(n.a))) {
@@ -54,7 +61,8 @@ Ref Builder::product(Ref a, Ref b) {
     return signed_as(intern_product(a, b), negative);
   }
   if (op(a) == Op::mul || op(b) == Op::mul) {
-    const Term ta = factor(a), tb = factor(b);
+    const Term ta = is_scaled_sine(a) ? Term{kOne, a} : factor(a);
+    const Term tb = is_scaled_sine(b) ? Term{kOne, b} : factor(b);
     if (ta.coefficient != kOne || tb.coefficient != kOne) {
       const Ref coefficient = product(ta.coefficient, tb.coefficient);
       // (c*x) * (d/y): the numerator takes c for nothing.

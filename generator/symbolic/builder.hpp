@@ -40,6 +40,7 @@ struct Builder {
   };
   Term factor(Ref x);
   Term term(Ref x);  ///< also of c/x, whose rest is 1/x
+  bool is_scaled_sine(Ref x) const;
 
   const Node& node(Ref x) const { return graph.nodes_[x.node()]; }
   Op op(Ref x) const { return node(x).op; }

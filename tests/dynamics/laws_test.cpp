@@ -10,6 +10,7 @@
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/rigid_links.hpp"
+#include "dynamics/scaled_vectors.hpp"
 
 namespace alembert::test {
 namespace {
@@ -106,8 +107,8 @@ TEST_P(Laws, BothMomentFormsAgree) {
   expect_equal(by(MomentForm::pseudo_inertia), by(MomentForm::inertia));
 }
 
-/// Peeling screws, placing frames and regrouping inertias change how Q and M are written, not what they are.
-TEST_P(Laws, PeeledPlacedAndRegroupedLinksGiveTheSameDynamics) {
+/// Peeling screws, placing frames, regrouping inertias and scaling vectors change how Q and M are written, not what they are.
+TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
   const std::vector<Expr> Q = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, *loaded.graph);
   const std::vector<Expr> M = composite_mass_matrix(*loaded.mechanism, kinematics.tree, *loaded.graph);
   const auto expect_same = [&](const MotionTree& tree) {
@@ -123,9 +124,13 @@ TEST_P(Laws, PeeledPlacedAndRegroupedLinksGiveTheSameDynamics) {
     const std::optional<RigidLinks> links = RigidLinks::of(*loaded.mechanism, tree, *loaded.graph);
     if (!links) continue;  // a constant depends on a runtime parameter: links stay as they are
     const std::vector<Regrouping> as_given(links->links().size());
-    expect_same(links->link_tree(as_given, *loaded.graph));
-    expect_same(links->link_tree(choose_regroupings(*links), *loaded.graph));
-    expect_same(links->link_tree(minimal_regroupings(*links), *loaded.graph));
+    for (const std::vector<Regrouping>& how :
+         {as_given, choose_regroupings(*links), minimal_regroupings(*links)}) {
+      MotionTree placed = links->link_tree(how, *loaded.graph);
+      expect_same(placed);
+      mark_scaled(placed, scalable_turns(placed));
+      expect_same(placed);
+    }
   }
 }
 

@@ -66,6 +66,35 @@ TEST(OperationCounts, AreThoseOfTheGoldenTable) {
     EXPECT_TRUE(now.contains(name)) << name << " is in the table but not in mechanisms/";
 }
 
+/// A pass only offers further ways to write the equations: with it there are never more operations.
+class Pass : public testing::TestWithParam<std::string> {};
+TEST_P(Pass, NeverCostsOperations) {
+  const auto operations = [](Passes passes) {
+    passes.effort = 0;
+    CompileOptions options;
+    options.formulation = Formulation::reduced;
+    options.functions = {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix};
+    options.passes = passes;
+    const CompiledMechanism compiled = compile_mechanism(read_source(GetParam()), options);
+    std::vector<std::size_t> sums;
+    for (const CompiledFunction& f : compiled.functions)
+      sums.push_back(f.count.mul + f.count.add + f.count.div + f.count.trig + f.count.other);
+    return sums;
+  };
+  Passes passes;
+  passes.peeling = passes.placement = passes.regrouping = passes.scaling = false;
+  std::vector<std::size_t> before = operations(passes);
+  for (bool Passes::*const pass :
+       {&Passes::placement, &Passes::regrouping, &Passes::scaling, &Passes::peeling}) {
+    passes.*pass = true;
+    const std::vector<std::size_t> now = operations(passes);
+    for (std::size_t i = 0; i < now.size(); ++i) EXPECT_LE(now[i], before[i]) << "function " << i;
+    before = now;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Catalogue, Pass, testing::ValuesIn(catalogue()),
+                         [](const auto& file) { return test_name(file.param); });
+
 /// Inverse dynamics is O(n): the operations of a generic revolute chain grow by the same number with each
 /// further link.
 TEST(OperationCounts, InverseDynamicsOfAChainIsLinear) {

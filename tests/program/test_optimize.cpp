@@ -67,6 +67,17 @@ TEST_F(Optimize, SharedProductsStay) {
   const auto ab = m.mul(a, b), ac = m.mul(a, c);
   EXPECT_EQ(arithmetic_of(m.returning({m.add(ab, ac), ab, ac})), (Counts{2, 1, 0, 0}));
 }
+TEST_F(Optimize, ProductsShareTheirPairs) {
+  // 3/7 a a, 3/7 a b, 3/7 b b: with 3/7 a and 3/7 b there are five products instead of six.
+  const auto k = m.constant(3.0 / 7);
+  EXPECT_EQ(arithmetic_of(m.returning(
+                {m.mul(k, m.mul(a, a)), m.mul(k, m.mul(a, b)), m.mul(k, m.mul(b, b))})),
+            (Counts{5, 0, 0, 0}));
+  // a b c, b (a d), x (y (b a)), in whatever order they are bracketed
+  EXPECT_EQ(arithmetic_of(m.returning(
+                {m.mul(a, m.mul(b, c)), m.mul(b, m.mul(a, d)), m.mul(x, m.mul(y, m.mul(b, a)))})),
+            (Counts{5, 0, 0, 0}));
+}
 TEST_F(Optimize, LikeTerms) {
   // 3x + x/2 - x = 2.5x; x + y - x = y
   const auto three = m.constant(3), half = m.constant(0.5);

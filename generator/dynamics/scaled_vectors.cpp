@@ -1,0 +1,202 @@
+// Scaled components of vectors (see the header).
+#include "dynamics/scaled_vectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+constexpr double kSmallCosine = 0.1;
+constexpr double kSmallestScale = 0x1p-16;  ///< beyond it a turn is done in full: floats have room for that
+
+double value_of(Expr constant) {
+  const std::array<Expr, 1> root{constant};
+  return evaluate(root, {})[0];
+}
+
+struct Axes {
+  std::size_t a, i, j;
+};
+Axes axes_of(const Motion& motion) {
+  const std::size_t a = static_cast<std::size_t>(motion.axis);
+  return {a, (a + 1) % 3, (a + 2) % 3};
+}
+
+bool is_quarter_turn(const Motion& motion) {
+  return motion.cosine.is_zero() || motion.sine.is_zero();
+}
+
+Scale scale_after(const MotionNode& node, const Scale& parent) {
+  const Motion& motion = node.motion;
+  switch (motion.kind) {
+    case MotionKind::translation:
+      return parent;
+    case MotionKind::rotation:
+      return kUnscaled;
+    case MotionKind::axis_rotation:
+      break;
+  }
+  const auto [a, i, j] = axes_of(motion);
+  Scale own = parent;
+  if (node.scaled) {
+    const double c = value_of(motion.cosine);
+    own[i] = c * parent[i];
+    own[j] = c * parent[j];
+  } else if (!node.partials.empty()) {
+    own[j] = own[i];
+  } else if (motion.cosine.is_zero()) {
+    std::swap(own[i], own[j]);
+  } else if (!motion.sine.is_zero()) {
+    own[i] = own[j] = 1;
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<int> scalable_turns(const MotionTree& tree) {
+  std::vector<int> out;
+  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
+    const MotionNode& node = tree.nodes[k];
+    const Motion& motion = node.motion;
+    if (motion.kind != MotionKind::axis_rotation || !node.partials.empty()) continue;
+    if (!motion.angle.is_constant() || is_quarter_turn(motion)) continue;
+    if (std::abs(value_of(motion.cosine)) >= kSmallCosine) out.push_back(static_cast<int>(k));
+  }
+  return out;
+}
+
+void mark_scaled(MotionTree& tree, const std::vector<int>& turns) {
+  for (MotionNode& node : tree.nodes) node.scaled = false;
+  for (const int k : turns) tree.nodes[static_cast<std::size_t>(k)].scaled = true;
+  std::vector<Scale> scales;
+  for (MotionNode& node : tree.nodes) {
+    const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
+    Scale own = scale_after(node, parent);
+    if (node.scaled && *std::min_element(own.begin(), own.end()) < kSmallestScale) {
+      node.scaled = false;
+      own = scale_after(node, parent);
+    }
+    scales.push_back(own);
+  }
+}
+
+std::vector<Scale> node_scales(const MotionTree& tree) {
+  std::vector<Scale> scales;
+  for (const MotionNode& node : tree.nodes) {
+    const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
+    scales.push_back(scale_after(node, parent));
+  }
+  return scales;
+}
+
+Vec3 ScaledTurn::outward(const Vec3& v) const {
+  const Motion& motion = node_.motion;
+  switch (motion.kind) {
+    case MotionKind::translation:
+      return v;
+    case MotionKind::rotation:
+      return motion.to_child(scaled_by(parent_, v));
+    case MotionKind::axis_rotation:
+      break;
+  }
+  const auto [a, i, j] = axes_of(motion);
+  Vec3 out = v;
+  if (scaled_) {
+    const double tangent = value_of(motion.sine) / value_of(motion.cosine);
+    out[i] = v[i] + times(tangent * (parent_[j] / parent_[i]), v[j]);
+    out[j] = v[j] - times(tangent * (parent_[i] / parent_[j]), v[i]);
+    return out;
+  }
+  const Expr ci = times(parent_[i] / own_[i], motion.cosine), sj = times(parent_[j] / own_[i], motion.sine);
+  const Expr cj = times(parent_[j] / own_[j], motion.cosine), si = times(parent_[i] / own_[j], motion.sine);
+  const Expr civ = ci * v[i], sjv = sj * v[j];
+  out[i] = civ + sjv;
+  const Expr cjv = cj * v[j], siv = si * v[i];
+  out[j] = cjv - siv;
+  return out;
+}
+
+Vec3 ScaledTurn::inward(const Vec3& v) const {
+  const Motion& motion = node_.motion;
+  switch (motion.kind) {
+    case MotionKind::translation:
+      return v;
+    case MotionKind::rotation:
+      return scaled_by(parent_, motion.to_parent(scaled_by(inverse(own_), v)));
+    case MotionKind::axis_rotation:
+      break;
+  }
+  const auto [a, i, j] = axes_of(motion);
+  Vec3 out = v;
+  if (scaled_) {
+    const double tangent = value_of(motion.sine) / value_of(motion.cosine);
+    out[i] = v[i] - times(tangent * (parent_[i] / parent_[j]), v[j]);
+    out[j] = v[j] + times(tangent * (parent_[j] / parent_[i]), v[i]);
+    return out;
+  }
+  const Expr ci = times(parent_[i] / own_[i], motion.cosine), sj = times(parent_[i] / own_[j], motion.sine);
+  const Expr cj = times(parent_[j] / own_[j], motion.cosine), si = times(parent_[j] / own_[i], motion.sine);
+  const Expr civ = ci * v[i], sjv = sj * v[j];
+  out[i] = civ - sjv;
+  const Expr siv = si * v[i], cjv = cj * v[j];
+  out[j] = siv + cjv;
+  return out;
+}
+
+Scale carried_inward(const MotionNode& node, const Scale& scale, const Scale& parent, bool begun) {
+  const Motion& motion = node.motion;
+  switch (motion.kind) {
+    case MotionKind::translation:
+      return scale;
+    case MotionKind::rotation:
+      return kUnscaled;
+    case MotionKind::axis_rotation:
+      break;
+  }
+  const auto [a, i, j] = axes_of(motion);
+  Scale out = scale;
+  if (node.scaled && begun) {
+    const double c = value_of(motion.cosine);
+    out[i] = scale[i] / c;
+    out[j] = scale[j] / c;
+  } else if (!node.partials.empty()) {
+    out[j] = begun ? scale[i] * (parent[j] / parent[i]) : scale[i];
+  } else if (motion.cosine.is_zero()) {
+    std::swap(out[i], out[j]);
+  } else if (!motion.sine.is_zero()) {
+    out[i] = out[j] = 1;
+  }
+  return out;
+}
+
+Expr times(double factor, Expr x) {
+  return factor == 1 || x.is_zero() ? x : x.graph().real(factor) * x;
+}
+
+Vec3 scaled_by(const Scale& factor, const Vec3& v) {
+  Vec3 out;
+  for (std::size_t k = 0; k < 3; ++k) out[k] = times(factor[k], v[k]);
+  return out;
+}
+
+Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale) {
+  Vec3 out;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+    const Expr first = times(scale[x] / scale[z], t[y]) * f[z];
+    const Expr second = times(scale[x] / scale[y], t[z]) * f[y];
+    out[x] = first - second;
+  }
+  return out;
+}
+
+Scale inverse(const Scale& scale) {
+  return {1 / scale[0], 1 / scale[1], 1 / scale[2]};
+}
+
+}  // namespace alembert

@@ -1,0 +1,215 @@
+// Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value program.
+// Out: the same values, with the pairs of factors that most products have in common multiplied once. See
+// rewrites.hpp.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "program/operation.hpp"
+#include "program/rewrites.hpp"
+
+namespace alembert {
+namespace {
+
+/// A node of the program, or, from `first_pair` on, a pair of factors.
+using Factor = std::uint32_t;
+using Pair = std::pair<Factor, Factor>;  ///< ascending
+
+class ProductSharing {
+ public:
+  explicit ProductSharing(const ValueProgram& from)
+      : from_(from), order_(live_order(from)), uses_(use_counts(from, order_)), image_(from.graph.size()) {}
+
+  std::optional<ValueProgram> run() {
+    collect();
+    if (!extract()) return std::nullopt;
+    to_.function = from_.function;
+    to_.formulation = from_.formulation;
+    to_.inputs = from_.inputs;
+    to_.graph.reserve(order_.size());
+    for (const std::uint32_t id : order_) image_[id] = rewrite(id);
+    to_.outputs = from_.outputs;
+    for (auto& output : to_.outputs)
+      for (Value& v : output.values) v = image(v);
+    return std::move(to_);
+  }
+
+ private:
+  static constexpr std::size_t kMaxFactors = 8;
+  using Monomial = std::vector<Factor>;  ///< ascending, with repetitions
+
+  Value image(Value v) const { return image_[v.node()].negated_if(v.negative()); }
+  bool is_product(std::uint32_t id) const { return from_.graph.node(id).op == Operation::mul; }
+  Factor first_pair() const { return from_.graph.size(); }
+
+  // The factors of every product that is used other than once in another product.
+  void collect() {
+    std::vector<char> inner(from_.graph.size(), 0);
+    for (const std::uint32_t id : order_) {
+      if (!is_product(id)) continue;
+      for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
+        if (uses_[operand.node()] == 1 && is_product(operand.node())) inner[operand.node()] = 1;
+      }
+    }
+    std::map<std::uint32_t, Monomial> parts;
+    for (const std::uint32_t id : order_) {
+      if (!is_product(id)) continue;
+      Monomial factors;
+      for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
+        const auto found = parts.find(operand.node());
+        if (found == parts.end() || !inner[operand.node()] || found->second.size() + factors.size() > kMaxFactors) {
+          factors.push_back(operand.node());
+        } else {
+          factors.insert(factors.end(), found->second.begin(), found->second.end());
+        }
+      }
+      std::sort(factors.begin(), factors.end());
+      parts.emplace(id, factors);
+    }
+    // A product that was taken in is still built where another one had no room for it.
+    monomial_of_.assign(from_.graph.size(), -1);
+    for (auto& [id, factors] : parts) {
+      monomial_of_[id] = static_cast<std::int64_t>(monomials_.size());
+      counted_.push_back(inner[id] == 0);
+      monomials_.push_back(std::move(factors));
+    }
+  }
+
+  static std::vector<Pair> pairs_of(const Monomial& factors) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      for (std::size_t j = i + 1; j < factors.size(); ++j) pairs.emplace_back(factors[i], factors[j]);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  /// Takes out the most frequent pair again and again. False if no product is bracketed otherwise than it was.
+  bool extract() {
+    struct Entry {
+      std::size_t count;
+      Pair pair;
+      bool operator<(const Entry& other) const {  // the most frequent first, then the earliest
+        return count != other.count ? count < other.count : pair > other.pair;
+      }
+    };
+    std::map<Pair, std::vector<std::uint32_t>> where;  // monomials, some of them out of date
+    std::map<Pair, std::size_t> counts;
+    std::priority_queue<Entry> queue;
+    const auto add = [&](std::uint32_t m) {
+      for (const Pair& pair : pairs_of(monomials_[m])) {
+        where[pair].push_back(m);
+        ++counts[pair];
+      }
+    };
+    for (std::uint32_t m = 0; m < monomials_.size(); ++m) {
+      if (counted_[m]) add(m);
+    }
+    for (const auto& [pair, count] : counts) {
+      if (count > 1) queue.push({count, pair});
+    }
+    bool any = false;
+    while (!queue.empty()) {
+      const Entry top = queue.top();
+      queue.pop();
+      const std::size_t count = counts[top.pair];
+      if (count < 2) continue;
+      if (count != top.count) {
+        queue.push({count, top.pair});
+        continue;
+      }
+      const Factor taken = first_pair() + static_cast<Factor>(pairs_.size());
+      pairs_.push_back(top.pair);
+      any = true;
+      const std::vector<std::uint32_t> places = std::move(where[top.pair]);
+      std::map<Pair, std::size_t> fresh;
+      for (const std::uint32_t m : places) {
+        Monomial& factors = monomials_[m];
+        Monomial rest = factors;
+        bool both = true;
+        for (const Factor f : {top.pair.first, top.pair.second}) {
+          const auto at = std::find(rest.begin(), rest.end(), f);
+          both = both && at != rest.end();
+          if (at != rest.end()) rest.erase(at);
+        }
+        if (!both) continue;
+        const std::vector<Pair> before = pairs_of(factors);
+        rest.push_back(taken);
+        factors = std::move(rest);
+        const std::vector<Pair> after = pairs_of(factors);
+        for (const Pair& pair : before) {
+          if (!std::binary_search(after.begin(), after.end(), pair)) --counts[pair];
+        }
+        for (const Pair& pair : after) {
+          if (std::binary_search(before.begin(), before.end(), pair)) continue;
+          where[pair].push_back(m);
+          ++fresh[pair];
+        }
+      }
+      for (const auto& [pair, more] : fresh) {
+        const std::size_t now = counts[pair] += more;
+        if (now > 1) queue.push({now, pair});
+      }
+    }
+    return any;
+  }
+
+  Value built(Factor factor) {
+    if (factor < first_pair()) return image_[factor];
+    const std::size_t p = factor - first_pair();
+    if (built_.size() < pairs_.size()) built_.resize(pairs_.size());
+    if (!built_[p]) {
+      const Value a = built(pairs_[p].first);
+      const Value b = built(pairs_[p].second);
+      built_[p] = to_.graph.make(Operation::mul, a, b);
+    }
+    return *built_[p];
+  }
+
+  Value rewrite(std::uint32_t id) {
+    const ValueNode& n = from_.graph.node(id);
+    ValueGraph& to = to_.graph;
+    if (n.op == Operation::constant) return to.constant(from_.graph.constant_value(Value(id, false)));
+    if (n.op == Operation::input) return to.input(n.a.bits);
+    if (n.op == Operation::mul) {
+      const std::size_t m = static_cast<std::size_t>(monomial_of_[id]);
+      if (counted_[m]) {
+        // The constant, which comes first in a product, last.
+        const Monomial& factors = monomials_[m];
+        Value product = built(factors.back());
+        for (std::size_t i = factors.size() - 1; i-- > 0;) {
+          const Value factor = built(factors[i]);
+          product = to.make(Operation::mul, product, factor);
+        }
+        return product;
+      }
+    }
+    const Value a = image(n.a);
+    const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
+    return to.make(n.op, a, b);
+  }
+
+  const ValueProgram& from_;
+  std::vector<std::uint32_t> order_, uses_;
+  std::vector<Monomial> monomials_;
+  std::vector<char> counted_;  ///< of each monomial: whether it is no part of another one
+  std::vector<std::int64_t> monomial_of_;
+  std::vector<Pair> pairs_;
+  std::vector<std::optional<Value>> built_;
+  std::vector<Value> image_;
+  ValueProgram to_;
+};
+
+}  // namespace
+
+std::optional<ValueProgram> share_products(const ValueProgram& program) {
+  return ProductSharing(program).run();
+}
+
+}  // namespace alembert
