@@ -71,13 +71,15 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
               if (pass == "scaling") common.passes.scaling = false;
             }
           },
-          "passes to leave out, separated by commas: peeling, placement (and regrouping with it), regrouping, "
+          "passes to leave out, separated by commas: peeling, placement (and regrouping with it), "
+          "regrouping, "
           "scaling")
       ->delimiter(',')
       ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling"}));
   command
-      ->add_option("--effort", common.passes.effort,
-                   "work spent on trying further choices for fewer operations, as a multiple of the usual; 0: none")
+      ->add_option(
+          "--effort", common.passes.effort,
+          "work spent on trying further choices for fewer operations, as a multiple of the usual; 0: none")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--verbose", common.verbose, "time, nodes and operations of each stage");

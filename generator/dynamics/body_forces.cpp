@@ -36,8 +36,8 @@ Vec3 FrameMotion::at(const Vec3& t) const {
 
 namespace {
 
-/// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may be
-/// written with J instead.
+/// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may
+/// be written with J instead.
 Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g) {
   const Mat3& J = mass.inertia;
   const Expr half = g.rational(Rational(1, 2));

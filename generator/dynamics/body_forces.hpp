@@ -13,8 +13,8 @@ namespace alembert {
 /// Motion of a frame and the products of its angular velocity, made once.
 struct FrameMotion {
   Vec3 om, al;
-  Vec3 acc;     ///< as stored: the acceleration is scale * acc
-  Scale scale;  ///< D (scaled_vectors.hpp)
+  Vec3 acc;                     ///< as stored: the acceleration is scale * acc
+  Scale scale;                  ///< D (scaled_vectors.hpp)
   Expr xx, yy, zz, xy, xz, yz;  ///< om om^T
   Mat3 U;                       ///< skew(al) + skew(om)^2
 

@@ -16,8 +16,9 @@ namespace alembert {
 
 namespace {
 
-/// Nodes of expressions that may be written down in trying choices, for an effort of 1: some tenths of a second.
-constexpr double kWork = 30'000;
+/// Nodes of expressions that may be written down in trying choices, for an effort of 1: some tenths of a
+/// second.
+constexpr double kWork = 100'000;
 
 std::size_t weight(std::span<const Expr> values) {
   const ExprCount n = count_operations(values);
@@ -42,8 +43,8 @@ MotionTree tree_of(const Form& form, ExprGraph& graph) {
   return tree;
 }
 
-/// Constant turns of a form that can be scaled: all of them, and without those of the first link, of whose force
-/// only the moment about one axis is wanted.
+/// Constant turns of a form that can be scaled: all of them, and without those of the first link, of whose
+/// force only the moment about one axis is wanted.
 std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
   const MotionTree tree = tree_of(form, graph);
   const std::vector<int> turns = scalable_turns(tree);
@@ -96,9 +97,11 @@ class Search {
     if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
   }
 
-  /// Operations of the optimised program, which is what counts in the end; for long lists it would take too long.
+  /// Operations of the optimised program, which is what counts in the end; for long lists it would take too
+  /// long.
   std::size_t program_weight(const std::vector<Expr>& values) const {
-    const std::array<OutputExpressions, 1> output{{{"values", static_cast<std::uint32_t>(values.size()), 1, values}}};
+    const std::array<OutputExpressions, 1> output{
+        {{"values", static_cast<std::uint32_t>(values.size()), 1, values}}};
     const OperationCount n = count(optimize(lower("candidate", output, bindings_)));
     return n.mul + n.add + n.div + n.other + n.trig;
   }
@@ -115,7 +118,7 @@ class Search {
   /// Tries one change after another, each kept where it gains, until none does or the work is done.
   void refine(const Passes& passes, const std::vector<std::vector<Regrouping>>& candidates) {
     // A trial of a long list takes all of the work and changes little of it.
-    if (!small_ && passes.effort <= 1) return;
+    if (least_ > kRefined && passes.effort <= 1) return;
     const double limit = work_ + passes.effort * kWork;
     const auto room = [&] { return work_ < limit; };
     std::vector<int> turns;
@@ -160,7 +163,7 @@ class Search {
   const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
 
  private:
-  static constexpr std::size_t kSmall = 3000;
+  static constexpr std::size_t kSmall = 3000, kRefined = 1000;
   static constexpr std::size_t kNear = 8;
 
   const Kinematics& kinematics_;

@@ -1,10 +1,10 @@
-// Scaled components: the tree of motions in, for each of its frames the factors by which components of vectors
-// in its axes are scaled out.
+// Scaled components: the tree of motions in, for each of its frames the factors by which components of
+// vectors in its axes are scaled out.
 //
 // A constant turn by alpha takes four multiplications a vector, x' = c x + s y, y' = c y - s x. Where the
 // components that come out stand for c x' and c y', two are enough: x' = x + (s/c) y, y' = y - (s/c) x. The
-// factors c are constants; they are absorbed in the constants that follow and, at the next moving rotation, in its
-// sine and cosine, once for all vectors that pass. Accelerations carry a = D a_stored; forces and
+// factors c are constants; they are absorbed in the constants that follow and, at the next moving rotation,
+// in its sine and cosine, once for all vectors that pass. Accelerations carry a = D a_stored; forces and
 // moments, which go the other way, f = D^-1 f_stored.
 #pragma once
 
@@ -18,18 +18,19 @@ namespace alembert {
 using Scale = std::array<double, 3>;
 inline constexpr Scale kUnscaled{1, 1, 1};
 
-/// D of each node, in its axes. Only nodes marked `scaled` begin one; a rotation that is neither marked nor about
-/// one axis ends it.
+/// D of each node, in its axes. Only nodes marked `scaled` begin one; a rotation that is neither marked nor
+/// about one axis ends it.
 std::vector<Scale> node_scales(const MotionTree& tree);
 
-/// Constant turns of a tree that may be scaled: by numbers that are no multiples of a right angle and whose cosines
-/// are not small.
+/// Constant turns of a tree that may be scaled: by numbers that are no multiples of a right angle and whose
+/// cosines are not small.
 std::vector<int> scalable_turns(const MotionTree& tree);
-/// Marks these nodes and no others as `scaled`, leaving out those whose factors would become too small for a float.
+/// Marks these nodes and no others as `scaled`, leaving out those whose factors would become too small for a
+/// float.
 void mark_scaled(MotionTree& tree, const std::vector<int>& turns);
 
-/// Vectors through one motion: from the parent's axes to the node's (outward: accelerations) and back (inward:
-/// forces, moments), scaled by D of the parent and of the node.
+/// Vectors through one motion: from the parent's axes to the node's (outward: accelerations) and back
+/// (inward: forces, moments), scaled by D of the parent and of the node.
 class ScaledTurn {
  public:
   /// `begun`: whether a node that is marked as scaled is to be taken as such.
@@ -52,8 +53,8 @@ Scale inverse(const Scale& scale);
 Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale);
 
 /// The scale of a force that is carried inward through a node from `scale`, where it need not be that of the
-/// accelerations: what it makes of a moving rotation's sine and cosine is what D of the parent asks for, if scaling
-/// has begun.
+/// accelerations: what it makes of a moving rotation's sine and cosine is what D of the parent asks for, if
+/// scaling has begun.
 Scale carried_inward(const MotionNode& node, const Scale& scale, const Scale& parent, bool begun);
 
 }  // namespace alembert

@@ -1,6 +1,6 @@
-// Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value program.
-// Out: the same values, with the pairs of factors that most products have in common multiplied once. See
-// rewrites.hpp.
+// Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value
+// program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
+// See rewrites.hpp.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -62,7 +62,8 @@ class ProductSharing {
       Monomial factors;
       for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
         const auto found = parts.find(operand.node());
-        if (found == parts.end() || !inner[operand.node()] || found->second.size() + factors.size() > kMaxFactors) {
+        if (found == parts.end() || !inner[operand.node()] ||
+            found->second.size() + factors.size() > kMaxFactors) {
           factors.push_back(operand.node());
         } else {
           factors.insert(factors.end(), found->second.begin(), found->second.end());
@@ -90,7 +91,8 @@ class ProductSharing {
     return pairs;
   }
 
-  /// Takes out the most frequent pair again and again. False if no product is bracketed otherwise than it was.
+  /// Takes out the most frequent pair again and again. False if no product is bracketed otherwise than it
+  /// was.
   bool extract() {
     struct Entry {
       std::size_t count;

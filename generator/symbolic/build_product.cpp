@@ -15,8 +15,8 @@ Builder::Term Builder::factor(Ref x) {
   return {signed_as(kOne, x.negative()), magnitude(x)};
 }
 
-// c sin(x) or c cos(x) with a c that is no fraction. The vectors that such a pair turns share the products, so c
-// stays where it is.
+// c sin(x) or c cos(x) with a c that is no fraction. The vectors that such a pair turns share the products,
+// so c stays where it is.
 bool Builder::is_scaled_sine(Ref x) const {
   const Node& n = node(x);
   return n.op == Op::mul && op(n.a) == Op::real && (op(n.b) == Op::sin || op(n.b) == Op::cos);

@@ -107,7 +107,8 @@ TEST_P(Laws, BothMomentFormsAgree) {
   expect_equal(by(MomentForm::pseudo_inertia), by(MomentForm::inertia));
 }
 
-/// Peeling screws, placing frames, regrouping inertias and scaling vectors change how Q and M are written, not what they are.
+/// Peeling screws, placing frames, regrouping inertias and scaling vectors change how Q and M are written,
+/// not what they are.
 TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
   const std::vector<Expr> Q = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, *loaded.graph);
   const std::vector<Expr> M = composite_mass_matrix(*loaded.mechanism, kinematics.tree, *loaded.graph);

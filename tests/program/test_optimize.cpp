@@ -70,12 +70,11 @@ TEST_F(Optimize, SharedProductsStay) {
 TEST_F(Optimize, ProductsShareTheirPairs) {
   // 3/7 a a, 3/7 a b, 3/7 b b: with 3/7 a and 3/7 b there are five products instead of six.
   const auto k = m.constant(3.0 / 7);
-  EXPECT_EQ(arithmetic_of(m.returning(
-                {m.mul(k, m.mul(a, a)), m.mul(k, m.mul(a, b)), m.mul(k, m.mul(b, b))})),
+  EXPECT_EQ(arithmetic_of(m.returning({m.mul(k, m.mul(a, a)), m.mul(k, m.mul(a, b)), m.mul(k, m.mul(b, b))})),
             (Counts{5, 0, 0, 0}));
   // a b c, b (a d), x (y (b a)), in whatever order they are bracketed
-  EXPECT_EQ(arithmetic_of(m.returning(
-                {m.mul(a, m.mul(b, c)), m.mul(b, m.mul(a, d)), m.mul(x, m.mul(y, m.mul(b, a)))})),
+  EXPECT_EQ(arithmetic_of(
+                m.returning({m.mul(a, m.mul(b, c)), m.mul(b, m.mul(a, d)), m.mul(x, m.mul(y, m.mul(b, a)))})),
             (Counts{5, 0, 0, 0}));
 }
 TEST_F(Optimize, LikeTerms) {

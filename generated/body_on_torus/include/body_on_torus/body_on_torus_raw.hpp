@@ -94,25 +94,25 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [3] is the result.
-/// Operations: 69 multiplications, 49 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 65 multiplications, 50 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [3 x 3] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 20 multiplications, 15 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 20 multiplications, 14 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-/// Operations: 61 multiplications, 42 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 57 multiplications, 40 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [3 x 3], symmetric and written in full, and c [3] are the results.
-/// Operations: 81 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 77 multiplications, 54 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

@@ -47,7 +47,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   using ::std::cos;
   const S q1 = q[1];  // q2
   const S t0 = cos(q1);
-  M[0] = S(0.25245) * t0 + S(0.48810999999999993);
+  M[0] = S(0.25245) * t0 + S(0.48811);
   const S t2 = S(0.126225) * t0 + S(0.08146499999999998);
   M[1] = t2;
   M[2] = t2;
@@ -86,7 +86,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t1 = sine[0];
   const S t2 = cosine[1];
   const S t3 = sine[1];
-  M[0] = S(0.25245) * t2 + S(0.48810999999999993);
+  M[0] = S(0.25245) * t2 + S(0.48811);
   const S t5 = S(0.126225) * t2 + S(0.08146499999999998);
   M[1] = t5;
   M[2] = t5;

@@ -54,27 +54,27 @@ extern const double four_bar_knee_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 125 multiplications, 77 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 118 multiplications, 77 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 53 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 45 multiplications, 35 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 114 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 109 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 141 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 131 multiplications, 89 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);
@@ -87,7 +87,7 @@ int four_bar_knee_coordinate_rates(const double* q, const double* qd, double* qd
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 63 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 58 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_energy(const double* q, const double* qd, double t, const double* parameters,
                          const double* wrenches, double* e);
@@ -107,7 +107,7 @@ int four_bar_knee_frame_poses(const double* q, double t, const double* parameter
 /* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 2 matrix J, row by row, such that J qd is
    its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
    prescribed in time adds. J [1 x 6 x 2] is the result.
-   Operations: 58 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,
                                   double* J);

@@ -107,7 +107,7 @@ int free_body_frame_poses(const double* q, double t, const double* parameters, c
 /* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
    its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
    prescribed in time adds. J [1 x 6 x 6] is the result.
-   Operations: 53 multiplications, 41 additions (reduced formulation).
+   Operations: 48 multiplications, 41 additions (reduced formulation).
  */
 int free_body_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);
 

@@ -130,7 +130,7 @@ void frame_poses(const S* q, const Inputs<S>& in, S* F);
 /// Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
 /// its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
 /// prescribed in time adds. J [1 x 6 x 6] is the result.
-/// Operations: 53 multiplications, 41 additions (reduced formulation).
+/// Operations: 48 multiplications, 41 additions (reduced formulation).
 template <class S>
 void frame_jacobians(const S* q, const Inputs<S>& in, S* J);
 

@@ -54,7 +54,7 @@ extern const double moving_base_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 62 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 59 multiplications, 39 additions, 8 sin/cos/tan (reduced formulation).
  */
 int moving_base_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                  const double* parameters, const double* wrenches, double* tau);
@@ -67,14 +67,14 @@ int moving_base_mass_matrix(const double* q, double t, const double* parameters,
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 59 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
  */
 int moving_base_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                      double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
  */
 int moving_base_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                      const double* wrenches, double* M, double* c);
@@ -87,7 +87,7 @@ int moving_base_coordinate_rates(const double* q, const double* qd, double* qdot
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 77 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
+   Operations: 74 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
  */
 int moving_base_energy(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* e);

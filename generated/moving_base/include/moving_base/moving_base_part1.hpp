@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::moving_base {
 
-// inverse_dynamics: 62 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 59 multiplications, 39 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -31,41 +31,41 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qdd0 = qdd[0];  // dd(q1)
   const S qdd1 = qdd[1];  // dd(q2)
   const S time = in.t;  // t
-  const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = time * (S(0.1) * time + S(0.4));
-  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
+  const S t0 = time * (S(0.1) * time + S(0.4));
+  const S t1 = q1 + S(0.09495170634275626);
+  const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
   const S t2 = cosine[0];
   const S t3 = sine[0];
   const S t4 = cosine[1];
   const S t5 = sine[1];
-  const S t6 = cosine[2];
-  const S t7 = sine[2];
-  const S t8 = sine[3];
-  const S t9 = cosine[4];
+  const S t6 = sine[2];
+  const S t7 = cosine[3];
+  const S t8 = cosine[4];
+  const S t9 = sine[4];
   const S t10 = S(0.2) * time + S(0.4);
-  const S t11 = t3 * t10;
-  const S t12 = S(0.2) * t2 - qd0 * t11;
+  const S t11 = t10 * t3;
+  const S t12 = S(0.2) * t2 - t11 * qd0;
   const S t13 = t2 * t10;
-  const S t14 = t4 * t13 - t5 * qd0;
+  const S t14 = t13 * t8 - t9 * qd0;
   const S t15 = qd1 - (t11 - qd1);
-  const S t16 = qdd0 * t4 + t5 * t12 + t14 * t15;
-  const S t17 = t6 * t8;
-  const S t18 = S(9.81) - S(2.312) * t9;
-  const S t19 = t11 * t13;
-  const S t20 = qdd0 - t19;
-  const S t21 = S(2.4276) * (t2 * t17) + t3 * t18 + S(0.5) * t20;
-  const S t22 = t4 * qd0 + t5 * t13;
-  const S t23 = qdd0 * t5 - (t4 * t12 - t15 * t22);
-  const S t24 = S(0.5) * (S(0.10547511554864493) * t16 + S(0.9159999999999999) * t21) + (t4 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t16 + S(0.10547511554864493) * t21) + t5 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t16));
-  const S t25 = S(2.4276) * (t3 * t17) - t2 * t18;
-  const S t26 = t11 * t11;
-  tau[0] = t24 + (S(0.007999999999999981) * t25 + (S(0.0018799999999999997) * (qdd0 + t19) - (S(0.03151999999999999) * t20 + (S(0.0020799999999999924) * (t26 - t13 * t13) + S(8.000000000000003e-05) * t3))));
-  const S t28 = qd0 * t13;
+  const S t16 = qdd0 * t8 + t9 * t12 + t14 * t15;
+  const S t17 = t8 * qd0 + t13 * t9;
+  const S t18 = qdd0 * t9 - (t8 * t12 - t15 * t17);
+  const S t19 = S(2.4276) * t6;
+  const S t20 = t4 * t19;
+  const S t21 = S(9.81) - S(2.312) * t7;
+  const S t22 = t2 * t20 + t3 * t21;
+  const S t23 = t13 * t11;
+  const S t24 = S(0.052737557774322465) * t16 + (t8 * (S(0.0012006741573033712) * t18 + S(0.0324070786516854) * t16 + S(0.10547511554864493) * (t22 - S(0.5) * (t23 - qdd0))) + t9 * (S(0.0008429213483146) * t18 + S(0.0012006741573033712) * t16));
+  const S t25 = t11 * t11;
+  const S t26 = t3 * t20 - t2 * t21;
+  tau[0] = t24 - (S(0.1956) * t23 - (S(0.19935999999999998) * qdd0 - (S(0.0020799999999999924) * (t25 - t13 * t13) + S(8.000000000000003e-05) * t3)) - (S(0.45799999999999996) * t22 + S(0.007999999999999981) * t26));
+  const S t28 = t13 * qd0;
   const S t29 = t28 + S(0.2) * t3;
-  const S t30 = S(0.10547511554864493) * (t5 * (t25 - S(0.5) * (t26 + qd0 * qd0)) + t4 * (S(0.5) * (t28 + t29) - S(2.4276) * (t8 * t7)));
-  tau[1] = S(0.0012006741573033712) * (t14 * t14 - t22 * t22) + S(0.03325) * (qdd1 - t29) - S(0.031564157303370796) * (t14 * t22) - t30;
+  const S t30 = S(0.10547511554864493) * (t9 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t8 * (S(0.5) * (t28 + t29) - t19 * t5));
+  tau[1] = S(0.0012006741573033712) * (t14 * t14 - t17 * t17) + S(0.03325) * (qdd1 - t29) - t14 * (S(0.031564157303370796) * t17) - t30;
 }
 
 // mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
@@ -75,15 +75,15 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   using ::std::sin;
   const S q1 = q[1];  // q2
   const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = sin(t0);
-  const S t2 = cos(t0);
-  M[0] = t1 * (S(0.0024013483146067423) * t2 - S(0.0315641573033708) * t1) + S(0.10547511554864493) * t2 + S(0.2317670786516854);
+  const S t1 = cos(t0);
+  const S t2 = sin(t0);
+  M[0] = S(0.10547511554864493) * t1 + t2 * (S(0.0024013483146067423) * t1 - S(0.0315641573033708) * t2) + S(0.23176707865168542);
   M[1] = S(0.0);
   M[2] = S(0.0);
   M[3] = S(0.03325);
 }
 
-// bias: 59 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
+// bias: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -93,43 +93,44 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
-  const S t0 = time * (S(0.1) * time + S(0.4));
-  const S t1 = q1 + S(0.09495170634275626);
-  const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
+  const S t0 = q1 + S(0.09495170634275626);
+  const S t1 = time * (S(0.1) * time + S(0.4));
+  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = sine[0];
-  const S t3 = cosine[0];
-  const S t4 = cosine[1];
-  const S t5 = sine[1];
-  const S t6 = sine[2];
-  const S t7 = cosine[3];
-  const S t8 = sine[4];
+  const S t2 = cosine[0];
+  const S t3 = sine[0];
+  const S t4 = sine[1];
+  const S t5 = cosine[1];
+  const S t6 = cosine[2];
+  const S t7 = sine[2];
+  const S t8 = sine[3];
   const S t9 = cosine[4];
-  const S t10 = S(0.2) * time + S(0.4);
-  const S t11 = t2 * t10;
-  const S t12 = S(0.2) * t3 - t11 * qd0;
-  const S t13 = t10 * t3;
-  const S t14 = t13 * t9 - qd0 * t8;
-  const S t15 = qd1 - (t11 - qd1);
-  const S t16 = t8 * t12 + t14 * t15;
-  const S t17 = t11 * t13;
-  const S t18 = t4 * t6;
-  const S t19 = S(9.81) - S(2.312) * t7;
-  const S t20 = S(0.5) * t17 - (S(2.4276) * (t3 * t18) + t2 * t19);
-  const S t21 = t9 * qd0 + t13 * t8;
-  const S t22 = t9 * t12 - t15 * t21;
-  const S t23 = S(0.5) * (S(0.10547511554864493) * t16 - S(0.9159999999999999) * t20) - (t8 * (S(0.0008429213483146) * t22 - S(0.0012006741573033712) * t16) + t9 * (S(0.0012006741573033712) * t22 - S(0.0324070786516854) * t16 + S(0.10547511554864493) * t20));
-  const S t24 = t11 * t11;
-  const S t25 = S(2.4276) * (t2 * t18) - t3 * t19;
-  c[0] = t23 - (S(0.0020799999999999924) * (t24 - t13 * t13) + S(8.000000000000003e-05) * t2 - S(0.03339999999999999) * t17 - S(0.007999999999999981) * t25);
-  const S t27 = t13 * qd0;
-  const S t28 = t27 + S(0.2) * t2;
-  const S t29 = S(0.03325) * t28 - S(0.0012006741573033712) * (t14 * t14 - t21 * t21) + S(0.031564157303370796) * (t14 * t21);
-  c[1] = S(-0.10547511554864493) * (t8 * (t25 - S(0.5) * (t24 + qd0 * qd0)) + t9 * (S(0.5) * (t27 + t28) - S(2.4276) * (t6 * t5))) - t29;
+  const S t10 = S(2.4276) * t8;
+  const S t11 = t6 * t10;
+  const S t12 = S(9.81) - S(2.312) * t9;
+  const S t13 = t2 * t11 + t3 * t12;
+  const S t14 = t3 * t11 - t2 * t12;
+  const S t15 = S(0.2) * time + S(0.4);
+  const S t16 = t3 * t15;
+  const S t17 = t2 * t15;
+  const S t18 = t16 * t17;
+  const S t19 = t16 * t16;
+  const S t20 = S(0.2) * t2 - qd0 * t16;
+  const S t21 = t5 * qd0 + t4 * t17;
+  const S t22 = qd1 - (t16 - qd1);
+  const S t23 = t5 * t20 - t21 * t22;
+  const S t24 = t5 * t17 - t4 * qd0;
+  const S t25 = t4 * t20 + t22 * t24;
+  const S t26 = t4 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t25) + t5 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t25 + S(0.10547511554864493) * (S(0.5) * t18 - t13)) - S(0.052737557774322465) * t25;
+  c[0] = S(0.45799999999999996) * t13 + S(0.007999999999999981) * t14 - (S(0.1956) * t18 + (S(0.0020799999999999924) * (t19 - t17 * t17) + S(8.000000000000003e-05) * t3)) - t26;
+  const S t28 = qd0 * t17;
+  const S t29 = t28 + S(0.2) * t3;
+  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t24 * t24 - t21 * t21) + t21 * (S(0.031564157303370796) * t24);
+  c[1] = S(-0.10547511554864493) * (t4 * (t14 - S(0.5) * (t19 + qd0 * qd0)) + t5 * (S(0.5) * (t28 + t29) - t10 * t7)) - t30;
 }
 
-// mass_matrix_and_bias: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -144,36 +145,37 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = sine[0];
-  const S t3 = cosine[0];
-  const S t4 = sine[1];
-  const S t5 = cosine[1];
+  const S t2 = cosine[0];
+  const S t3 = sine[0];
+  const S t4 = cosine[1];
+  const S t5 = sine[1];
   const S t6 = cosine[2];
   const S t7 = sine[2];
   const S t8 = sine[3];
   const S t9 = cosine[4];
-  M[0] = t4 * (S(0.0024013483146067423) * t5 - S(0.0315641573033708) * t4) + S(0.10547511554864493) * t5 + S(0.2317670786516854);
-  const S t11 = S(0.2) * time + S(0.4);
-  const S t12 = t2 * t11;
-  const S t13 = S(0.2) * t3 - t12 * qd0;
-  const S t14 = t11 * t3;
-  const S t15 = t5 * t14 - t4 * qd0;
-  const S t16 = qd1 - (t12 - qd1);
-  const S t17 = t4 * t13 + t15 * t16;
-  const S t18 = t12 * t14;
-  const S t19 = t6 * t8;
-  const S t20 = S(9.81) - S(2.312) * t9;
-  const S t21 = S(0.5) * t18 - (S(2.4276) * (t3 * t19) + t2 * t20);
-  const S t22 = t5 * qd0 + t4 * t14;
-  const S t23 = t5 * t13 - t16 * t22;
-  const S t24 = S(0.5) * (S(0.10547511554864493) * t17 - S(0.9159999999999999) * t21) - (t4 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t17) + t5 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t17 + S(0.10547511554864493) * t21));
-  const S t25 = t12 * t12;
-  const S t26 = S(2.4276) * (t2 * t19) - t3 * t20;
-  c[0] = t24 - (S(0.0020799999999999924) * (t25 - t14 * t14) + S(8.000000000000003e-05) * t2 - S(0.03339999999999999) * t18 - S(0.007999999999999981) * t26);
-  const S t28 = t14 * qd0;
-  const S t29 = t28 + S(0.2) * t2;
-  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t15 * t15 - t22 * t22) + S(0.031564157303370796) * (t15 * t22);
-  c[1] = S(-0.10547511554864493) * (t4 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t5 * (S(0.5) * (t28 + t29) - S(2.4276) * (t8 * t7))) - t30;
+  M[0] = S(0.10547511554864493) * t4 + t5 * (S(0.0024013483146067423) * t4 - S(0.0315641573033708) * t5) + S(0.23176707865168542);
+  const S t11 = S(2.4276) * t8;
+  const S t12 = t6 * t11;
+  const S t13 = S(9.81) - S(2.312) * t9;
+  const S t14 = t2 * t12 + t3 * t13;
+  const S t15 = t3 * t12 - t2 * t13;
+  const S t16 = S(0.2) * time + S(0.4);
+  const S t17 = t3 * t16;
+  const S t18 = t2 * t16;
+  const S t19 = t17 * t18;
+  const S t20 = t17 * t17;
+  const S t21 = S(0.2) * t2 - qd0 * t17;
+  const S t22 = t4 * qd0 + t5 * t18;
+  const S t23 = qd1 - (t17 - qd1);
+  const S t24 = t4 * t21 - t22 * t23;
+  const S t25 = t4 * t18 - t5 * qd0;
+  const S t26 = t5 * t21 + t23 * t25;
+  const S t27 = t5 * (S(0.0008429213483146) * t24 - S(0.0012006741573033712) * t26) + t4 * (S(0.0012006741573033712) * t24 - S(0.0324070786516854) * t26 + S(0.10547511554864493) * (S(0.5) * t19 - t14)) - S(0.052737557774322465) * t26;
+  c[0] = S(0.45799999999999996) * t14 + S(0.007999999999999981) * t15 - (S(0.1956) * t19 + (S(0.0020799999999999924) * (t20 - t18 * t18) + S(8.000000000000003e-05) * t3)) - t27;
+  const S t29 = qd0 * t18;
+  const S t30 = t29 + S(0.2) * t3;
+  const S t31 = S(0.03325) * t30 - S(0.0012006741573033712) * (t25 * t25 - t22 * t22) + t22 * (S(0.031564157303370796) * t25);
+  c[1] = S(-0.10547511554864493) * (t5 * (t15 - S(0.5) * (t20 + qd0 * qd0)) + t4 * (S(0.5) * (t29 + t30) - t11 * t7)) - t31;
   M[1] = S(0.0);
   M[2] = S(0.0);
   M[3] = S(0.03325);
@@ -188,7 +190,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 77 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
+// energy: 74 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -213,27 +215,29 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t9 = sine[4];
   const S t10 = cosine[4];
   const S t11 = t6 * t7;
-  const S t12 = S(0.2) * time + S(0.4);
-  const S t13 = t12 * t2;
-  const S t14 = S(0.714) * t11 + S(0.5) * t13;
-  const S t15 = t6 * t8;
-  const S t16 = S(0.714) * (t2 * t15) - S(0.34) * (t3 * t9);
-  const S t17 = t4 * t14 + t5 * t16;
-  const S t18 = S(0.34) * (t2 * t9) + S(0.714) * (t3 * t15);
-  const S t19 = t18 - S(0.5) * qd0;
-  const S t20 = t5 * t14 - t4 * t16;
-  const S t21 = t3 * t12;
-  const S t22 = t5 * qd0 + t21 * t4;
-  const S t23 = t5 * t21 - qd0 * t4;
-  const S t24 = qd1 - t13;
-  const S t25 = t13 * (S(0.00208) * t21 - (S(0.07308) * t13 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t13 - S(0.07416) * qd0) + t21 * (S(0.00208) * t13 - S(0.00228) * t21);
-  const S t26 = qd0 * (S(0.008) * t16 + S(0.208) * t18);
-  const S t27 = S(0.5) * (t22 * (S(0.0018) * t23 + S(0.03255) * t22) + S(0.03325) * (t24 * t24) + t23 * (S(0.0011) * t23 + S(0.0018) * t22) - t25) - t26;
-  const S t28 = t24 * (S(0.105) * t20 - S(0.01) * t17);
-  const S t29 = S(0.4) * (t18 * t18 + S(0.509796) * (t11 * t11) + t16 * t16) + (S(0.714) * (t11 * (S(0.208) * t13 - S(0.008) * t21)) + t27) - t28;
-  e[0] = S(0.25) * (t17 * t17 + (t19 * t19 + t20 * t20)) - (t19 * (S(0.105) * t22 + S(0.01) * t23) - t29);
-  const S t31 = S(0.05) * t10;
-  e[1] = S(4.905) * (t31 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t31 - (S(0.01) * t2 + S(0.26) * t3));
+  const S t12 = S(0.714) * t11;
+  const S t13 = S(0.2) * time + S(0.4);
+  const S t14 = t13 * t2;
+  const S t15 = t12 + S(0.5) * t14;
+  const S t16 = S(0.714) * (t6 * t8);
+  const S t17 = S(0.34) * t9;
+  const S t18 = t2 * t16 - t3 * t17;
+  const S t19 = t4 * t15 + t5 * t18;
+  const S t20 = t2 * t17 + t16 * t3;
+  const S t21 = t20 - S(0.5) * qd0;
+  const S t22 = t15 * t5 - t4 * t18;
+  const S t23 = t13 * t3;
+  const S t24 = t5 * qd0 + t4 * t23;
+  const S t25 = t5 * t23 - t4 * qd0;
+  const S t26 = t14 - qd1;
+  const S t27 = t14 * (S(0.00208) * t23 - (S(0.07308) * t14 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t14 - S(0.07416) * qd0) + t23 * (S(0.00208) * t14 - S(0.00228) * t23);
+  const S t28 = qd0 * (S(0.008) * t18 + S(0.208) * t20);
+  const S t29 = S(0.5) * (t24 * (S(0.0018) * t25 + S(0.03255) * t24) + t26 * (S(0.03325) * t26) + t25 * (S(0.0011) * t25 + S(0.0018) * t24) - t27) - t28;
+  const S t30 = t26 * (S(0.105) * t22 - S(0.01) * t19);
+  const S t31 = S(0.4) * (t20 * t20 + t11 * (S(0.509796) * t11) + t18 * t18) + (t12 * (S(0.208) * t14 - S(0.008) * t23) + t29) + t30;
+  e[0] = S(0.25) * (t19 * t19 + (t21 * t21 + t22 * t22)) - (t21 * (S(0.105) * t24 + S(0.01) * t25) - t31);
+  const S t33 = S(0.05) * t10;
+  e[1] = S(4.905) * (t33 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t33 - (S(0.01) * t2 + S(0.26) * t3));
 }
 
 // body_poses: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation).

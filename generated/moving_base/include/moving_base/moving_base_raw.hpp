@@ -92,7 +92,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
-/// Operations: 62 multiplications, 40 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 59 multiplications, 39 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -104,13 +104,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-/// Operations: 59 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 63 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
@@ -122,7 +122,7 @@ void coordinate_rates(const S* q, const S* qd, S* qdot);
 
 /// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
 /// e [2] is the result, in J.
-/// Operations: 77 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
+/// Operations: 74 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
 template <class S>
 void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
 

@@ -56,7 +56,7 @@ extern const double puma560_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 190 multiplications, 154 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 185 multiplications, 149 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);
@@ -69,14 +69,14 @@ int puma560_mass_matrix(const double* q, double t, const double* parameters, con
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 168 multiplications, 120 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                  double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 261 multiplications, 200 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 258 multiplications, 198 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);
@@ -109,7 +109,7 @@ int puma560_frame_poses(const double* q, double t, const double* parameters, con
 /* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
    its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
    prescribed in time adds. J [1 x 6 x 6] is the result.
-   Operations: 63 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);
 

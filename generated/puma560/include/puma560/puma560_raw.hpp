@@ -96,7 +96,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [6] is the result.
-/// Operations: 190 multiplications, 154 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 185 multiplications, 149 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -108,13 +108,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-/// Operations: 168 multiplications, 120 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [6 x 6], symmetric and written in full, and c [6] are the results.
-/// Operations: 261 multiplications, 200 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 258 multiplications, 198 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
@@ -145,7 +145,7 @@ void frame_poses(const S* q, const Inputs<S>& in, S* F);
 /// Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
 /// its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
 /// prescribed in time adds. J [1 x 6 x 6] is the result.
-/// Operations: 63 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void frame_jacobians(const S* q, const Inputs<S>& in, S* J);
 

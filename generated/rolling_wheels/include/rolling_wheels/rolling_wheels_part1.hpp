@@ -71,45 +71,41 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[1] = S(3.0833333333333335) * t29 - t28;
 }
 
-// mass_matrix: 41 multiplications, 28 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix: 39 multiplications, 26 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S t0 = S(4.0) * q0;
-  const S t1 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S t0 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S t1 = S(4.0) * q0;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
   const S t2 = sine[0];
   const S t3 = cosine[0];
-  const S t4 = cosine[1];
-  const S t5 = sine[1];
-  const S t6 = cosine[2];
-  const S t7 = sine[2];
+  const S t4 = sine[1];
+  const S t5 = cosine[1];
+  const S t6 = sine[2];
+  const S t7 = cosine[2];
   const S t8 = cosine[3];
   const S t9 = sine[3];
-  const S t10 = t2 * t6 - t7 * t3;
-  const S t11 = t6 * t3 + t2 * t7;
-  const S t12 = t11 + S(1.48) * t4;
-  const S t13 = t10 + S(1.48) * t5;
-  const S t14 = S(0.0015143315356948757) * (t12 * t8 + t13 * t9) + S(0.006043680000000001);
-  const S t15 = S(0.006057326142779503) * t9 + S(0.21) * t13;
-  const S t16 = S(0.006057326142779503) * t8 + S(0.21) * t12;
-  const S t17 = S(0.37) * (t5 * t15 + t4 * t16);
-  const S t18 = t16 + S(0.12);
-  const S t19 = S(0.078) - t15;
-  const S t20 = t3 * (t6 * t18 + t7 * t19 + S(1.5) * t3) - t2 * (t6 * t19 - t7 * t18 - S(1.5) * t2);
-  M[0] = S(4.0) * (S(0.267414) - (S(0.0195) * t10 - S(0.03) * t11) + (t14 + t17)) + t20;
-  const S t22 = t17 + S(3.0833333333333335) * t14;
-  M[1] = t22;
-  M[2] = t22;
-  const S t23 = S(0.37) * (t4 * (S(0.004669188901725867) * t8 + S(0.0777) * t4) + t5 * (S(0.0777) * t5 + S(0.004669188901725867) * t9));
-  M[3] = S(3.0833333333333335) * (S(0.000560302668207104) * (t4 * t8 + t5 * t9) + S(0.004658670000000001)) + t23;
+  const S t10 = S(0.0015143315356948757) * t6;
+  const S t11 = S(0.0015143315356948757) * t7;
+  const S t12 = S(0.0195) - (t10 + S(0.0777) * t4);
+  const S t13 = t11 + S(0.0777) * t5 + S(0.03);
+  const S t14 = S(8.0) * (t2 * (t8 * t12 - t9 * t13) - t3 * (t8 * t13 + t12 * t9));
+  M[0] = S(16.0) * (S(0.74) * (t4 * (S(0.03885) * t4 + t10) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) - t14 + S(1.71);
+  const S t16 = t4 * t10 + t5 * t11;
+  const S t17 = S(0.37) * t16;
+  const S t18 = S(3.0833333333333335) * (t3 * (t10 * t9 - t11 * t8) - t2 * (t10 * t8 + t11 * t9)) - (S(4.0) * (t17 + S(0.028749)) + S(12.333333333333334) * (t17 + S(0.0015109200000000002)));
+  const S t19 = S(-0.0777) * (t3 * (t4 * t9 - t5 * t8) - t2 * (t4 * t8 + t5 * t9)) - t18;
+  M[1] = t19;
+  M[2] = t19;
+  M[3] = S(2.2816666666666667) * t16 + S(0.0431132325);
 }
 
-// bias: 50 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
+// bias: 49 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -138,17 +134,17 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t11 = t3 * t10;
   const S t12 = t6 * f0 + f1 * t7;
   const S t13 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
-  const S t14 = t13 * t13;
+  const S t14 = S(0.0015143315356948757) * (t13 * t13);
   const S t15 = S(9.81) - t2 * t10;
   const S t16 = t11 * t6 - t7 * t15;
   const S t17 = S(5.92) * t10 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
   const S t18 = t16 + t17 * t4;
-  const S t19 = S(0.0015143315356948757) * (t8 * t14) + S(0.21) * t18;
+  const S t19 = t8 * t14 + S(0.21) * t18;
   const S t20 = t12 + S(0.48) * t10 + t19;
   const S t21 = t6 * f1 - f0 * t7;
   const S t22 = t11 * t7 + t6 * t15;
   const S t23 = t17 * t5 - t22;
-  const S t24 = S(0.0015143315356948757) * (t14 * t9) + S(0.21) * t23;
+  const S t24 = t14 * t9 + S(0.21) * t23;
   const S t25 = S(0.312) * t10 - t21 - t24;
   const S t26 = S(0.37) * (t4 * t24 - t19 * t5);
   const S t27 = t8 * t23 - t18 * t9;
@@ -157,7 +153,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = S(-0.004669188901725867) * t27 - t26;
 }
 
-// mass_matrix_and_bias: 89 multiplications, 59 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 85 multiplications, 57 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -169,57 +165,53 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S f0 = in.wrenches[0];  // wrench(wheel).fx
   const S f1 = in.wrenches[1];  // wrench(wheel).fy
   const S f5 = in.wrenches[5];  // wrench(wheel).tz
-  const S t0 = S(4.0) * q0;
-  const S t1 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S t0 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S t1 = S(4.0) * q0;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t2 = sine[0];
-  const S t3 = cosine[0];
+  const S t2 = cosine[0];
+  const S t3 = sine[0];
   const S t4 = sine[1];
   const S t5 = cosine[1];
-  const S t6 = cosine[2];
-  const S t7 = sine[2];
-  const S t8 = sine[3];
-  const S t9 = cosine[3];
-  const S t10 = t3 * t7 - t2 * t6;
-  const S t11 = S(1.48) * t4 - t10;
-  const S t12 = S(0.006057326142779503) * t8 + S(0.21) * t11;
-  const S t13 = S(0.078) - t12;
-  const S t14 = t2 * t7 + t6 * t3;
-  const S t15 = S(1.48) * t5 + t14;
-  const S t16 = S(0.006057326142779503) * t9 + S(0.21) * t15;
-  const S t17 = t16 + S(0.12);
-  const S t18 = S(0.37) * (t4 * t12 + t5 * t16);
-  const S t19 = S(0.0015143315356948757) * (t9 * t15 + t8 * t11) + S(0.006043680000000001);
-  const S t20 = S(4.0) * (t18 + t19 + (S(0.0195) * t10 + S(0.03) * t14 + S(0.267414)));
-  M[0] = t2 * (S(1.5) * t2 - (t6 * t13 - t7 * t17)) + t3 * (t7 * t13 + t6 * t17 + S(1.5) * t3) + t20;
-  const S t22 = t18 + S(3.0833333333333335) * t19;
-  M[1] = t22;
-  M[2] = t22;
-  const S t23 = S(0.37) * (t5 * (S(0.004669188901725867) * t9 + S(0.0777) * t5) + t4 * (S(0.0777) * t4 + S(0.004669188901725867) * t8));
-  M[3] = S(3.0833333333333335) * (S(0.000560302668207104) * (t9 * t5 + t8 * t4) + S(0.004658670000000001)) + t23;
-  const S t25 = qd0 * qd0;
-  const S t26 = t3 * t25;
-  const S t27 = t6 * f0 + t7 * f1;
-  const S t28 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
-  const S t29 = t28 * t28;
-  const S t30 = S(9.81) - t2 * t25;
-  const S t31 = t6 * t26 - t7 * t30;
-  const S t32 = S(5.92) * t25 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
-  const S t33 = t31 + t5 * t32;
-  const S t34 = S(0.0015143315356948757) * (t9 * t29) + S(0.21) * t33;
-  const S t35 = t27 + S(0.48) * t25 + t34;
-  const S t36 = t6 * f1 - t7 * f0;
-  const S t37 = t7 * t26 + t6 * t30;
-  const S t38 = t4 * t32 - t37;
-  const S t39 = S(0.0015143315356948757) * (t8 * t29) + S(0.21) * t38;
-  const S t40 = S(0.312) * t25 - t36 - t39;
-  const S t41 = S(0.37) * (t5 * t39 - t4 * t34);
-  const S t42 = t9 * t38 - t8 * t33;
-  const S t43 = S(4.0) * (f5 + (S(0.013) * t27 + S(0.02) * t36) + (S(0.0195) * t31 - S(0.03) * t37) + (t41 + S(0.0015143315356948757) * t42));
-  c[0] = t2 * (S(1.5) * t26 + (t6 * t35 + t7 * t40)) + t3 * (S(1.5) * t30 - (t7 * t35 - t6 * t40)) - t43;
-  c[1] = S(-0.004669188901725867) * t42 - t41;
+  const S t6 = sine[2];
+  const S t7 = cosine[2];
+  const S t8 = cosine[3];
+  const S t9 = sine[3];
+  const S t10 = S(0.0015143315356948757) * t6;
+  const S t11 = S(0.0015143315356948757) * t7;
+  const S t12 = t11 + S(0.0777) * t5 + S(0.03);
+  const S t13 = S(0.0195) - (t10 + S(0.0777) * t4);
+  const S t14 = S(8.0) * (t2 * (t8 * t12 + t13 * t9) - t3 * (t8 * t13 - t12 * t9));
+  M[0] = S(16.0) * (S(0.74) * (t4 * (t10 + S(0.03885) * t4) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) + t14 + S(1.71);
+  const S t16 = t4 * t10 + t5 * t11;
+  const S t17 = S(0.37) * t16;
+  const S t18 = S(3.0833333333333335) * (t2 * (t11 * t8 - t10 * t9) + t3 * (t11 * t9 + t10 * t8)) + (S(4.0) * (t17 + S(0.028749)) + S(12.333333333333334) * (t17 + S(0.0015109200000000002)));
+  const S t19 = t18 + S(0.0777) * (t3 * (t5 * t9 + t4 * t8) + t2 * (t5 * t8 - t4 * t9));
+  M[1] = t19;
+  M[2] = t19;
+  M[3] = S(2.2816666666666667) * t16 + S(0.0431132325);
+  const S t21 = qd0 * qd0;
+  const S t22 = S(9.81) - t3 * t21;
+  const S t23 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
+  const S t24 = t23 * t23;
+  const S t25 = t2 * t21;
+  const S t26 = t8 * t25 - t9 * t22;
+  const S t27 = S(5.92) * t21 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
+  const S t28 = t26 + t5 * t27;
+  const S t29 = t11 * t24 + S(0.21) * t28;
+  const S t30 = t8 * f0 + t9 * f1;
+  const S t31 = t29 + (t30 + S(0.48) * t21);
+  const S t32 = t9 * t25 + t8 * t22;
+  const S t33 = t32 - t4 * t27;
+  const S t34 = t10 * t24 - S(0.21) * t33;
+  const S t35 = t8 * f1 - t9 * f0;
+  const S t36 = t34 + (t35 - S(0.312) * t21);
+  const S t37 = t7 * t33 + t6 * t28;
+  const S t38 = S(0.37) * (t5 * t34 - t4 * t29);
+  const S t39 = S(4.0) * (f5 + (S(0.013) * t30 + S(0.02) * t35) + (S(0.0195) * t26 - S(0.03) * t32) - (S(0.0015143315356948757) * t37 - t38));
+  c[0] = t2 * (S(1.5) * t22 - (t9 * t31 + t8 * t36)) + t3 * (S(1.5) * t25 + (t8 * t31 - t9 * t36)) - t39;
+  c[1] = S(0.004669188901725867) * t37 - t38;
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).

@@ -98,19 +98,19 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 41 multiplications, 28 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 39 multiplications, 26 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-/// Operations: 50 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 49 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 89 multiplications, 59 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 85 multiplications, 57 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

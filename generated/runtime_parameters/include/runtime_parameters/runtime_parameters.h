@@ -54,28 +54,28 @@ extern const double runtime_parameters_default_parameters[4 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 37 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 35 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
  */
 int runtime_parameters_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                         const double* parameters, const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 11 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
  */
 int runtime_parameters_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                    double* M);
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 30 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 28 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
  */
 int runtime_parameters_bias(const double* q, const double* qd, double t, const double* parameters,
                             const double* wrenches, double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 38 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 33 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
  */
 int runtime_parameters_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);
@@ -88,7 +88,7 @@ int runtime_parameters_coordinate_rates(const double* q, const double* qd, doubl
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 21 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 20 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
  */
 int runtime_parameters_energy(const double* q, const double* qd, double t, const double* parameters,
                               const double* wrenches, double* e);

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::runtime_parameters {
 
-// inverse_dynamics: 37 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 35 multiplications, 18 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -45,14 +45,15 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t8 = S(0.3) * t7 + t0 * p0;
   const S t9 = t0 * (t2 * (qd1 * qd1 + t3 * t3) - p1 * (S(0.3) * t4 - p0 * t1)) - t1 * (t2 * (qdd1 - t6) + p1 * t8);
   const S t10 = qd1 * t5;
-  const S t11 = p3 + p1 * (p2 * p2);
-  const S t12 = t11 - S(0.025) * p3;
-  const S t13 = t0 * (S(0.3) * (t2 * (qd0 * qd0)) + ((t4 + t10) * t11 + t10 * t12)) + S(0.025) * (t1 * (p3 * (t7 - qd1 * t3)));
-  tau[0] = S(0.01376) * qdd0 - (S(0.3) * t9 - t13);
-  tau[1] = t2 * t8 + (qdd1 * t11 - t6 * t12);
+  const S t11 = p3 + p2 * t2;
+  const S t12 = S(0.025) * p3;
+  const S t13 = t11 - t12;
+  const S t14 = S(0.3) * t9 - (t0 * (t2 * (qd0 * (S(0.3) * qd0)) + ((t4 + t10) * t11 + t10 * t13)) + t1 * (t12 * (t7 - qd1 * t3)));
+  tau[0] = S(0.01376) * qdd0 - t14;
+  tau[1] = t2 * t8 + (qdd1 * t11 - t6 * t13);
 }
 
-// mass_matrix: 11 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
+// mass_matrix: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
@@ -63,15 +64,16 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
-  const S t2 = p3 + p1 * (p2 * p2);
-  M[3] = t2;
-  M[0] = t0 * (t0 * t2) + S(0.025) * (t1 * (p3 * t1)) + S(0.09) * p1 + S(0.01376);
-  const S t4 = S(0.3) * (t1 * (p1 * p2));
-  M[1] = t4;
-  M[2] = t4;
+  const S t2 = p1 * p2;
+  const S t3 = p3 + p2 * t2;
+  M[3] = t3;
+  M[0] = t0 * (t0 * t3) + p3 * (t1 * (S(0.025) * t1)) + S(0.09) * p1 + S(0.01376);
+  const S t5 = t1 * (S(0.3) * t2);
+  M[1] = t5;
+  M[2] = t5;
 }
 
-// bias: 30 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
+// bias: 28 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -88,17 +90,18 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t1 = cos(q1);
   const S t2 = p2 * p1;
   const S t3 = qd0 * t1;
-  const S t4 = p3 + p1 * (p2 * p2);
-  const S t5 = t4 - S(0.025) * p3;
-  const S t6 = t0 * qd0;
-  const S t7 = t3 * t6;
-  const S t8 = t0 * p0;
-  const S t9 = S(0.3) * (t1 * (t2 * t7 - p1 * t8) + t0 * (t2 * (qd1 * qd1 + t6 * t6) + p1 * (t1 * p0)));
-  c[0] = t0 * (S(0.3) * (t2 * (qd0 * qd0)) + qd1 * t3 * (t4 + t5)) - S(0.025) * (t1 * (p3 * (qd1 * t6))) - t9;
-  c[1] = t2 * t8 - t5 * t7;
+  const S t4 = p3 + p2 * t2;
+  const S t5 = S(0.025) * p3;
+  const S t6 = t4 - t5;
+  const S t7 = t0 * qd0;
+  const S t8 = t3 * t7;
+  const S t9 = t0 * p0;
+  const S t10 = S(0.3) * (t1 * (t2 * t8 - p1 * t9) + t0 * (t2 * (qd1 * qd1 + t7 * t7) + p1 * (t1 * p0)));
+  c[0] = t0 * (t2 * (qd0 * (S(0.3) * qd0)) + qd1 * (t3 * (t4 + t6))) - qd1 * (t1 * (t5 * t7)) - t10;
+  c[1] = t2 * t9 - t6 * t8;
 }
 
-// mass_matrix_and_bias: 38 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 33 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -113,21 +116,24 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
-  const S t2 = p3 + p1 * (p2 * p2);
-  M[3] = t2;
-  M[0] = t0 * (t0 * t2) + S(0.025) * (t1 * (p3 * t1)) + S(0.09) * p1 + S(0.01376);
-  const S t4 = p1 * p2;
-  const S t5 = S(0.3) * (t1 * t4);
-  M[1] = t5;
-  M[2] = t5;
-  const S t6 = t1 * qd0;
-  const S t7 = t2 - S(0.025) * p3;
-  const S t8 = t0 * qd0;
-  const S t9 = t6 * t8;
-  const S t10 = t0 * p0;
-  const S t11 = S(0.3) * (t1 * (t4 * t9 - p1 * t10) + t0 * (t4 * (qd1 * qd1 + t8 * t8) + p1 * (t1 * p0)));
-  c[0] = t0 * (S(0.3) * (t4 * (qd0 * qd0)) + qd1 * t6 * (t2 + t7)) - S(0.025) * (t1 * (p3 * (qd1 * t8))) - t11;
-  c[1] = t4 * t10 - t7 * t9;
+  const S t2 = p1 * p2;
+  const S t3 = p3 + p2 * t2;
+  M[3] = t3;
+  const S t4 = S(0.025) * p3;
+  const S t5 = t1 * t4;
+  M[0] = t0 * (t0 * t3) + t1 * t5 + S(0.09) * p1 + S(0.01376);
+  const S t7 = S(0.3) * t2;
+  const S t8 = t1 * t7;
+  M[1] = t8;
+  M[2] = t8;
+  const S t9 = t1 * qd0;
+  const S t10 = t3 - t4;
+  const S t11 = t0 * qd0;
+  const S t12 = t9 * t11;
+  const S t13 = t0 * p0;
+  const S t14 = S(0.3) * (t1 * (t2 * t12 - p1 * t13) + t0 * (t2 * (qd1 * qd1 + t11 * t11) + p1 * (t1 * p0)));
+  c[0] = t0 * (qd0 * (t7 * qd0) + qd1 * (t9 * (t3 + t10))) - qd1 * (t5 * t11) - t14;
+  c[1] = t2 * t13 - t10 * t12;
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
@@ -139,7 +145,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 21 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
+// energy: 20 multiplications, 6 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -155,11 +161,12 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t0 = cos(q1);
   const S t1 = sin(q1);
   const S t2 = qd0 * t0;
-  const S t3 = qd0 * t1;
-  const S t4 = qd0 * qd0;
-  const S t5 = S(0.00688) * t4 + p1 * (S(0.045) * t4 + S(0.3) * (p2 * (t2 * qd1)));
-  e[0] = S(0.5) * (S(0.025) * (t2 * (t2 * p3)) + (p3 + p1 * (p2 * p2)) * (t3 * t3 + qd1 * qd1)) + t5;
-  e[1] = -(p1 * (p0 * (t0 * p2)));
+  const S t3 = p1 * p2;
+  const S t4 = qd0 * t1;
+  const S t5 = qd0 * qd0;
+  const S t6 = S(0.00688) * t5 + p1 * (S(0.045) * t5 + t2 * (p2 * (S(0.3) * qd1)));
+  e[0] = S(0.5) * (t2 * (t2 * (S(0.025) * p3)) + (p3 + p2 * t3) * (t4 * t4 + qd1 * qd1)) + t6;
+  e[1] = -(t0 * (t3 * p0));
 }
 
 // body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation).

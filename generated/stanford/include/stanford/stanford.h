@@ -61,7 +61,7 @@ int stanford_inverse_dynamics(const double* q, const double* qd, const double* q
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 53 multiplications, 37 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 49 multiplications, 37 additions, 6 sin/cos/tan (reduced formulation).
  */
 int stanford_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -74,7 +74,7 @@ int stanford_bias(const double* q, const double* qd, double t, const double* par
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 179 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 175 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
  */
 int stanford_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                   const double* wrenches, double* M, double* c);

@@ -61,7 +61,7 @@ int tori_mated_inverse_dynamics(const double* q, const double* qd, const double*
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [5 x 5] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 76 multiplications, 68 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 74 multiplications, 67 additions, 8 sin/cos/tan (reduced formulation).
  */
 int tori_mated_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -74,7 +74,7 @@ int tori_mated_bias(const double* q, const double* qd, double t, const double* p
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [5 x 5], symmetric and written in full, and c [5] are the results.
-   Operations: 199 multiplications, 154 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 197 multiplications, 153 additions, 8 sin/cos/tan (reduced formulation).
  */
 int tori_mated_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                     const double* wrenches, double* M, double* c);

@@ -102,7 +102,7 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [5 x 5] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 76 multiplications, 68 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 74 multiplications, 67 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
@@ -114,7 +114,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [5 x 5], symmetric and written in full, and c [5] are the results.
-/// Operations: 199 multiplications, 154 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 197 multiplications, 153 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
