@@ -115,7 +115,6 @@ class Writer {
     const std::size_t size = program_.code.size();
     text_.resize(size);
     binding_.assign(size, Binding::primary);
-    loaded_in_.assign(size, kNoPlace);
     body_.blocks.resize(layout_.blocks());
     states_.resize(layout_.blocks());
     for (std::uint32_t v = 0; v < size; ++v)
@@ -135,6 +134,7 @@ class Writer {
  private:
   struct BlockState {
     std::set<std::uint32_t> inputs;  ///< indices into program.inputs
+    std::set<std::uint32_t> loaded;  ///< values of earlier blocks
     std::set<std::string> calls;
     std::string lines;
   };
@@ -160,8 +160,8 @@ class Writer {
       return input_local(program_.inputs[instruction.a]);
     }
     if (layout_.named(v)) {
-      if (layout_.block(v) != block && loaded_in_[v] != block) {
-        loaded_in_[v] = block;
+      // Not only the last block is written to: what is written into a user belongs to the user's block.
+      if (layout_.block(v) != block && states_[block].loaded.insert(v).second) {
         line(block, fmt::format("const S t{} = w[{}];", layout_.number(v), layout_.place(v)));
       }
       return fmt::format("t{}", layout_.number(v));
@@ -312,7 +312,6 @@ class Writer {
   std::vector<BlockState> states_;
   std::vector<std::string> text_;
   std::vector<Binding> binding_;
-  std::vector<std::uint32_t> loaded_in_;
 };
 
 }  // namespace

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <set>
+#include <sstream>
+#include <string>
 
 #include "emit/emit.hpp"
 #include "emit/sample.hpp"
+#include "emit/statements.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -141,6 +145,46 @@ TEST(Emit, OptionsThatCannotBeAreRefused) {
     s.mechanism.name = bad;
     EXPECT_THAT(refused(s, options), HasSubstr("cannot name a mechanism")) << bad;
   }
+}
+
+/// A value that is written into its user stands before the last statements of the block before: blocks are
+/// written to in turns there, and each loads a value of an earlier block once.
+TEST(Emit, BlocksLoadAValueOnce) {
+  Program program;
+  program.function = "bias";
+  program.inputs = {{ArgumentKind::q, 0, "a"}, {ArgumentKind::q, 1, "b"}};
+  program.code = {{Operation::input, 0, 0}, {Operation::input, 1, 0}, {Operation::mul, 0, 1}};
+  const std::uint32_t shared = 2;
+  std::uint32_t sum = shared;
+  for (int k = 0; k < 5000; ++k) {
+    // The product is used by the statement after the next one.
+    program.code.push_back({Operation::mul, shared, 1});
+    const auto product = static_cast<std::uint32_t>(program.code.size() - 1);
+    program.code.push_back({Operation::add, sum, shared});
+    const auto next = static_cast<std::uint32_t>(program.code.size() - 1);
+    program.code.push_back({Operation::mul, next, next});
+    program.code.push_back({Operation::add, next + 1, product});
+    sum = next + 2;
+    program.code.push_back({Operation::mul, sum, sum});
+    program.code.push_back({Operation::add, sum, sum + 1});
+    sum += 2;
+  }
+  program.outputs = {{"c", 1, 1, {sum}}};
+  FunctionSignature signature = *find_signature("bias");
+  const FunctionBody body = function_body(program, signature);
+  ASSERT_GE(body.blocks.size(), 3U);
+  int loads = 0;
+  for (const CodeBlock& block : body.blocks) {
+    std::set<std::string> names;
+    std::istringstream lines(block.statement_lines);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("const S ")) continue;
+      const std::string name = line.substr(8, line.find(' ', 8) - 8);
+      EXPECT_TRUE(names.insert(name).second) << "declared twice: " << line;
+      loads += line.find("= w[") != std::string::npos ? 1 : 0;
+    }
+  }
+  EXPECT_GE(loads, 4);
 }
 
 TEST(Emit, ProgramsThatDoNotFitAreDefects) {
