@@ -33,6 +33,37 @@ class Silence {
   std::streambuf* output_;
 };
 
+class TimedDart : public TimedModel {
+ public:
+  explicit TimedDart(dd::SkeletonPtr skeleton) : skeleton_(std::move(skeleton)) {}
+
+  const double* inverse_dynamics(const JointMotion& motion) override {
+    skeleton_->setPositions(motion.position);
+    skeleton_->setVelocities(motion.speed);
+    skeleton_->setAccelerations(motion.rate);
+    skeleton_->computeInverseDynamics();
+    result_ = skeleton_->getForces();
+    return result_.data();
+  }
+  void mass_matrix(const JointMotion& motion) override {
+    skeleton_->setPositions(motion.position);
+    sum_ += skeleton_->getMassMatrix()(0, 0);
+  }
+  const double* forward_dynamics(const JointMotion& motion, const Eigen::VectorXd& tau) override {
+    skeleton_->setPositions(motion.position);
+    skeleton_->setVelocities(motion.speed);
+    skeleton_->setForces(tau);
+    skeleton_->computeForwardDynamics();
+    result_ = skeleton_->getAccelerations();
+    return result_.data();
+  }
+
+ private:
+  dd::SkeletonPtr skeleton_;
+  Eigen::VectorXd result_;
+  double sum_ = 0;
+};
+
 class DartModel : public EngineModel {
  public:
   explicit DartModel(const JointTree& tree) : tree_(tree) {
@@ -78,6 +109,8 @@ class DartModel : public EngineModel {
     for (int r = 0; r < tree_.speeds; ++r) result.row(r) = to_joints(half.row(r).transpose()).transpose();
     return result;
   }
+
+  std::unique_ptr<TimedModel> timed() override { return std::make_unique<TimedDart>(skeleton_); }
 
  private:
   dd::BodyNode* child(dd::BodyNode* parent, const Joint& joint) {

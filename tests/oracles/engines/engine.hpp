@@ -9,6 +9,18 @@
 
 namespace alembert::oracles {
 
+/// One algorithm of an engine at one state, as a user of the engine would call it: sets the state and runs,
+/// without a detour through the types used here. For serial chains of revolute and prismatic joints, a joint
+/// a link; motion and forces in the order of the joints. The results (of the mass matrix: whatever the engine
+/// stores) lie in the engine.
+class TimedModel {
+ public:
+  virtual ~TimedModel() = default;
+  virtual const double* inverse_dynamics(const JointMotion& motion) = 0;
+  virtual void mass_matrix(const JointMotion& motion) = 0;
+  virtual const double* forward_dynamics(const JointMotion& motion, const Eigen::VectorXd& tau) = 0;
+};
+
 /// One mechanism inside one engine.
 class EngineModel {
  public:
@@ -17,6 +29,8 @@ class EngineModel {
   virtual Eigen::VectorXd inverse_dynamics(const JointMotion& motion,
                                            const std::vector<LinkWrench>& wrenches) = 0;
   virtual Eigen::MatrixXd mass_matrix(const JointMotion& motion) = 0;
+  /// For timing; refers to this model.
+  virtual std::unique_ptr<TimedModel> timed() = 0;
 };
 
 struct Engine {

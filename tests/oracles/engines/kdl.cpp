@@ -1,6 +1,7 @@
 // Orocos KDL: recursive Newton-Euler on its trees (chains where the mechanism is one), and its composite-body
 // joint space inertia on chains. Revolute and prismatic joints.
 #include <kdl/chaindynparam.hpp>
+#include <kdl/chainfdsolver_recursive_newton_euler.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/tree.hpp>
@@ -21,6 +22,80 @@ KDL::Frame frame_of(const Eigen::Isometry3d& pose) {
   return {KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
           vector_of(pose.translation())};
 }
+
+KDL::RigidBodyInertia inertia_of(const Link& link) {
+  const Eigen::Matrix3d& I = link.inertia;
+  return KDL::RigidBodyInertia(link.mass, vector_of(link.com),
+                               KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
+}
+
+/// A chain with a segment a link: what lies before the next joint belongs to the segment.
+class TimedKdl : public TimedModel {
+ public:
+  explicit TimedKdl(const JointTree& tree)
+      : chain_(compact(tree)),
+        inverse_(chain_, vector_of(tree.gravity)),
+        forward_(chain_, vector_of(tree.gravity)),
+        parameters_(chain_, vector_of(tree.gravity)),
+        q_(chain_.getNrOfJoints()),
+        qd_(q_),
+        qdd_(q_),
+        tau_(q_),
+        no_force_(chain_.getNrOfSegments()),
+        M_(chain_.getNrOfJoints()) {}
+
+  const double* inverse_dynamics(const JointMotion& motion) override {
+    q_.data = motion.position;
+    qd_.data = motion.speed;
+    qdd_.data = motion.rate;
+    check(inverse_.CartToJnt(q_, qd_, qdd_, no_force_, tau_));
+    return tau_.data.data();
+  }
+  void mass_matrix(const JointMotion& motion) override {
+    q_.data = motion.position;
+    check(parameters_.JntToMass(q_, M_));
+  }
+  const double* forward_dynamics(const JointMotion& motion, const Eigen::VectorXd& tau) override {
+    q_.data = motion.position;
+    qd_.data = motion.speed;
+    tau_.data = tau;
+    check(forward_.CartToJnt(q_, qd_, tau_, no_force_, qdd_));
+    return qdd_.data.data();
+  }
+
+ private:
+  static KDL::Chain compact(const JointTree& tree) {
+    KDL::Chain chain;
+    for (std::size_t i = 0; i < tree.links.size(); ++i) {
+      const Link& link = tree.links[i];
+      if (link.joints.size() != 1 || link.parent != static_cast<int>(i) - 1 ||
+          link.joints[0].kind == Joint::Kind::ball) {
+        throw NotExpressible("timed: no chain with a joint a link");
+      }
+      const Joint& joint = link.joints[0];
+      if (i == 0 && !joint.before.isApprox(Eigen::Isometry3d::Identity(), 1e-12))
+        chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame_of(joint.before)));
+      const KDL::Frame next = i + 1 < tree.links.size() ? frame_of(tree.links[i + 1].joints.at(0).before)
+                                                        : KDL::Frame::Identity();
+      chain.addSegment(KDL::Segment(
+          KDL::Joint(KDL::Vector::Zero(), vector_of(joint.axis),
+                     joint.kind == Joint::Kind::revolute ? KDL::Joint::RotAxis : KDL::Joint::TransAxis),
+          frame_of(link.after) * next, next.Inverse() * inertia_of(link)));
+    }
+    return chain;
+  }
+  static void check(int status) {
+    if (status < 0) throw std::logic_error("KDL: a solver failed");
+  }
+
+  KDL::Chain chain_;
+  KDL::ChainIdSolver_RNE inverse_;
+  KDL::ChainFdSolver_RNE forward_;
+  KDL::ChainDynParam parameters_;
+  KDL::JntArray q_, qd_, qdd_, tau_;
+  KDL::Wrenches no_force_;
+  KDL::JntSpaceInertiaMatrix M_;
+};
 
 class KdlModel : public EngineModel {
  public:
@@ -106,17 +181,13 @@ class KdlModel : public EngineModel {
     return M;
   }
 
+  std::unique_ptr<TimedModel> timed() override { return std::make_unique<TimedKdl>(joints_); }
+
  private:
   /// Adds a segment at `parent` and makes it the next parent. A link's own segment bears its name.
   void add(std::string& parent, const std::string& name, const KDL::Joint& joint,
            const Eigen::Isometry3d& after, const Link* link) {
-    KDL::RigidBodyInertia inertia = KDL::RigidBodyInertia::Zero();
-    if (link != nullptr) {
-      const Eigen::Matrix3d& I = link->inertia;
-      inertia =
-          KDL::RigidBodyInertia(link->mass, vector_of(link->com),
-                                KDL::RotationalInertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
-    }
+    const KDL::RigidBodyInertia inertia = link != nullptr ? inertia_of(*link) : KDL::RigidBodyInertia::Zero();
     const std::string own = link != nullptr ? link->name : name;
     if (!tree_.addSegment(KDL::Segment(own, joint, frame_of(after), inertia), parent)) {
       throw std::logic_error("KDL: cannot add " + own);

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -29,6 +30,50 @@ std::string text(const Eigen::Vector3d& v) {
 struct Deleter {
   void operator()(mjModel* m) const { mj_deleteModel(m); }
   void operator()(mjData* d) const { mj_deleteData(d); }
+};
+
+/// The stages that each algorithm needs and no others.
+class TimedMujoco : public TimedModel {
+ public:
+  TimedMujoco(const mjModel* model, mjData* data)
+      : model_(model), data_(data), result_(static_cast<std::size_t>(model->nv)) {}
+
+  const double* inverse_dynamics(const JointMotion& motion) override {
+    set(motion);
+    std::copy_n(motion.rate.data(), model_->nv, data_->qacc);
+    mj_kinematics(model_, data_);
+    mj_comPos(model_, data_);
+    mj_comVel(model_, data_);
+    mj_rne(model_, data_, 1, result_.data());
+    return result_.data();
+  }
+  void mass_matrix(const JointMotion& motion) override {
+    std::copy_n(motion.position.data(), model_->nq, data_->qpos);
+    mj_kinematics(model_, data_);
+    mj_comPos(model_, data_);
+    mj_crb(model_, data_);
+  }
+  const double* forward_dynamics(const JointMotion& motion, const Eigen::VectorXd& tau) override {
+    set(motion);
+    mj_kinematics(model_, data_);
+    mj_comPos(model_, data_);
+    mj_crb(model_, data_);
+    mj_factorM(model_, data_);
+    mj_comVel(model_, data_);
+    mj_rne(model_, data_, 0, data_->qfrc_bias);
+    for (int i = 0; i < model_->nv; ++i) data_->qfrc_smooth[i] = tau[i] - data_->qfrc_bias[i];
+    mj_solveM(model_, data_, result_.data(), data_->qfrc_smooth, 1);
+    return result_.data();
+  }
+
+ private:
+  void set(const JointMotion& motion) {
+    std::copy_n(motion.position.data(), model_->nq, data_->qpos);
+    std::copy_n(motion.speed.data(), model_->nv, data_->qvel);
+  }
+  const mjModel* model_;
+  mjData* data_;
+  std::vector<double> result_;
 };
 
 class MujocoModel : public EngineModel {
@@ -73,6 +118,10 @@ class MujocoModel : public EngineModel {
     for (int c = 0; c < model_->nv; ++c) half.col(c) = to_joints(M.col(c));
     for (int r = 0; r < tree_.speeds; ++r) result.row(r) = to_joints(half.row(r).transpose()).transpose();
     return result;
+  }
+
+  std::unique_ptr<TimedModel> timed() override {
+    return std::make_unique<TimedMujoco>(model_.get(), data_.get());
   }
 
  private:

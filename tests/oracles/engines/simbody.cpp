@@ -29,6 +29,62 @@ Eigen::Isometry3d joint_axes(const Joint& joint) {
   return Eigen::Isometry3d(Eigen::Quaterniond::FromTwoVectors(own, joint.axis));
 }
 
+class TimedSimbody : public TimedModel {
+ public:
+  TimedSimbody(const JointTree& tree, const SimTK::MultibodySystem& system,
+               const SimTK::SimbodyMatterSubsystem& matter, const std::vector<SimTK::MobilizedBody>& links,
+               SimTK::State state)
+      : tree_(tree),
+        system_(system),
+        matter_(matter),
+        links_(links),
+        state_(std::move(state)),
+        zero_(state_.getNU(), 0.0),
+        rates_(state_.getNU()),
+        weights_(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0))) {}
+
+  const double* inverse_dynamics(const JointMotion& motion) override {
+    set(motion);
+    for (int i = 0; i < rates_.size(); ++i) rates_[i] = motion.rate[i];
+    matter_.calcResidualForceIgnoringConstraints(state_, zero_, weights_, rates_, result_);
+    return &result_[0];
+  }
+  void mass_matrix(const JointMotion& motion) override {
+    for (int i = 0; i < zero_.size(); ++i) state_.updQ()[i] = motion.position[i];
+    system_.realize(state_, SimTK::Stage::Position);
+    matter_.calcM(state_, M_);
+  }
+  const double* forward_dynamics(const JointMotion& motion, const Eigen::VectorXd& tau) override {
+    set(motion);
+    for (int i = 0; i < rates_.size(); ++i) rates_[i] = tau[i];
+    system_.realize(state_, SimTK::Stage::Dynamics);
+    matter_.calcAccelerationIgnoringConstraints(state_, rates_, weights_, result_, accelerations_);
+    return &result_[0];
+  }
+
+ private:
+  void set(const JointMotion& motion) {
+    for (int i = 0; i < zero_.size(); ++i) {
+      state_.updQ()[i] = motion.position[i];
+      state_.updU()[i] = motion.speed[i];
+    }
+    system_.realize(state_, SimTK::Stage::Velocity);
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const SimTK::Vec3 force = vector_of(tree_.links[i].mass * tree_.gravity);
+      const SimTK::Vec3 arm = links_[i].expressVectorInGroundFrame(state_, vector_of(tree_.links[i].com));
+      weights_[links_[i].getMobilizedBodyIndex()] = SimTK::SpatialVec(SimTK::cross(arm, force), force);
+    }
+  }
+  const JointTree& tree_;
+  const SimTK::MultibodySystem& system_;
+  const SimTK::SimbodyMatterSubsystem& matter_;
+  const std::vector<SimTK::MobilizedBody>& links_;
+  SimTK::State state_;
+  SimTK::Vector zero_, rates_, result_;
+  SimTK::Vector_<SimTK::SpatialVec> weights_, accelerations_;
+  SimTK::Matrix M_;
+};
+
 class SimbodyModel : public EngineModel {
  public:
   explicit SimbodyModel(const JointTree& tree) : tree_(tree) {
@@ -104,6 +160,10 @@ class SimbodyModel : public EngineModel {
       result.row(r) = ours(row).transpose();
     }
     return result;
+  }
+
+  std::unique_ptr<TimedModel> timed() override {
+    return std::make_unique<TimedSimbody>(tree_, system_, matter_, links_, state_);
   }
 
  private:
