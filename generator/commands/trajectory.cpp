@@ -42,6 +42,7 @@ class MovingMechanism {
     out.potential = energy[1];
     out.lambda.assign(static_cast<std::size_t>(system_.nc()), 0.0);
     out.residual = worst_violation(system_, q_, u_).size;
+    if (!std::isfinite(out.energy())) return failure(Status::not_finite, 0);
     if (system_.nc() == 0) return std::nullopt;
     ConstrainedMotion<double, Eigen::Dynamic, Eigen::Dynamic> motion;
     const Status status = constrained_accelerations(system_, q_, u_, no_force(), {}, motion);
@@ -110,15 +111,11 @@ class MovingMechanism {
                 "depends on, or the mechanism is at a singular position there (the output so far is kept)",
                 t, row.name));
       }
-      case Status::no_convergence: {
-        const Violation worst = worst_violation(system_, q_, u_);
-        return InputError(
-            mechanism_.where,
-            fmt::format("after the step from t = {:.9g} the state finds no way back to the constraints "
-                        "(before it the worst row was {}, off by {:.3g}): try a shorter --step (the "
-                        "output so far is kept)",
-                        t, worst.row < 0 ? "none" : row_at_fault(worst.row).name, worst.size));
-      }
+      case Status::no_convergence:
+        return InputError(mechanism_.where,
+                          fmt::format("after the step from t = {:.9g} the state finds no way back to the "
+                                      "constraints: try a shorter --step (the output so far is kept)",
+                                      t));
       case Status::not_positive_definite:
       case Status::not_finite:
       case Status::residual_too_large:
@@ -192,7 +189,7 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   const auto give = [&]() -> std::optional<InputError> {
     TrajectoryPoint point;
     std::optional<InputError> stopped = motion.point(point);
-    take(point);
+    if (std::isfinite(point.energy())) take(point);
     const std::string redundant = noted ? "" : motion.redundant_rows();
     if (!redundant.empty() && !stopped) {
       noted = true;

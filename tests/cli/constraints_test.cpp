@@ -201,6 +201,23 @@ bodies:
   EXPECT_THAT(result.err, HasSubstr("'azimuth'"));
 }
 
+TEST(SimulateSingular, AStepTooLongEndsWithWhatThereWas) {
+  const TemporaryFolder folder;
+  const CommandResult diverging =
+      alembert(folder, "simulate " + mechanism_file("double_pendulum") + " --step 5 --duration 1e4 --q 1,1");
+  EXPECT_EQ(diverging.exit_code, 1);
+  EXPECT_THAT(diverging.err, HasSubstr("no finite step from t = "));
+  const Csv table(diverging.out);
+  ASSERT_FALSE(table.rows.empty());
+  for (const auto& row : table.rows)
+    for (const double value : row) EXPECT_TRUE(std::isfinite(value)) << "t = " << row[0];
+  const CommandResult torn =
+      alembert(folder, "simulate " + mechanism_file("paper/five_bar") + " --step 0.2 --duration 60");
+  EXPECT_EQ(torn.exit_code, 1);
+  EXPECT_THAT(torn.err, HasSubstr("finds no way back to the constraints: try a shorter --step"));
+  EXPECT_GT(Csv(torn.out).rows.size(), 1u);
+}
+
 TEST(EvaluateConstrained, ReactionsAndRows) {
   const TemporaryFolder folder;
   const std::string file = folder.write("rod.yaml", kRod);
