@@ -10,7 +10,7 @@ namespace alembert {
 
 namespace {
 
-constexpr double kSmallCosine = 0.1;
+constexpr double kSmallCosine = 0.05;
 constexpr double kSmallestScale = 0x1p-16;  ///< beyond it a turn is done in full: floats have room for that
 
 double value_of(Expr constant) {
@@ -24,6 +24,10 @@ struct Axes {
 Axes axes_of(const Motion& motion) {
   const std::size_t a = static_cast<std::size_t>(motion.axis);
   return {a, (a + 1) % 3, (a + 2) % 3};
+}
+
+double smallest(const Scale& scale) {
+  return std::min({std::abs(scale[0]), std::abs(scale[1]), std::abs(scale[2])});
 }
 
 bool is_quarter_turn(const Motion& motion) {
@@ -77,7 +81,7 @@ void mark_scaled(MotionTree& tree, const std::vector<int>& turns) {
   for (MotionNode& node : tree.nodes) {
     const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
     Scale own = scale_after(node, parent);
-    if (node.scaled && *std::min_element(own.begin(), own.end()) < kSmallestScale) {
+    if (node.scaled && smallest(own) < kSmallestScale) {
       node.scaled = false;
       own = scale_after(node, parent);
     }
