@@ -61,7 +61,7 @@ int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const d
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [20 x 20] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 889 multiplications, 924 additions, 16 sin/cos/tan (reduced formulation).
+   Operations: 916 multiplications, 889 additions, 16 sin/cos/tan (reduced formulation).
  */
 int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* M);

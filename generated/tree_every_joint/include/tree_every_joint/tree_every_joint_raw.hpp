@@ -126,7 +126,7 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [20 x 20] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 889 multiplications, 924 additions, 16 sin/cos/tan (reduced formulation).
+/// Operations: 916 multiplications, 889 additions, 16 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
