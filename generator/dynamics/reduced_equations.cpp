@@ -163,7 +163,7 @@ class Search {
   const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
 
  private:
-  static constexpr std::size_t kSmall = 3000, kRefined = 1000;
+  static constexpr std::size_t kSmall = 20000, kRefined = 1000;
   static constexpr std::size_t kNear = 8;
 
   const Kinematics& kinematics_;
@@ -226,6 +226,11 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   // speeds for the bodies.
   if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
     masses.keep_shorter(equations.M, value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+    // As with c below, another Q may have the shorter coefficients.
+    if (mechanism.nv <= 6) {
+      for (const std::vector<Expr>& Q : forces.near_ones())
+        masses.keep_shorter(equations.M, value_number(coefficient_mass_matrix(mechanism, Q)));
+    }
   }
   // The shortest c need not belong to the shortest Q, but to a much longer one it does not.
   forces.keep_shorter(equations.c, value_number(bias_by_substitution(mechanism, equations.Q, graph)));
