@@ -104,7 +104,9 @@ class Wire:
         names = {"sin": np.sin, "cos": np.cos, "pi": np.pi}
         for name, value in description.get("parameters", {}).items():
             names[name] = self._value(value, names)
-        factor = description["bodies"][0]["transform"][0]["curve"]
+        self.body, factor = next(
+            (i, body["transform"][0]["curve"]) for i, body in enumerate(description["bodies"]) if "curve" in str(body.get("transform", ""))
+        )
         self.along, self.point, self.names = factor["along"], factor["point"], names
 
     @staticmethod
@@ -133,8 +135,9 @@ def figure_8(alembert: Path, path: Path, out: Path, work: Path) -> list:
     velocities = origin_velocities(bead, result["names"], table, 1)
     # The frame with the fastest bead shows the difference best.
     start = int(np.argmax(np.linalg.norm(velocities[:-1], axis=1)))
-    place, ours = bead.origins(table[start : start + 2, 1:2], table[start : start + 2, 0])
-    tangent = place + step * velocities[start]
+    of_bead = slice(3 * wire.body, 3 * wire.body + 3)
+    place, ours = bead.origins(table[start : start + 2, 1:2], table[start : start + 2, 0])[:, of_bead]
+    tangent = place + step * velocities[start, of_bead]
     near = table[start, 1]
     axes, figure = new_figure()
     curve = wire.at(np.linspace(near - np.pi, near + np.pi, 800))
