@@ -12,9 +12,9 @@ EvaluationState DynamicsEvaluator::initial_state() const {
   EvaluationState state;
   for (const Coordinate& coordinate : mechanism.coordinates) {
     state.q.insert(state.q.end(), coordinate.initial.begin(), coordinate.initial.end());
+    state.qd.insert(state.qd.end(), coordinate.initial_speed.begin(), coordinate.initial_speed.end());
   }
-  state.qd.assign(static_cast<std::size_t>(mechanism.nv), 0.0);
-  state.qdd = state.qd;
+  state.qdd.assign(static_cast<std::size_t>(mechanism.nv), 0.0);
   for (const Parameter& parameter : mechanism.parameters) {
     if (parameter.runtime) state.parameters.push_back(parameter.value);
   }

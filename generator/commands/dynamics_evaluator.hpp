@@ -24,7 +24,8 @@ class DynamicsEvaluator {
  public:
   explicit DynamicsEvaluator(const CompiledMechanism& compiled) : compiled_(compiled) {}
 
-  /// The mechanism's initial state at rest, parameters at their defaults, no wrenches.
+  /// The mechanism's initial state with its initial speeds, no accelerations, parameters at their defaults,
+  /// no wrenches.
   EvaluationState initial_state() const;
   /// All outputs of a function, concatenated.
   std::vector<double> operator()(FunctionKind kind, const EvaluationState& state);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kUnitTolerance = 1e-6;
 
 Section coordinate_section(const Document& document, const YamlNode& item) {
-  return Section(document, item, "a coordinate", {"name", "type", "initial", "limits"});
+  return Section(document, item, "a coordinate", {"name", "type", "initial", "initial_speed", "limits"});
 }
 
 const YamlNode& name_node(const Document& document, const YamlNode& item) {
@@ -105,6 +105,19 @@ void read_quaternion(Loading& loading, Coordinate& coordinate, const YamlNode* i
   for (double& x : coordinate.initial) x /= norm;
 }
 
+void read_initial_speed(Loading& loading, Coordinate& coordinate, const YamlNode* speed) {
+  coordinate.initial_speed.assign(static_cast<std::size_t>(coordinate.nv()), 0.0);
+  if (speed == nullptr) return;
+  const std::string what = fmt::format("the initial speed of coordinate '{}'", coordinate.name);
+  if (coordinate.type == CoordinateType::real) {
+    coordinate.initial_speed[0] = loading.reader.read(*speed, Allowed::constants, what).initial;
+    return;
+  }
+  const auto& items = expect_list(loading.document, *speed, what, coordinate.nv());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    coordinate.initial_speed[i] = loading.reader.read(*items[i], Allowed::constants, what).initial;
+}
+
 }  // namespace
 
 void declare_coordinates(Loading& loading, const YamlNode& list) {
@@ -137,10 +150,11 @@ void read_coordinate_values(Loading& loading, const YamlNode& list) {
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlNode& item = *list.items[i];
     Coordinate& coordinate = loading.mechanism.coordinates[i];
-    const YamlNode *initial = nullptr, *limits = nullptr;
+    const YamlNode *initial = nullptr, *speed = nullptr, *limits = nullptr;
     if (item.kind == YamlNode::Kind::mapping) {
       const Section section = coordinate_section(loading.document, item);
       initial = section.find("initial");
+      speed = section.find("initial_speed");
       limits = section.find("limits");
     }
     switch (coordinate.type) {
@@ -151,6 +165,7 @@ void read_coordinate_values(Loading& loading, const YamlNode& list) {
         read_quaternion(loading, coordinate, initial, limits);
         break;
     }
+    read_initial_speed(loading, coordinate, speed);
     for (std::size_t k = 0; k < coordinate.symbols.size(); ++k)
       loading.initial_state.emplace_back(coordinate.symbols[k], coordinate.initial[k]);
     NameEntry& entry = *loading.scope.find(coordinate.name);

@@ -35,7 +35,8 @@ struct Coordinate {
   int first_q = 0, first_speed = 0;
   int nq() const { return type == CoordinateType::real ? 1 : 4; }
   int nv() const { return type == CoordinateType::real ? 1 : 3; }
-  std::vector<double> initial;  ///< size nq
+  std::vector<double> initial;        ///< size nq
+  std::vector<double> initial_speed;  ///< size nv
   std::optional<std::pair<double, double>> limits;
   std::vector<Expr> symbols;        ///< size nq: q
   std::vector<Expr> speed_symbols;  ///< size nv: d(name), or d(name).x .y .z

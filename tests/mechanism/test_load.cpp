@@ -124,6 +124,23 @@ TEST(Load, ReadsCoordinates) {
   EXPECT_EQ(c[2].where.line, 12);
 }
 
+TEST(Load, ReadsInitialSpeeds) {
+  Loaded loaded(R"(alembert: 1
+name: speeds
+parameters: {v: 2}
+coordinates:
+  - q
+  - {name: s, initial_speed: 3*v}
+  - {name: base, type: quaternion, initial_speed: [1, -v, 0.5]}
+bodies:
+  - {name: a, transform: [{translate: [q, s, 0]}, {rotate: {quaternion: base}}], mass: 1, inertia: {xx: 1, yy: 1, zz: 1}}
+)");
+  const auto& c = loaded.mechanism.coordinates;
+  EXPECT_EQ(c[0].initial_speed, std::vector<double>{0});
+  EXPECT_EQ(c[1].initial_speed, std::vector<double>{6});
+  EXPECT_EQ(c[2].initial_speed, (std::vector<double>{1, -2, 0.5}));
+}
+
 TEST(Load, NormalisesInitialQuaternions) {
   Loaded loaded(
       test::with_transform("[{rotate: {quaternion: b}}]",

@@ -162,6 +162,12 @@ def figure_8(alembert: Path, path: Path, out: Path, work: Path) -> list:
     ]
 
 
+def reason(message: str) -> str:
+    """What a diagnostic says, without place, cure and line."""
+    first = next(line for line in message.splitlines() if "error:" in line)
+    return first.split("error: ")[-1].split(":")[0].split(";")[0]
+
+
 def row_of(alembert, path, seconds, work):
     cells = [path.stem]
     mechanism = Mechanism(alembert, path)
@@ -177,7 +183,9 @@ def row_of(alembert, path, seconds, work):
         q = normalized(sample[:, 1 : 1 + n_q], names[1:])
         velocities = origin_velocities(mechanism, names, sample, n_q)
         tangent = off_manifold(mechanism, names[1:], q, sample[:, 0], velocities, step).max()
-        ended = f"stops at {table[-1, 0]:.2f} s" if result["message"] else f"{seconds:g} s"
+        ended = f"{seconds:g} s"
+        if result["message"]:
+            ended = f"stops at {table[-1, 0]:.2f} s ({reason(result['message'])})"
         cells.append(f"{ended}; {np.abs(energy - energy[0]).max() / scale:.1e}; {residual:.1e}; {1000 * tangent:.2g} mm")
     return cells
 
