@@ -2,7 +2,7 @@
 // within 1e-5 of the largest kinetic energy.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cstdio>
 #include <five_bar/five_bar.hpp>
 #include <rattleback/rattleback.hpp>
 #include <rolling_disc/rolling_disc.hpp>
@@ -28,6 +28,8 @@ void expect_small_drift(const typename M::SpeedVector& speeds, double h, double 
   EXPECT_EQ(s.report.rank, M::kNc);
   Drift<M> drift(s);
   ASSERT_EQ(s.run(kMinute, h, [&] { drift.observe(); }), Status::ok);
+  std::printf("slip %.1e, gap %.1e, energy %.1e of the largest kinetic energy\n", drift.slip, drift.gap,
+              drift.relative_energy());
   EXPECT_LT(drift.slip, kSlip);
   EXPECT_LE(drift.gap, gap);
   EXPECT_LT(drift.relative_energy(), kEnergy);
