@@ -5,7 +5,7 @@
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias
 #                          [SCALARS double float]  types to compile for; default both
-#                          [FORMULATION auto|factored|reduced]
+#                          [FORMULATION auto|factored|reduced] [BLOCK_OPERATIONS n]
 #                          [PARTS n]               source files to spread large functions over; default 4
 #                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
 #                          [TRIG vector|library]   sines and cosines of double: vectorised by alembert/sines_and_cosines.hpp
@@ -80,7 +80,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;BLOCK_OPERATIONS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -167,6 +167,9 @@ function(alembert_add_mechanism)
   endif()
   if(arg_FORMULATION)
     list(APPEND options --formulation ${arg_FORMULATION})
+  endif()
+  if(DEFINED arg_BLOCK_OPERATIONS)
+    list(APPEND options --block-operations ${arg_BLOCK_OPERATIONS})
   endif()
 
   # The stamp is the only OUTPUT: it is touched by every run, while the files themselves are written only if they change.

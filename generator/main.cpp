@@ -20,6 +20,7 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
   CompileOptions options;
   options.formulation = common.formulation;
   options.passes = common.passes;
+  options.block_operations = common.block_operations;
   options.functions = std::move(functions);
   if (common.verbose) options.talk = &std::cerr;
   if (!common.dump_stage.empty()) {
@@ -76,6 +77,11 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
           "scaling")
       ->delimiter(',')
       ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling"}));
+  command
+      ->add_option("--block-operations", common.block_operations,
+                   "functions of more operations are written as blocks that repeat, not straight on")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command
       ->add_option(
           "--effort", common.passes.effort,

@@ -269,6 +269,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
         best_outputs = std::move(outputs);
       }
     }
+    if (weight(best->count) > options.block_operations) best->program = align_repeats(best->program);
     best->program = schedule(std::move(best->program));
     if (dumping("schedule")) *options.dump << dump(best->program);
     verify(best->program, best_outputs, bindings);

@@ -49,6 +49,7 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
       out["functions"][std::string(to_string(f.kind))] = {
           {"mul", f.count.mul},   {"add", f.count.add},     {"div", f.count.div},
           {"trig", f.count.trig}, {"other", f.count.other}, {"formulation", to_string(f.formulation)}};
+      if (f.program.repeats) out["functions"][std::string(to_string(f.kind))]["repeats"] = true;
     }
     fmt::print("{}\n", out.dump(2));
     return 0;
@@ -61,6 +62,11 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
     fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", to_string(f.kind), f.count.mul,
                f.count.add, f.count.arithmetic(), f.count.div, f.count.trig, f.count.other,
                to_string(f.formulation));
+  }
+  for (const CompiledFunction& f : compiled.functions) {
+    if (f.program.repeats)
+      fmt::print("{} is written as blocks that repeat (--block-operations {})\n", to_string(f.kind),
+                 common.block_operations);
   }
   fmt::print("\n{}", kConvention);
   return 0;

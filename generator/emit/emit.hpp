@@ -47,7 +47,8 @@ std::string_view generator_version();
 ///     src/name_batch_SET.cpp        compiled for one set of instructions: baseline, avx2, avx512
 ///
 /// The same input gives the same bytes. Functions of more than kBlockThreshold statements
-/// (statement_layout.hpp) are cut into blocks. If all coordinates are real and no program gives
+/// (statement_layout.hpp) are cut into blocks; those whose program is marked so are written as blocks that
+/// repeat (repeated_statements.hpp). If all coordinates are real and no program gives
 /// coordinate_rates, it is added.
 ///
 /// Throws InputError for options that cannot be (unknown scalar, no namespace, name not as expected, name

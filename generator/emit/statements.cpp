@@ -19,52 +19,6 @@ namespace {
 /// How strongly the text of a value binds.
 enum class Binding : std::uint8_t { sum, product, sign, primary };
 
-std::string_view call_name(Operation op) {
-  switch (op) {
-    case Operation::sqrt:
-      return "sqrt";
-    case Operation::sin:
-      return "sin";
-    case Operation::cos:
-      return "cos";
-    case Operation::tan:
-      return "tan";
-    case Operation::asin:
-      return "asin";
-    case Operation::acos:
-      return "acos";
-    case Operation::atan:
-      return "atan";
-    case Operation::atan2:
-      return "atan2";
-    case Operation::exp:
-      return "exp";
-    case Operation::log:
-      return "log";
-    case Operation::abs:
-      return "abs";
-    case Operation::sign:
-      return "sign";
-    case Operation::sinh:
-      return "sinh";
-    case Operation::cosh:
-      return "cosh";
-    case Operation::tanh:
-      return "tanh";
-    case Operation::pow:
-      return "pow";
-    case Operation::constant:
-    case Operation::input:
-    case Operation::add:
-    case Operation::sub:
-    case Operation::mul:
-    case Operation::div:
-    case Operation::neg:
-      break;
-  }
-  return {};
-}
-
 std::string input_local(const InputSlot& slot) {
   switch (slot.kind) {
     case ArgumentKind::q:
@@ -315,6 +269,52 @@ class Writer {
 };
 
 }  // namespace
+
+std::string_view call_name(Operation op) {
+  switch (op) {
+    case Operation::sqrt:
+      return "sqrt";
+    case Operation::sin:
+      return "sin";
+    case Operation::cos:
+      return "cos";
+    case Operation::tan:
+      return "tan";
+    case Operation::asin:
+      return "asin";
+    case Operation::acos:
+      return "acos";
+    case Operation::atan:
+      return "atan";
+    case Operation::atan2:
+      return "atan2";
+    case Operation::exp:
+      return "exp";
+    case Operation::log:
+      return "log";
+    case Operation::abs:
+      return "abs";
+    case Operation::sign:
+      return "sign";
+    case Operation::sinh:
+      return "sinh";
+    case Operation::cosh:
+      return "cosh";
+    case Operation::tanh:
+      return "tanh";
+    case Operation::pow:
+      return "pow";
+    case Operation::constant:
+    case Operation::input:
+    case Operation::add:
+    case Operation::sub:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::neg:
+      break;
+  }
+  return {};
+}
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature) {
   return Writer(program, signature).write();

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "emit/function_signature.hpp"
@@ -27,11 +28,18 @@ struct CodeBlock {
 };
 
 /// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an
-/// array w.
+/// array w. Blocks that repeat: `driver` calls them (repeated_statements.hpp), and `crossing` is the size of
+/// v.
 struct FunctionBody {
   std::vector<CodeBlock> blocks;
   std::size_t crossing = 0;
+  std::string driver, tables;  ///< of blocks that repeat, otherwise empty
+  std::string index_type;      ///< of their tables
+  std::size_t calls = 0;       ///< of blocks in one call of the function
 };
+
+/// Name of the function that an operation calls: sin, atan2. Empty for what is an operator.
+std::string_view call_name(Operation op);
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature);
 

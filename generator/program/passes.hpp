@@ -39,6 +39,11 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
 /// except that 0*x and x - x are 0 whatever x is.
 Program optimize(Program program);
 
+/// Stage `align`, for programs that are to be written as repeated blocks: orders operands and places signs by
+/// a local rule, so that parts with the same structure become the same instructions. Same additions,
+/// multiplications and functions; negations may be more. Values are the same but for their sign of zero.
+Program align_repeats(const Program& program);
+
 /// Stage `schedule`: orders instructions depth first from the outputs, sin and cos of one argument adjacent,
 /// and drops those that no output needs. Same values, bit for bit.
 Program schedule(Program program);

@@ -67,6 +67,7 @@ struct OutputArray {
 struct Program {
   std::string function;  ///< inverse_dynamics, mass_matrix, ...
   std::string formulation;
+  bool repeats = false;  ///< to be written as blocks that repeat, see `align_repeats`
   std::vector<Instruction> code;
   std::vector<double> constants;
   std::vector<InputSlot> inputs;

@@ -25,8 +25,12 @@ Sample every_function();
 /// are cut into blocks.
 Sample big();
 
-/// `sample_evil`: every_function with this text for the description and for names. It ends comments and
-/// strings if let.
+/// `sample_repeats`: big, as blocks that repeat: inverse_dynamics is a recursion, mass_matrix repeats
+/// nothing.
+Sample repeating();
+
+/// `sample_evil`: every_function, each written as blocks that repeat, with this text for the description and
+/// for names. It ends comments and strings if let.
 inline constexpr const char* kEvilText =
     "x*/\n#error \"\\ ?\?/\xE2\x80\xAE\\\n#error b // /* \r\n#error c \\";
 Sample evil();

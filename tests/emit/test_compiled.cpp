@@ -11,6 +11,7 @@
 #include <sample_all/sample_all.hpp>
 #include <sample_big/sample_big.hpp>
 #include <sample_evil/sample_evil.hpp>
+#include <sample_repeats/sample_repeats.hpp>
 #include <span>
 
 #include "alembert/energy.hpp"
@@ -269,6 +270,51 @@ TEST(Compiled, ConstraintsAndBodiesGoThroughTheLayers) {
   EXPECT_EQ(sample_big_nc, 0);
   EXPECT_EQ(sample_big_constraint_names[0], nullptr);
   EXPECT_STREQ(alembert::mechanisms::sample_evil::kConstraintNames[2], sample::kEvilText);
+}
+
+TEST(Compiled, RepeatedBlocksGiveTheBitsOfTheInterpreter) {
+  namespace repeats = alembert::mechanisms::sample_repeats;
+  const sample::Sample s = sample::repeating();
+  std::size_t finite = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Arguments a = random_arguments(6, 6, seed);
+    std::vector<double> tau(6), M(36);
+    repeats::inverse_dynamics(a.q.data(), a.qd.data(), a.qdd.data(), {}, tau.data());
+    expect_same_bits(tau, interpreted(s.programs[0], a), "recursion");
+    repeats::mass_matrix(a.q.data(), {}, M.data());
+    expect_same_bits(M, interpreted(s.programs[1], a), "without repeats");
+    for (const double x : tau) finite += std::isfinite(x) ? 1 : 0;
+  }
+  EXPECT_EQ(finite, 300u);
+}
+
+TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {
+  namespace evil = alembert::mechanisms::sample_evil;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Arguments a = random_arguments(all::kNq, all::kNv, seed);
+    evil::Inputs<double> in;
+    in.t = a.in.t;
+    in.parameters = a.in.parameters;
+    in.wrenches = a.in.wrenches;
+    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
+    std::vector<double> plain(200), same(200);
+    const auto compare = [&](const char* function) { expect_same_bits(same, plain, function); };
+    all::inverse_dynamics(q, qd, qdd, a.in, plain.data());
+    evil::inverse_dynamics(q, qd, qdd, in, same.data());
+    compare("inverse_dynamics");
+    all::mass_matrix_and_bias(q, qd, a.in, plain.data(), plain.data() + 36);
+    evil::mass_matrix_and_bias(q, qd, in, same.data(), same.data() + 36);
+    compare("mass_matrix_and_bias");
+    all::forward_dynamics(q, qd, tau, a.in, plain.data());
+    evil::forward_dynamics(q, qd, tau, in, same.data());
+    compare("forward_dynamics");
+    all::coordinate_rates(q, qd, plain.data());
+    evil::coordinate_rates(q, qd, same.data());
+    compare("coordinate_rates");
+    all::frame_jacobians(q, a.in, plain.data());
+    evil::frame_jacobians(q, in, same.data());
+    compare("frame_jacobians");
+  }
 }
 
 TEST(Compiled, TextOfTheUserComesThroughAsItIs) {

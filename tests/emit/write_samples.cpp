@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   try {
     alembert::EmitOptions options;
-    for (const sample::Sample& s : {sample::every_function(), sample::evil(), sample::big()}) {
+    for (const sample::Sample& s :
+         {sample::every_function(), sample::evil(), sample::big(), sample::repeating()}) {
       options.parts = 3;
       alembert::write_files(alembert::emit_mechanism(s.mechanism, s.programs, options), argv[1]);
     }
