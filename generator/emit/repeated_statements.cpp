@@ -4,17 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <map>
-#include <queue>
 #include <set>
 #include <utility>
 
 #include "emit/literals.hpp"
-#include "emit/statement_layout.hpp"
+#include "emit/repeated_layout.hpp"
 #include "program/operation.hpp"
-#include "program/repeated_blocks.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -26,25 +23,6 @@ constexpr int kMaxOperations = 12;
 // Runs of consecutive elements from here on are copied by a loop, and so many equal constants are.
 constexpr std::size_t kLoop = 4;
 constexpr std::size_t kConstantLoop = 8;
-
-/// Where an operand comes from, the same for all occurrences of a block.
-struct Source {
-  enum class Kind : std::uint8_t { inside, outside } kind;
-  std::uint32_t index;  ///< instruction of the block, or external of the block
-};
-
-/// What a block takes from outside: one value for each occurrence.
-using External = std::vector<std::uint32_t>;
-
-struct Block {
-  std::uint32_t length = 0;
-  std::vector<std::uint32_t> begins;  ///< of its occurrences
-  std::vector<std::uint32_t> times;   ///< number of each among all occurrences
-  std::vector<Source> sources;        ///< two for each instruction
-  std::vector<External> externals;
-  std::vector<std::uint8_t> exported;
-  std::vector<std::vector<std::uint32_t>> table;  ///< by occurrence
-};
 
 std::string number_lines(const std::vector<std::uint32_t>& numbers) {
   std::string out, line;
@@ -59,17 +37,12 @@ std::string number_lines(const std::vector<std::uint32_t>& numbers) {
   return out + line;
 }
 
-class Writer {
+class Writer : RepeatedLayout {
  public:
   Writer(const Program& program, const FunctionSignature& signature)
-      : program_(program), signature_(signature), size_(program.code.size()) {}
+      : RepeatedLayout(program), signature_(signature) {}
 
   FunctionBody write() {
-    collect_uses();
-    collect_angles();
-    cut();
-    for (Block& block : blocks_) connect(block);
-    assign_places();
     body_.blocks.resize(blocks_.size());
     for (std::size_t b = 0; b < blocks_.size(); ++b) write_block(blocks_[b], body_.blocks[b]);
     write_tables();
@@ -79,193 +52,6 @@ class Writer {
   }
 
  private:
-  int operands(std::uint32_t v) const { return operand_count(program_.code[v].op); }
-  Operation op(std::uint32_t v) const { return program_.code[v].op; }
-  std::uint32_t operand(std::uint32_t v, int k) const {
-    return k == 0 ? program_.code[v].a : program_.code[v].b;
-  }
-  bool constant(std::uint32_t v) const { return op(v) == Operation::constant; }
-  double constant_value(std::uint32_t v) const { return program_.constants[program_.code[v].a]; }
-
-  void collect_uses() {
-    live_.assign(size_, 0);
-    results_.resize(size_);
-    for (std::uint32_t array = 0; array < program_.outputs.size(); ++array)
-      for (std::uint32_t k = 0; k < program_.outputs[array].values.size(); ++k) {
-        results_[program_.outputs[array].values[k]].emplace_back(array, k);
-        live_[program_.outputs[array].values[k]] = 1;
-      }
-    for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;)
-      for (int k = 0; k < operands(v); ++k) {
-        if (operand(v, k) >= v)
-          throw InternalError("emit: a value of " + program_.function + " is used before it is computed");
-        if (live_[v] != 0) live_[operand(v, k)] = 1;
-      }
-  }
-
-  /// As in a function without blocks, all sines and cosines whose angles are known at the first one come from
-  /// one call.
-  void collect_angles() {
-    angle_.assign(size_, kNoPlace);
-    const auto is_trig = [&](std::uint32_t v) {
-      return live_[v] != 0 && (op(v) == Operation::sin || op(v) == Operation::cos);
-    };
-    while (first_trig_ < size_ && !is_trig(first_trig_)) ++first_trig_;
-    std::map<std::uint32_t, std::uint32_t> known;
-    for (std::uint32_t v = first_trig_; v < size_; ++v) {
-      const std::uint32_t a = program_.code[v].a;
-      if (!is_trig(v) || a >= first_trig_) continue;
-      const auto [entry, fresh] = known.try_emplace(a, static_cast<std::uint32_t>(angles_.size()));
-      if (fresh) angles_.push_back(a);
-      angle_[v] = entry->second;
-    }
-  }
-
-  /// Before the first sine come the angles, which are a block of their own, then all the rest.
-  void cut() {
-    std::vector<std::uint32_t> before, after;
-    for (std::uint32_t v = 0; v < size_; ++v)
-      if (live_[v] != 0 && !is_leaf(op(v)) && angle_[v] == kNoPlace)
-        (v < first_trig_ && !angles_.empty() ? before : after).push_back(v);
-    time_.assign(size_, kNoPlace);
-    position_.assign(size_, kNoPlace);
-    const auto append = [&](const RepeatedBlocks& cut) {
-      const auto first_block = static_cast<std::uint32_t>(blocks_.size());
-      const auto first_place = static_cast<std::uint32_t>(order_.size());
-      order_.insert(order_.end(), cut.order.begin(), cut.order.end());
-      blocks_.resize(blocks_.size() + cut.lengths.size());
-      for (const BlockOccurrence& occurrence : cut.occurrences) {
-        Block& block = blocks_[first_block + occurrence.block];
-        const auto time = static_cast<std::uint32_t>(sequence_.size());
-        block.length = cut.lengths[occurrence.block];
-        block.begins.push_back(first_place + occurrence.begin);
-        block.times.push_back(time);
-        sequence_.push_back(first_block + occurrence.block);
-        for (std::uint32_t i = 0; i < block.length; ++i) {
-          const std::uint32_t v = order_[first_place + occurrence.begin + i];
-          time_[v] = time;
-          position_[v] = i;
-        }
-      }
-    };
-    append(find_repeated_blocks(program_, before));
-    calls_before_ = sequence_.size();
-    append(find_repeated_blocks(program_, after));
-    last_use_.assign(size_, 0);
-    crosses_.assign(size_, 0);
-  }
-
-  std::uint32_t value(const Block& block, std::size_t occurrence, std::uint32_t i) const {
-    return order_[block.begins[occurrence] + i];
-  }
-
-  /// Finds out which operands come from inside in all occurrences.
-  void connect(Block& block) {
-    std::map<External, std::uint32_t> known;
-    block.sources.assign(2 * std::size_t{block.length}, {Source::Kind::inside, 0});
-    for (std::uint32_t i = 0; i < block.length; ++i) {
-      const std::uint32_t first = value(block, 0, i);
-      for (int k = 0; k < operands(first); ++k) {
-        const auto inside = [&](std::size_t o) {
-          const std::uint32_t from = operand(value(block, o, i), k);
-          return time_[from] == block.times[o] ? position_[from] : kNoPlace;
-        };
-        const std::uint32_t at = inside(0);
-        bool same = at != kNoPlace;
-        for (std::size_t o = 0; o < block.begins.size(); ++o) same &= inside(o) == at;
-        Source& source = block.sources[2 * std::size_t{i} + static_cast<std::size_t>(k)];
-        if (same) {
-          source = {Source::Kind::inside, at};
-          continue;
-        }
-        External external;
-        for (std::size_t o = 0; o < block.begins.size(); ++o) {
-          const std::uint32_t from = operand(value(block, o, i), k);
-          external.push_back(from);
-          crosses_[from] = 1;
-          last_use_[from] = std::max(last_use_[from], block.times[o]);
-        }
-        const auto [entry, fresh] = known.try_emplace(external, static_cast<std::uint32_t>(known.size()));
-        if (fresh) block.externals.push_back(std::move(external));
-        source = {Source::Kind::outside, entry->second};
-      }
-    }
-  }
-
-  bool all_constant(const External& external) const {
-    return std::ranges::all_of(external, [&](std::uint32_t v) { return constant(v); });
-  }
-
-  /// Places in v: inputs in the order of their arrays, constants that stand where other occurrences have
-  /// values, angles, sines, cosines; then what crosses. A place is free again after the last use.
-  void assign_places() {
-    place_.assign(size_, kNoPlace);
-    std::vector<std::uint8_t> mixed(size_, 0);
-    for (Block& block : blocks_) {
-      for (const External& external : block.externals)
-        if (!all_constant(external))
-          for (const std::uint32_t v : external)
-            if (constant(v)) mixed[v] = 1;
-    }
-    std::map<std::pair<ArgumentKind, std::uint32_t>, std::uint32_t> elements;
-    for (std::uint32_t v = 0; v < size_; ++v)
-      if (op(v) == Operation::input && live_[v] != 0) {
-        const InputSlot& slot = program_.inputs[program_.code[v].a];
-        elements.try_emplace({slot.kind, slot.index}, 0);
-      }
-    for (auto& [element, place] : elements) {
-      place = places_++;
-      loads_.push_back({element.first, element.second});
-    }
-    for (std::uint32_t v = 0; v < size_; ++v) {
-      if (op(v) == Operation::input && live_[v] != 0) {
-        const InputSlot& slot = program_.inputs[program_.code[v].a];
-        place_[v] = elements.at({slot.kind, slot.index});
-      }
-      if (mixed[v] != 0) {
-        place_[v] = places_++;
-        mixed_.push_back(v);
-      }
-    }
-    const auto count = static_cast<std::uint32_t>(angles_.size());
-    // Angles that are no inputs cross from the block before; all are copied to be side by side.
-    for (const std::uint32_t v : angles_) crosses_[v] = 1;
-    first_angle_ = places_;
-    for (std::uint32_t v = 0; v < size_; ++v)
-      if (angle_[v] != kNoPlace)
-        place_[v] = first_angle_ + (op(v) == Operation::sin ? count : 2 * count) + angle_[v];
-    places_ += 3 * count;
-    assign_crossing_places();
-  }
-
-  void assign_crossing_places() {
-    for (const std::uint32_t v : angles_)
-      last_use_[v] = std::max(last_use_[v], static_cast<std::uint32_t>(calls_before_));
-    for (Block& block : blocks_) {
-      block.exported.assign(block.length, 0);
-      for (std::uint32_t i = 0; i < block.length; ++i)
-        for (std::size_t o = 0; o < block.begins.size(); ++o)
-          if (crosses_[value(block, o, i)] != 0) block.exported[i] = 1;
-    }
-    std::vector<std::vector<std::uint32_t>> expiring(sequence_.size() + 1);
-    std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_places;
-    std::vector<std::uint32_t> next(blocks_.size(), 0);
-    for (std::uint32_t time = 0; time < sequence_.size(); ++time) {
-      if (time > 0)
-        for (const std::uint32_t place : expiring[time - 1]) free_places.push(place);
-      const Block& block = blocks_[sequence_[time]];
-      const std::uint32_t occurrence = next[sequence_[time]]++;
-      for (std::uint32_t i = 0; i < block.length; ++i) {
-        if (block.exported[i] == 0) continue;
-        const std::uint32_t v = value(block, occurrence, i);
-        if (free_places.empty()) free_places.push(places_++);
-        place_[v] = free_places.top();
-        free_places.pop();
-        expiring[std::max(last_use_[v], time)].push_back(place_[v]);
-      }
-    }
-  }
-
   /// Index into `constants_`.
   std::uint32_t listed_constant(std::uint32_t v) {
     const auto [entry, fresh] =
@@ -275,7 +61,7 @@ class Writer {
   }
 
   /// `3` if the number is the same in all occurrences, otherwise `at[k]`.
-  static std::string listed(Block& block, const std::vector<std::uint32_t>& numbers) {
+  static std::string listed(RepeatedBlock& block, const std::vector<std::uint32_t>& numbers) {
     if (std::ranges::all_of(numbers, [&](std::uint32_t n) { return n == numbers[0]; }))
       return std::to_string(numbers[0]);
     const std::size_t k = block.table[0].size();
@@ -283,7 +69,7 @@ class Writer {
     return fmt::format("at[{}]", k);
   }
 
-  std::string external_text(Block& block, const External& external) {
+  std::string external_text(RepeatedBlock& block, const External& external) {
     std::vector<std::uint32_t> numbers;
     if (!all_constant(external)) {
       for (const std::uint32_t v : external) numbers.push_back(place_[v]);
@@ -296,7 +82,7 @@ class Writer {
     return fmt::format("S(constants[{}])", listed(block, numbers));
   }
 
-  void write_block(Block& block, CodeBlock& out) {
+  void write_block(RepeatedBlock& block, CodeBlock& out) {
     block.table.resize(block.begins.size());
     std::vector<std::uint32_t> uses(block.length, 0), external_uses(block.externals.size(), 0);
     for (std::uint32_t i = 0; i < block.length; ++i)
@@ -393,7 +179,8 @@ class Writer {
                                      sequence_.end());
     body_.calls = sequence_.size();
     if (steps.empty()) throw InternalError("emit: a function without operations has no blocks");
-    table("steps", "unsigned short", number_lines(steps));
+    table("steps", blocks_.size() > std::numeric_limits<std::uint16_t>::max() ? "unsigned" : "unsigned short",
+          number_lines(steps));
     std::string constants;
     if (constants_.empty()) constants_.push_back(0);
     for (const double c : constants_) constants += number_literal(c) + ", ";
@@ -521,20 +308,7 @@ class Writer {
     }
   }
 
-  const Program& program_;
   const FunctionSignature& signature_;
-  std::size_t size_;
-  std::vector<std::uint8_t> live_, crosses_;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
-  std::uint32_t first_trig_ = 0;
-  std::vector<std::uint32_t> angles_, angle_;  ///< angle_: of what the call of sines and cosines gives
-  std::vector<std::uint32_t> order_, sequence_;
-  std::size_t calls_before_ = 0;
-  std::vector<Block> blocks_;
-  std::vector<std::uint32_t> time_, position_, last_use_, place_;
-  std::vector<std::pair<ArgumentKind, std::uint32_t>> loads_;
-  std::vector<std::uint32_t> mixed_;
-  std::uint32_t places_ = 0, first_angle_ = 0;
   std::map<double, std::uint32_t> constant_index_;
   std::vector<double> constants_;
   FunctionBody body_;
