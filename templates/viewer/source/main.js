@@ -31,7 +31,7 @@ function seek(t) {
 
 function step(now) {
   if (!state.playing) return;
-  const elapsed = Math.min((now - state.last) / 1000, 0.1);
+  const elapsed = Math.min(Math.max(now - state.last, 0) / 1000, 0.1);  // the first frame may lie before play()
   state.last = now;
   state.time += elapsed * Number(element("speed").value);
   if (state.time > end) state.time = start;
