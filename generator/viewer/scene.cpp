@@ -147,16 +147,28 @@ void place_side_by_side(Scene& scene) {
   if (n < 2) return;
   const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
   std::vector<Eigen::AlignedBox3d> boxes;
-  Vector3d largest = Vector3d::Zero();
-  for (const SceneMechanism& mechanism : scene.mechanisms) {
-    boxes.push_back(bounds(scene, mechanism).transformed(mechanism.placement));
-    largest = largest.cwiseMax(boxes.back().sizes());
-  }
+  std::vector<double> widths(columns), depths((n + columns - 1) / columns);
+  double sizes = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3d cell(static_cast<double>(i % columns), -static_cast<double>(i / columns), 0);
-    Vector3d shift = (1.25 * largest).cwiseProduct(cell) - boxes[i].center();
-    shift[2] = -boxes[i].min()[2];
-    scene.mechanisms[i].placement.pretranslate(shift);
+    boxes.push_back(bounds(scene, scene.mechanisms[i]).transformed(scene.mechanisms[i].placement));
+    const Vector3d size = boxes[i].sizes();
+    widths[i % columns] = std::max(widths[i % columns], size[0]);
+    depths[i / columns] = std::max(depths[i / columns], size[1]);
+    sizes += size.norm();
+  }
+  const double gap = 0.15 * sizes / static_cast<double>(n);
+  double front = 0;
+  for (std::size_t row = 0; row < depths.size(); ++row) {
+    double left = 0;
+    for (std::size_t column = 0; column < columns && row * columns + column < n; ++column) {
+      const std::size_t i = row * columns + column;
+      const Vector3d place(left + widths[column] / 2, front - depths[row] / 2, 0);
+      Vector3d shift = place - boxes[i].center();
+      shift[2] = -boxes[i].min()[2];
+      scene.mechanisms[i].placement.pretranslate(shift);
+      left += widths[column] + gap;
+    }
+    front -= depths[row] + gap;
   }
 }
 

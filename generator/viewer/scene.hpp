@@ -76,7 +76,8 @@ void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, c
 Eigen::AlignedBox3d bounds(const Scene& scene, const SceneMechanism& mechanism,
                            std::size_t frames = std::numeric_limits<std::size_t>::max());
 
-/// Shifts the mechanisms so that they stand beside each other, in rows along x, on one floor.
+/// Shifts the mechanisms so that they stand beside each other, in a grid of rows along x, each row and column
+/// as wide as it must be, on one floor.
 void place_side_by_side(Scene& scene);
 
 }  // namespace alembert
