@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what alembert needs from Debian's packages: `install_packages.sh` for building and using it, `install_packages.sh tests` for
-# everything the tests use as well, `install_packages.sh reproduce` for the report on the paper. Runs as root or through sudo; does nothing where all is installed.
+# everything the tests use as well, `install_packages.sh reproduce` for the report on the paper,
+# `install_packages.sh gallery` for the gallery. Runs as root or through sudo; does nothing where all is installed.
 set -eu
 
 packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev nlohmann-json3-dev"
@@ -9,7 +10,10 @@ if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
 fi
 if [ "${1:-}" = tests ]; then
   packages="$packages git python3 clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
-            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev chromium"
+            liborocos-kdl-dev libmujoco-dev libdart-dev libsimbody-dev libmpfr-dev"
+fi
+if [ "${1:-}" = gallery ] || [ "${1:-}" = tests ]; then
+  packages="$packages chromium"
   # npm, unless it came with a node that is no Debian package.
   command -v npm >/dev/null || packages="$packages npm"
 fi

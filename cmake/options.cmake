@@ -7,6 +7,7 @@ option(ALEMBERT_BUILD_DEMO "Add the target demo: the PUMA 560 from its descripti
 option(ALEMBERT_BUILD_REPRODUCTION "Add the target reproduce: the paper's tables and figures, made anew" OFF)
 option(ALEMBERT_TEST_SANITIZED "Add a test that builds the tests with clang and sanitizers and runs them" OFF)
 option(ALEMBERT_BUILD_FUZZERS "Build the libFuzzer target of the loader (clang)" OFF)
+option(ALEMBERT_BUILD_GALLERY "Add the target gallery: pages and pictures of the paper's mechanisms (npm, Chromium)" OFF)
 set(ALEMBERT_BUILD_VIEWER AUTO CACHE STRING "Bundle the page of `simulate --html` (npm): AUTO, ON or OFF")
 set_property(CACHE ALEMBERT_BUILD_VIEWER PROPERTY STRINGS AUTO ON OFF)
 option(ALEMBERT_REQUIRE_VIEWER "Make it an error if pages cannot be tested in a browser" OFF)

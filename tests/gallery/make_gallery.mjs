@@ -51,30 +51,30 @@ async function photograph(browser, entry) {
 
 function writeIndex(entries) {
   let body = "";
-  let open = false;
+  let figure = "";
   for (const entry of entries) {
-    if (entry.figure || !open) {
-      body += `${open ? "</div>" : ""}<h2>${escaped(entry.figure ?? "")}</h2><div>`;
-      open = true;
-    }
+    figure = entry.figure ?? figure;
     const stopped = entry.stopped ? `<small>Stops early: ${escaped(entry.stopped)}</small>` : "";
-    body += `<a href="${entry.name}.html"><img src="${entry.name}.png" width="${kWidth}" height="${kHeight}" alt="">${escaped(entry.title)}${stopped}</a>\n`;
+    body += `<a href="${entry.name}.html"><img src="${entry.name}.png" width="${kWidth}" height="${kHeight}" alt="">
+<small>${escaped(figure)}</small>${escaped(entry.title)}${stopped}</a>\n`;
   }
   writeFileSync(`${out}/index.html`, `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>alembert: gallery</title>
 <style>
 :root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
 body { background: light-dark(#eef0f3, #14171c); color: light-dark(#1d2430, #e8ecf2); margin: 0 auto; max-width: 1500px; padding: 24px; }
-h1 { font-size: 24px; margin: 0; } h2 { font-size: 15px; margin: 26px 0 8px; }
-p { margin: 4px 0 0; opacity: 0.75; }
+h1 { font-size: 24px; margin: 0; }
+p { margin: 4px 0 20px; opacity: 0.75; }
 div { display: grid; gap: 18px; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); }
-a { background: light-dark(#ffffff, #1b1f26); border-radius: 10px; color: inherit; display: block; overflow: hidden; padding-bottom: 10px; text-decoration: none; text-indent: 14px; }
+a { background: light-dark(#ffffff, #1b1f26); border-radius: 10px; color: inherit; display: block; overflow: hidden; padding-bottom: 10px; text-decoration: none; }
+a { font-weight: 550; padding-left: 14px; }
 a:hover { outline: 2px solid #2f6fb0; }
-img { aspect-ratio: ${kWidth} / ${kHeight}; display: block; height: auto; margin-bottom: 8px; width: 100%; }
-small { display: block; opacity: 0.7; padding: 0 14px; text-indent: 0; }
+img { aspect-ratio: ${kWidth} / ${kHeight}; display: block; height: auto; margin: 0 0 8px -14px; width: calc(100% + 14px); max-width: none; }
+small { display: block; font-weight: 400; opacity: 0.7; padding-right: 14px; }
 </style></head><body>
 <h1>Mechanisms in motion</h1><p>Each picture leads to a page: drag to turn, space to play.</p>
-${body}${open ? "</div>" : ""}
+<div>
+${body}</div>
 </body></html>
 `);
 }
