@@ -172,10 +172,18 @@ class Plot {
   }
 }
 
+/// Name of the quaternion that a coordinate is a part of.
+const stem = (name) => name.match(/^(.*)\.[xyzw]$/)?.[1];
+
+/// Potential energy has no zero of its own: from its lowest value, kinetic energy can be seen beside it.
+function fromLowestPotential(energies) {
+  const lowest = energies.find(({ name }) => name === "potential").values.reduce((a, b) => Math.min(a, b), Infinity);
+  return energies.map(({ name, values }) => ({ name, values: name === "kinetic" ? values : values.map((x) => x - lowest) }));
+}
+
 /// Coordinates that share a plot: the parts of a quaternion, otherwise four at a time.
 function groups(coordinates) {
   const out = [];
-  const stem = (name) => name.match(/^(.*)\.[xyzw]$/)?.[1];
   for (const series of coordinates) {
     const last = out[out.length - 1];
     const same = last && stem(last[0].name) === stem(series.name);
@@ -188,12 +196,14 @@ function groups(coordinates) {
 export class Plots {
   constructor(element, mechanism, onSeek) {
     element.replaceChildren();
-    const note = `J, total changes by ${mechanism.energy_change.toPrecision(2)} at most`;
-    this.plots = [new Plot("Energy", note, mechanism.times, mechanism.energies, onSeek)];
+    const note = `J, potential from its lowest; total changes by ${mechanism.energy_change.toPrecision(2)} at most`;
+    this.plots = [new Plot("Energy", note, mechanism.times, fromLowestPotential(mechanism.energies), onSeek)];
     for (const group of groups(mechanism.coordinates)) {
-      const first = group[0].name;
+      const part = stem(group[0].name);
       const last = group[group.length - 1].name;
-      this.plots.push(new Plot(first === last ? first : `${first} \u2026 ${last}`, "", mechanism.times, group, onSeek));
+      const title = part ?? (group.length === 1 ? last : `${group[0].name} \u2026 ${last}`);
+      const series = part ? group.map(({ name, values }) => ({ name: name.slice(part.length + 1), values })) : group;
+      this.plots.push(new Plot(title, "", mechanism.times, series, onSeek));
     }
     element.append(...this.plots.map((plot) => plot.element));
   }
