@@ -31,17 +31,18 @@ template <int Nc>
 struct ConstraintReport {
   /// With inconsistent_constraints: the row that contradicts the others. Else -1.
   int inconsistent_row = -1;
-  int rank = 0;                         ///< number of independent rows
-  Eigen::Array<bool, Nc, 1> redundant;  ///< rows that follow from the others, here
+  int rank = 0;  ///< number of independent rows
+  Eigen::Array<bool, Nc, 1> redundant =
+      detail::cleared<Eigen::Array<bool, Nc, 1>>();  ///< rows that follow from the others, here
 };
 
 /// Accelerations and reactions under constraints. Nv and Nc may be Eigen::Dynamic.
 template <class S, int Nv, int Nc>
 struct ConstrainedMotion : ConstraintReport<Nc> {
-  Eigen::Matrix<S, Nv, 1> qdd;  ///< rates of the speeds
+  Eigen::Matrix<S, Nv, 1> qdd = detail::cleared<Eigen::Matrix<S, Nv, 1>>();  ///< rates of the speeds
   /// Reactions, one a row, so that P^T lambda are generalized forces; 0 for redundant rows. Where rows depend
   /// on each other only the sum P^T lambda is determined, and which row bears it may change along a motion.
-  Eigen::Matrix<S, Nc, 1> lambda;
+  Eigen::Matrix<S, Nc, 1> lambda = detail::cleared<Eigen::Matrix<S, Nc, 1>>();
 };
 
 /// ConstrainedMotion of a mechanism or System.

@@ -80,6 +80,15 @@ struct HasConstraints<
                std::declval<typename M::ConstraintVector&>(), std::declval<typename M::ConstraintVector&>(),
                std::declval<typename M::ConstraintVector&>()))>> : std::bool_constant<(M::kNc > 0)> {};
 
+/// A vector of zeros, or an empty one where the size is Eigen::Dynamic.
+template <class Vector>
+Vector cleared() {
+  if constexpr (Vector::SizeAtCompileTime == Eigen::Dynamic)
+    return Vector();
+  else
+    return Vector::Zero();
+}
+
 }  // namespace detail
 
 /// Rows of constraints of M: n_c x 1, and n_c x n_v.
