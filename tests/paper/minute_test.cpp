@@ -36,7 +36,7 @@ const std::map<std::string, std::optional<Bounds>> kEnergy = {
     {"torus_chain_14", {{0.1, 0.2}}},
     {"torus_chain_linked_14", {{0.1, 0.2}}},
     {"train", {{3e-7, 1e-5}}},
-    {"train_coupled", {{3e-7, 1e-5}}},
+    {"train_coupled", {{1e-6, 3e-5}}},
     {"train_reference", {{6e-7, 2e-5}}},
     {"upper_body", std::nullopt},
 };
