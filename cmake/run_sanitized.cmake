@@ -1,5 +1,6 @@
 # Builds generator, runtime and tests with clang, address and undefined behaviour sanitizers, and runs the tests, among them the freshness of
-# generated/: so that both compilers' generators are known to write the same bytes. Arguments: ROOT, BUILD.
+# generated/: so that both compilers' generators are known to write the same bytes. Left out: what only repeats on more or longer mechanisms what other tests reach, and would
+# take a quarter of an hour more. Arguments: ROOT, BUILD.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -13,4 +14,5 @@ run(${CMAKE_COMMAND} -S ${ROOT} -B ${BUILD} -G Ninja -DCMAKE_C_COMPILER=clang -D
 run(${CMAKE_COMMAND} --build ${BUILD})
 set(ENV{UBSAN_OPTIONS} print_stacktrace=1)
 set(ENV{ASAN_OPTIONS} strict_string_checks=1:detect_stack_use_after_return=1)
-run(${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} -j2 --output-on-failure --no-tests=error -E "^consumer|million|formatting|layering")
+run(${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} -j2 --output-on-failure --no-tests=error 
+    -E "^consumer|^golden|^paper\\.|Catalogue/Pass|million|formatting|layering|upper_body|train|scapula|ellipsoids")
