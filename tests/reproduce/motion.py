@@ -19,7 +19,6 @@ from counts import verdict
 from drawing import new_figure, save
 
 STEPS = {"1/60 s": 1 / 60, "1/30 s": 1 / 30}
-SAMPLES = 20  # states along a motion at which a tangent step is tried
 
 
 class Mechanism:
@@ -27,12 +26,25 @@ class Mechanism:
 
     def __init__(self, alembert: Path, path: Path):
         self.alembert, self.path = alembert, path
+        # One process for all states: deriving the equations takes longer than evaluating them.
+        command = [alembert, "evaluate", path, "--json", "--effort", "0"]
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.stdin.close()
+        self.process.wait()
+        self.process.stdout.close()
 
     def evaluate(self, states: list) -> list:
-        text = "".join(json.dumps(state) + "\n" for state in states)
-        command = [self.alembert, "evaluate", self.path, "--json"]
-        done = subprocess.run(command, check=True, capture_output=True, text=True, input=text)
-        return [json.loads(line) for line in done.stdout.splitlines()]
+        results = []
+        for state in states:
+            self.process.stdin.write(json.dumps(state) + "\n")
+            self.process.stdin.flush()
+            results.append(json.loads(self.process.stdout.readline()))
+        return results
 
     def origins(self, qs, times) -> np.ndarray:
         """Origins of all bodies, states x 3 n_bodies."""
@@ -40,7 +52,7 @@ class Mechanism:
         return np.array([[row[i] for row in result["poses"] for i in (3, 7, 11)] for result in self.evaluate(states)])
 
     def simulate(self, step: float, seconds: float, out: Path) -> dict:
-        command = [self.alembert, "simulate", self.path, "--duration", repr(seconds), "--step", repr(step), "--every", "1", "--csv", out]
+        command = [self.alembert, "simulate", self.path, "--effort", "0", "--duration", repr(seconds), "--step", repr(step), "--every", "1", "--csv", out]
         done = subprocess.run(command, capture_output=True, text=True)
         with open(out, newline="") as file:
             rows = list(csv.reader(file))
@@ -129,7 +141,12 @@ class Wire:
 
 def figure_8(alembert: Path, path: Path, out: Path, work: Path) -> list:
     step = STEPS["1/30 s"]
-    bead, wire = Mechanism(alembert, path), Wire(path)
+    wire = Wire(path)
+    with Mechanism(alembert, path) as bead:
+        return frame_of_bead(bead, wire, step, out, work)
+
+
+def frame_of_bead(bead: Mechanism, wire: Wire, step: float, out: Path, work: Path) -> list:
     result = bead.simulate(step, 60 * step, work / "bead.csv")
     table = result["table"]
     velocities = origin_velocities(bead, result["names"], table, 1)
@@ -168,29 +185,31 @@ def reason(message: str) -> str:
     return first.split("error: ")[-1].split(":")[0].split(";")[0]
 
 
-def row_of(alembert, path, seconds, work):
-    cells = [path.stem]
-    mechanism = Mechanism(alembert, path)
-    for name, step in STEPS.items():
-        result = mechanism.simulate(step, seconds, work / f"{path.stem}.csv")
-        names, table = result["names"], result["table"]
-        n_q, n_v = columns(names)
-        energy = table[:, names.index("energy")]
-        scale = max(table[:, names.index("kinetic")].max(), 1e-300)
-        residual = np.abs(table[:, names.index("residual")]).max() if "residual" in names else 0.0
-        chosen = np.unique(np.linspace(0, len(table) - 1, SAMPLES).astype(int))
-        sample = table[chosen]
-        q = normalized(sample[:, 1 : 1 + n_q], names[1:])
-        velocities = origin_velocities(mechanism, names, sample, n_q)
-        tangent = off_manifold(mechanism, names[1:], q, sample[:, 0], velocities, step).max()
-        ended = f"{seconds:g} s"
-        if result["message"]:
-            ended = f"stops at {table[-1, 0]:.2f} s ({reason(result['message'])})"
-        cells.append(f"{ended}; {np.abs(energy - energy[0]).max() / scale:.1e}; {residual:.1e}; {1000 * tangent:.2g} mm")
-    return cells
+def row_of(alembert, path, seconds, samples, work):
+    with Mechanism(alembert, path) as mechanism:
+        return [path.stem] + [cell(mechanism, step, seconds, samples, work) for step in STEPS.values()]
 
 
-def section(alembert: Path, paper: Path, seconds: float, out: Path, progress) -> list:
+def cell(mechanism: Mechanism, step: float, seconds: float, samples: int, work: Path) -> str:
+    result = mechanism.simulate(step, seconds, work / f"{mechanism.path.stem}.csv")
+    names, table = result["names"], result["table"]
+    n_q, n_v = columns(names)
+    energy = table[:, names.index("energy")]
+    scale = max(table[:, names.index("kinetic")].max(), 1e-300)
+    residual = np.abs(table[:, names.index("residual")]).max() if "residual" in names else 0.0
+    chosen = np.unique(np.linspace(0, len(table) - 1, samples).astype(int))
+    sample = table[chosen]
+    q = normalized(sample[:, 1 : 1 + n_q], names[1:])
+    velocities = origin_velocities(mechanism, names, sample, n_q)
+    tangent = off_manifold(mechanism, names[1:], q, sample[:, 0], velocities, step).max()
+    ended = f"{seconds:g} s"
+    if result["message"]:
+        ended = f"stops at {table[-1, 0]:.2f} s ({reason(result['message'])})"
+    return f"{ended}; {np.abs(energy - energy[0]).max() / scale:.1e}; {residual:.1e}; {1000 * tangent:.2g} mm"
+
+
+def section(alembert: Path, paper: Path, seconds: float, samples: int, out: Path, progress) -> list:
+    """Fig. 8 and a row for each mechanism; a tangent step is tried at so many states of each motion."""
     work = out / "motions"
     work.mkdir(exist_ok=True)
     progress("Fig. 8")
@@ -202,5 +221,5 @@ def section(alembert: Path, paper: Path, seconds: float, out: Path, progress) ->
     lines += ["| mechanism | " + " | ".join(f"steps of {name}" for name in STEPS) + " |", "| --- | --- | --- |"]
     for path in sorted(paper.glob("*.yaml")):
         progress(f"{path.stem}, {seconds:g} s in large steps")
-        lines.append("| " + " | ".join(row_of(alembert, path, seconds, work)) + " |")
+        lines.append("| " + " | ".join(row_of(alembert, path, seconds, samples, work)) + " |")
     return lines + [""]

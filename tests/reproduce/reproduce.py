@@ -20,6 +20,7 @@ def main() -> int:
         parser.add_argument(f"--{name}", type=Path, required=True)
     parser.add_argument("--measure", type=Path, help="the program measure_chains; no times without it")
     parser.add_argument("--seconds", type=float, default=60, help="length of the simulations")
+    parser.add_argument("--samples", type=int, default=20, help="states of each motion at which a tangent step is tried")
     parser.add_argument("--largest", type=int, default=60, help="no chains of more coordinates")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
@@ -38,7 +39,7 @@ def main() -> int:
     if arguments.measure:
         progress("times")
         lines += timing.section(arguments.measure, arguments.out)
-    lines += motion.section(arguments.alembert, arguments.mechanisms / "paper", arguments.seconds, arguments.out, progress)
+    lines += motion.section(arguments.alembert, arguments.mechanisms / "paper", arguments.seconds, arguments.samples, arguments.out, progress)
 
     report = arguments.out / "report.md"
     report.write_text("\n".join(lines) + "\n")
