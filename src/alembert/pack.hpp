@@ -4,8 +4,10 @@
 // alembert::ALEMBERT_PACK_NAMESPACE the type Pack with arithmetic and functions, its loads and stores, and a
 // solver for M x = b.
 //
-// No lane depends on another. The width is that of the widest vectors the compiler may use; where it has no
-// vector extensions, one.
+// No lane depends on another, and all are computed alike: a product is fused with the sum that it stands in
+// where the machine can, by what is written here and never by the compiler, which might fuse one vector of a
+// pack and not the other. So -ffp-contract must be off. ALEMBERT_PACK_NO_FMA fuses nothing. The width is that
+// of the widest vectors the compiler may use; where it has no vector extensions, one.
 #pragma once
 
 #ifndef ALEMBERT_PACK_NAMESPACE
@@ -29,9 +31,24 @@
 #define ALEMBERT_PACK_LANES 1
 #endif
 
+#if !defined(ALEMBERT_PACK_NO_FMA) && defined(__FMA__) && ALEMBERT_PACK_LANES >= 4
+#include <immintrin.h>
+#if ALEMBERT_PACK_LANES == 8
+#define ALEMBERT_PACK_MULTIPLY_ADD(a, b, c) _mm512_fmadd_pd(a, b, c)
+#else
+#define ALEMBERT_PACK_MULTIPLY_ADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#endif
+#elif !defined(ALEMBERT_PACK_NO_FMA) && defined(__GNUC__) && defined(__aarch64__)
+#include <arm_neon.h>
+#define ALEMBERT_PACK_MULTIPLY_ADD(a, b, c) vfmaq_f64(c, a, b)
+#else
+#define ALEMBERT_PACK_MULTIPLY_ADD(a, b, c) ((a) * (b) + (c))
+#endif
+
 namespace alembert::ALEMBERT_PACK_NAMESPACE {
 
 #if defined(__GNUC__)
+#define ALEMBERT_TRIG_MULTIPLY_ADD ALEMBERT_PACK_MULTIPLY_ADD
 #define ALEMBERT_TRIG_NAME sines_and_cosines_of_lanes
 #define ALEMBERT_TRIG_LANES ALEMBERT_PACK_LANES
 #define ALEMBERT_TRIG_TARGET
@@ -39,6 +56,7 @@ namespace alembert::ALEMBERT_PACK_NAMESPACE {
 #undef ALEMBERT_TRIG_NAME
 #undef ALEMBERT_TRIG_LANES
 #undef ALEMBERT_TRIG_TARGET
+#undef ALEMBERT_TRIG_MULTIPLY_ADD
 #endif
 
 /// Two vectors: straight-line code on one is a chain of dependent operations that leaves half of the machine
@@ -72,9 +90,6 @@ struct Pack {
   friend Pack operator-(const Pack& a, const Pack& b) {
     return {a.v - b.v, a.w - b.w};
   }
-  friend Pack operator*(const Pack& a, const Pack& b) {
-    return {a.v * b.v, a.w * b.w};
-  }
   friend Pack operator/(const Pack& a, const Pack& b) {
     return {a.v / b.v, a.w / b.w};
   }
@@ -94,6 +109,36 @@ struct Pack {
 
   Vector v, w;
 };
+
+/// a b, not yet rounded: the sum or difference that it stands in takes it up by a fused operation.
+struct Product {
+  operator Pack() const { return {a.v * b.v, a.w * b.w}; }
+  Pack a, b;
+};
+inline Product operator*(const Pack& a, const Pack& b) {
+  return {a, b};
+}
+inline Product operator-(const Product& p) {
+  return {-p.a, p.b};
+}
+inline Pack operator+(const Product& p, const Pack& c) {
+  return {ALEMBERT_PACK_MULTIPLY_ADD(p.a.v, p.b.v, c.v), ALEMBERT_PACK_MULTIPLY_ADD(p.a.w, p.b.w, c.w)};
+}
+inline Pack operator+(const Pack& c, const Product& p) {
+  return p + c;
+}
+inline Pack operator-(const Product& p, const Pack& c) {
+  return p + -c;
+}
+inline Pack operator-(const Pack& c, const Product& p) {
+  return -p + c;
+}
+inline Pack operator+(const Product& p, const Product& q) {
+  return p + Pack(q);
+}
+inline Pack operator-(const Product& p, const Product& q) {
+  return p - Pack(q);
+}
 
 /// A function of the C library, lane by lane.
 #define ALEMBERT_PACK_FUNCTION(name)                            \
@@ -268,3 +313,5 @@ void solve_positive_definite(Pack* M, Pack* x) {
 }
 
 }  // namespace alembert::ALEMBERT_PACK_NAMESPACE
+
+#undef ALEMBERT_PACK_MULTIPLY_ADD
