@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/node_rewrite.hpp"
 #include "program/operation.hpp"
 #include "program/rewrites.hpp"
 
@@ -48,16 +49,10 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
   return muls + (divide > 0 ? kDivisionWeight : 0);
 }
 
-class SumFactoring {
+class SumFactoring : NodeRewrite {
  public:
   explicit SumFactoring(const ValueProgram& from)
-      : from_(from),
-        graph_(from.graph),
-        order_(live_order(from)),
-        uses_(use_counts(from, order_)),
-        inner_(graph_.size(), 0),
-        angle_(graph_.size(), 1),
-        image_(graph_.size()) {
+      : NodeRewrite(from), graph_(from.graph), inner_(graph_.size(), 0), angle_(graph_.size(), 1) {
     for (const std::uint32_t id : order_) {
       const ValueNode& n = graph_.node(id);
       const int operands = operand_count(n.op);
@@ -72,16 +67,9 @@ class SumFactoring {
   }
 
   std::optional<ValueProgram> run() {
-    to_.function = from_.function;
-    to_.formulation = from_.formulation;
-    to_.inputs = from_.inputs;
-    to_.graph.reserve(order_.size());
-    for (const std::uint32_t id : order_) image_[id] = rewrite(id);
+    rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
     if (!rewritten_) return std::nullopt;
-    to_.outputs = from_.outputs;
-    for (auto& output : to_.outputs)
-      for (Value& v : output.values) v = image(v);
-    return std::move(to_);
+    return finished();
   }
 
  private:
@@ -92,7 +80,6 @@ class SumFactoring {
     const Operation op = graph_.node(id).op;
     return (op == Operation::add && user == Operation::add) || (is_product(op) && is_product(user));
   }
-  Value image(Value v) const { return image_[v.node()].negated_if(v.negative()); }
 
   Value rewrite(std::uint32_t id) {
     const ValueNode& n = graph_.node(id);
@@ -339,13 +326,9 @@ class SumFactoring {
     return to.make(Operation::add, sum, number);
   }
 
-  const ValueProgram& from_;
   const ValueGraph& graph_;
-  std::vector<std::uint32_t> order_, uses_;
   std::vector<std::uint8_t> inner_;  ///< part of the sum or product that uses it
   std::vector<std::uint8_t> angle_;  ///< used by sin, cos and tan only
-  std::vector<Value> image_;
-  ValueProgram to_;
   bool rewritten_ = false;
 
   // Of the chain at hand.

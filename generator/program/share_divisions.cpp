@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/node_rewrite.hpp"
 #include "program/operation.hpp"
 #include "program/rewrites.hpp"
 
@@ -17,14 +18,10 @@ struct Quotient {
   Value numerator, denominator;
 };
 
-class DivisionSharing {
+class DivisionSharing : NodeRewrite {
  public:
   explicit DivisionSharing(const ValueProgram& from)
-      : from_(from),
-        order_(live_order(from)),
-        uses_(use_counts(from, order_)),
-        divisions_by_(from.graph.size(), 0),
-        image_(from.graph.size()) {
+      : NodeRewrite(from), divisions_by_(from.graph.size(), 0) {
     for (const std::uint32_t id : order_)
       if (from_.graph.node(id).op == Operation::div) ++divisions_by_[from_.graph.node(id).b.node()];
   }
@@ -33,19 +30,11 @@ class DivisionSharing {
     if (std::none_of(order_.begin(), order_.end(),
                      [this](std::uint32_t id) { return from_.graph.node(id).op == Operation::div; }))
       return std::nullopt;
-    to_.function = from_.function;
-    to_.formulation = from_.formulation;
-    to_.inputs = from_.inputs;
-    to_.graph.reserve(order_.size());
-    for (const std::uint32_t id : order_) image_[id] = rewrite(id);
-    to_.outputs = from_.outputs;
-    for (auto& output : to_.outputs)
-      for (Value& v : output.values) v = image(v);
-    return std::move(to_);
+    rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
+    return finished();
   }
 
  private:
-  Value image(Value v) const { return image_[v.node()].negated_if(v.negative()); }
   Value one() { return to_.graph.constant(1); }
 
   // The quotient that v is, if nothing else needs it and no other division has its divisor.
@@ -103,10 +92,7 @@ class DivisionSharing {
     return to_.graph.make(Operation::div, numerator, q.denominator);
   }
 
-  const ValueProgram& from_;
-  std::vector<std::uint32_t> order_, uses_, divisions_by_;
-  std::vector<Value> image_;
-  ValueProgram to_;
+  std::vector<std::uint32_t> divisions_by_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "program/node_rewrite.hpp"
 #include "program/operation.hpp"
 #include "program/rewrites.hpp"
 
@@ -20,30 +21,21 @@ namespace {
 using Factor = std::uint32_t;
 using Pair = std::pair<Factor, Factor>;  ///< ascending
 
-class ProductSharing {
+class ProductSharing : NodeRewrite {
  public:
-  explicit ProductSharing(const ValueProgram& from)
-      : from_(from), order_(live_order(from)), uses_(use_counts(from, order_)), image_(from.graph.size()) {}
+  explicit ProductSharing(const ValueProgram& from) : NodeRewrite(from) {}
 
   std::optional<ValueProgram> run() {
     collect();
     if (!extract()) return std::nullopt;
-    to_.function = from_.function;
-    to_.formulation = from_.formulation;
-    to_.inputs = from_.inputs;
-    to_.graph.reserve(order_.size());
-    for (const std::uint32_t id : order_) image_[id] = rewrite(id);
-    to_.outputs = from_.outputs;
-    for (auto& output : to_.outputs)
-      for (Value& v : output.values) v = image(v);
-    return std::move(to_);
+    rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
+    return finished();
   }
 
  private:
   static constexpr std::size_t kMaxFactors = 8;
   using Monomial = std::vector<Factor>;  ///< ascending, with repetitions
 
-  Value image(Value v) const { return image_[v.node()].negated_if(v.negative()); }
   bool is_product(std::uint32_t id) const { return from_.graph.node(id).op == Operation::mul; }
   Factor first_pair() const { return from_.graph.size(); }
 
@@ -197,15 +189,11 @@ class ProductSharing {
     return to.make(n.op, a, b);
   }
 
-  const ValueProgram& from_;
-  std::vector<std::uint32_t> order_, uses_;
   std::vector<Monomial> monomials_;
   std::vector<char> counted_;  ///< of each monomial: whether it is no part of another one
   std::vector<std::int64_t> monomial_of_;
   std::vector<Pair> pairs_;
   std::vector<std::optional<Value>> built_;
-  std::vector<Value> image_;
-  ValueProgram to_;
 };
 
 }  // namespace
