@@ -9,20 +9,10 @@
 
 #include "dynamics/constraints.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/sleigh.hpp"
 
 namespace alembert::test {
 namespace {
-
-constexpr const char* kSleigh = R"(alembert: 1
-name: sleigh
-coordinates: [x, y, th]
-bodies:
-  - name: sleigh
-    transform: [{translate: [x, y, 0]}, {rotate: {axis: z, angle: th}}]
-    mass: 1
-    com: [0.3, 0, 0]
-    inertia: {xx: 1, yy: 1, zz: 1}
-)";
 
 /// A sleigh with equations in q and t.
 LoadedMechanism sleigh_with(

@@ -11,6 +11,7 @@
 
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/sleigh.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "program/passes.hpp"
 
@@ -294,17 +295,6 @@ frames:
       mechanism.pose(0) * Vector4d(0.3, 0.2, 0.1, 1) - mechanism.pose(1) * Vector4d(0, -0.4, 0.2, 1);
   EXPECT_LT((mechanism.value(mechanism.equations().position).head(3) - difference.head(3)).norm(), 1e-14);
 }
-
-constexpr const char* kSleigh = R"(alembert: 1
-name: sleigh
-coordinates: [x, y, th]
-bodies:
-  - name: sleigh
-    transform: [{translate: [x, y, 0]}, {rotate: {axis: z, angle: th}}]
-    mass: 1
-    com: [0.3, 0, 0]
-    inertia: {xx: 1, yy: 1, zz: 1}
-)";
 
 TEST(Pfaffian, KnifeEdgeWithTime) {
   LoadedMechanism loaded = LoadedMechanism::text(kSleigh);
