@@ -1,12 +1,11 @@
 // A description loaded for a test, from the catalogue or from text.
 #pragma once
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "dynamics/equations.hpp"
 #include "dynamics/state_checks.hpp"
 #include "mechanism/load.hpp"
@@ -34,20 +33,5 @@ struct LoadedMechanism {
     return evaluate(expressions, state_values(*mechanism, *graph, seed));
   }
 };
-
-/// All descriptions of the catalogue, sorted.
-inline std::vector<std::string> catalogue() {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(ALEMBERT_SOURCE_DIR "/mechanisms")) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// Name of a catalogue file as a test suffix.
-inline std::string test_name(const std::string& path) {
-  return std::filesystem::path(path).stem().string();
-}
 
 }  // namespace alembert::test

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "catalogue.hpp"
 #include "paper/tree_motion.hpp"
 
 namespace alembert::test {
@@ -44,8 +45,7 @@ const std::map<std::string, std::optional<Bounds>> kEnergy = {
 std::vector<std::string> tree_mechanisms() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(ALEMBERT_SOURCE_DIR "/mechanisms/paper")) {
-    if (entry.path().extension() != ".yaml") continue;
-    if (read_text(entry.path().string()).find("\nconstraints:") == std::string::npos)
+    if (entry.path().extension() == ".yaml" && !has_constraints(entry.path().string()))
       names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
