@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
@@ -18,20 +19,34 @@ constexpr const char* kConvention =
     "a constant offset in a trigonometric argument belongs to that call; constants folded; gravity "
     "included\n";
 
+/// Whether a function is counted unless others are asked for: poses and Jacobians are not.
+bool is_of_dynamics(FunctionKind kind) {
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+    case FunctionKind::mass_matrix:
+    case FunctionKind::bias:
+    case FunctionKind::mass_matrix_and_bias:
+    case FunctionKind::forward_dynamics:
+    case FunctionKind::coordinate_rates:
+    case FunctionKind::energy:
+    case FunctionKind::constraints:
+      return true;
+    case FunctionKind::body_poses:
+    case FunctionKind::frame_poses:
+    case FunctionKind::frame_jacobians:
+    case FunctionKind::body_jacobians:
+    case FunctionKind::body_inertias:
+      return false;
+  }
+  return false;
+}
+
 }  // namespace
 
 int run_report(const CommonOptions& common, const ReportOptions& options) {
   std::vector<FunctionKind> functions = function_kinds(options.functions);
-  if (functions.empty()) {
-    functions = {FunctionKind::inverse_dynamics,
-                 FunctionKind::mass_matrix,
-                 FunctionKind::bias,
-                 FunctionKind::mass_matrix_and_bias,
-                 FunctionKind::forward_dynamics,
-                 FunctionKind::coordinate_rates,
-                 FunctionKind::energy,
-                 FunctionKind::constraints};
-  }
+  if (functions.empty())
+    std::ranges::copy_if(all_function_kinds(), std::back_inserter(functions), is_of_dynamics);
   CompiledMechanism compiled = compile(common, functions);
   const Mechanism& mechanism = *compiled.mechanism;
   const std::size_t rows = constraint_rows(mechanism).size();
