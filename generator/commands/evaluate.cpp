@@ -162,9 +162,9 @@ struct ForwardDynamics {
   std::vector<std::string> redundant;  ///< names of rows
 };
 
-ForwardDynamics forward_dynamics(const CompiledMechanism& compiled, const EvaluationState& state,
+ForwardDynamics forward_dynamics(InterpretedMechanism& system, const EvaluationState& state,
                                  const std::vector<double>& tau) {
-  const InterpretedMechanism system(compiled, state);
+  system.set_inputs(state);
   const auto vector_of = [](const std::vector<double>& values) -> Eigen::VectorXd {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   };
@@ -246,6 +246,7 @@ int run_evaluate(const CommonOptions& common, bool json) {
   const Mechanism& mechanism = *compiled.mechanism;
   DynamicsEvaluator evaluator(compiled);
   const EvaluationState defaults = evaluator.initial_state();
+  InterpretedMechanism system(compiled, defaults);
   StateReader reader(mechanism, defaults);
 
   std::string text;
@@ -258,13 +259,13 @@ int run_evaluate(const CommonOptions& common, bool json) {
     const EvaluationState state = reader.read(text, line);
     Answer answer;
     answer.nv = static_cast<std::size_t>(mechanism.nv);
-    answer.nc = constraint_rows(mechanism).size();
+    answer.nc = system.rows().size();
     answer.tau = evaluator(FunctionKind::inverse_dynamics, state);
     answer.mass_matrix_and_bias = evaluator(FunctionKind::mass_matrix_and_bias, state);
     answer.constraints = evaluator(FunctionKind::constraints, state);
     answer.rates = evaluator(FunctionKind::coordinate_rates, state);
     answer.poses = evaluator(FunctionKind::body_poses, state);
-    answer.forward = forward_dynamics(compiled, state, state.tau.empty() ? answer.tau : state.tau);
+    answer.forward = forward_dynamics(system, state, state.tau.empty() ? answer.tau : state.tau);
     fmt::print("{}", json ? json_answer(answer) : text_answer(answer));
     std::fflush(stdout);
   }

@@ -26,6 +26,8 @@ class InterpretedMechanism {
   int nc() const { return static_cast<int>(rows_.size()); }
   double time() const { return state_.t; }
   void set_time(double t) { state_.t = t; }
+  /// As in the constructor.
+  void set_inputs(const EvaluationState& inputs) { state_ = inputs; }
   void mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& mass,
                             Eigen::VectorXd& c) const;
   void constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
