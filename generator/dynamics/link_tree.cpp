@@ -111,7 +111,7 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
       } else {
         // Beside the main child: from its twisted frame, whose U is made anyway.
         const MassFrame from = has_frame(p, MassFrame::twist) ? MassFrame::twist : MassFrame::joint;
-        const Matrix4d back = pose_in_link(p, from).inverse();
+        const Matrix4d back = rigid_inverse(pose_in_link(p, from));
         node = builder.pose(frames[p][static_cast<std::size_t>(from)], back * link.before);
       }
     } else {
@@ -169,7 +169,7 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
         moved.node = -1;
       } else {
         const std::size_t i = static_cast<std::size_t>(l);
-        const Matrix4d pose = links_[i].adjusted.inverse() * pose_of_node_[old];
+        const Matrix4d pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
         Motion shift, turn;
         shift.kind = MotionKind::translation;
         shift.offset = {{number(graph, pose(0, 3)), number(graph, pose(1, 3)), number(graph, pose(2, 3))}};

@@ -35,13 +35,6 @@ Matrix4d shift(const Vector3d& t) {
   return m;
 }
 
-Matrix4d inverse(const Matrix4d& pose) {
-  Matrix4d m = Matrix4d::Identity();
-  m.topLeftCorner<3, 3>() = pose.topLeftCorner<3, 3>().transpose();
-  m.topRightCorner<3, 1>() = -m.topLeftCorner<3, 3>() * pose.topRightCorner<3, 1>();
-  return m;
-}
-
 /// Values of expressions without symbols; nothing if one has a symbol.
 std::optional<std::vector<double>> numbers(std::span<const Expr> values) {
   if (!std::all_of(values.begin(), values.end(), [](const Expr& e) { return e.is_constant(); }))
@@ -118,6 +111,13 @@ CommonNormal common_normal(const Matrix4d& pose) {
 
 }  // namespace
 
+Matrix4d rigid_inverse(const Matrix4d& pose) {
+  Matrix4d m = Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = pose.topLeftCorner<3, 3>().transpose();
+  m.topRightCorner<3, 1>() = -m.topLeftCorner<3, 3>() * pose.topRightCorner<3, 1>();
+  return m;
+}
+
 std::optional<RigidLinks> RigidLinks::of(const Mechanism& mechanism, const MotionTree& tree,
                                          ExprGraph& graph) {
   RigidLinks out;
@@ -162,7 +162,7 @@ void RigidLinks::place() {
     RigidLink& link = links_[i];
     link.before = link.before * G;
     link.adjusted = link.adjusted * G;
-    const Matrix4d back = inverse(G);
+    const Matrix4d back = rigid_inverse(G);
     link.inertia = back * link.inertia * back.transpose();
     for (const std::size_t child : children[i]) links_[child].before = back * links_[child].before;
   };
@@ -235,7 +235,7 @@ Matrix4d RigidLinks::pose_in_link(std::size_t i, MassFrame frame) const {
 }
 
 Matrix4d RigidLinks::in_frame(std::size_t i, MassFrame frame, const Matrix4d& inertia) const {
-  const Matrix4d back = inverse(pose_in_link(i, frame));
+  const Matrix4d back = rigid_inverse(pose_in_link(i, frame));
   return back * inertia * back.transpose();
 }
 
@@ -281,7 +281,7 @@ std::optional<RigidLinks::Split> RigidLinks::split(std::size_t i, const Regroupi
     std::vector<Matrix4d> columns;
     for (const Matrix4d& d : basis) columns.push_back(in_frame(i, how.frame, d));
     std::vector<std::size_t> points;
-    const Matrix4d back = inverse(pose_in_link(i, how.frame));
+    const Matrix4d back = rigid_inverse(pose_in_link(i, how.frame));
     for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
       if ((how.points >> k & 1u) == 0) continue;
       const Eigen::Vector4d at = (back * pose_in_link(i, kMassFrames[k])).col(3);

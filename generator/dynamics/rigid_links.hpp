@@ -56,6 +56,9 @@ struct RigidLink {
       Eigen::Matrix4d::Identity();  ///< node's frame after its motion to this link's frame
 };
 
+/// The inverse of a pose [R p; 0 1].
+Eigen::Matrix4d rigid_inverse(const Eigen::Matrix4d& pose);
+
 /// Links of one mechanism; the tree must outlive it.
 class RigidLinks {
  public:
