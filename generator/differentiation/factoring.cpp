@@ -10,8 +10,8 @@
 #include <array>
 #include <utility>
 
-#include "differentiation/modulo.hpp"
 #include "support/error.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 
@@ -23,7 +23,7 @@ std::uint64_t weight_of_edge(std::uint64_t edge) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   z ^= z >> 31;
-  return 1 + z % (modulo::kPrime - 1);
+  return 1 + z % (modular::kPrime - 1);
 }
 
 }  // namespace
@@ -112,13 +112,13 @@ std::vector<std::uint64_t> Factoring::fingerprints() const {
   std::uint64_t product = 1;
   for (const Candidate& candidate : candidates_) {
     result.push_back(product);
-    product = modulo::mul(product, candidate.denominator);
+    product = modular::multiply(product, candidate.denominator);
   }
-  std::uint64_t inverse = modulo::inverse(product);
+  std::uint64_t inverse = modular::inverse(product);
   for (std::size_t k = candidates_.size(); k-- > 0;) {
     const Candidate& candidate = candidates_[k];
-    result[k] = modulo::mul(candidate.numerator, modulo::mul(inverse, result[k]));
-    inverse = modulo::mul(inverse, candidate.denominator);
+    result[k] = modular::multiply(candidate.numerator, modular::multiply(inverse, result[k]));
+    inverse = modular::multiply(inverse, candidate.denominator);
   }
   return result;
 }
@@ -188,14 +188,15 @@ void Factoring::measure_paths(const LabelledGraph::Pair& pair) {
   for (const Arc& arc : pair.arcs) {
     const PathMeasure& top = measures_[arc.top];
     PathMeasure& bottom = measures_[arc.bottom];
-    bottom.from_root = modulo::add(bottom.from_root, modulo::mul(top.from_root, weights_[arc.edge]));
+    bottom.from_root = modular::add(bottom.from_root, modular::multiply(top.from_root, weights_[arc.edge]));
     bottom.depth = std::max(bottom.depth, top.depth + 1);
   }
   for (std::size_t k = pair.arcs.size(); k-- > 0;) {
     const Arc& arc = pair.arcs[k];
     const PathMeasure& bottom = measures_[arc.bottom];
     PathMeasure& top = measures_[arc.top];
-    top.to_variable = modulo::add(top.to_variable, modulo::mul(bottom.to_variable, weights_[arc.edge]));
+    top.to_variable =
+        modular::add(top.to_variable, modular::multiply(bottom.to_variable, weights_[arc.edge]));
     top.height = std::max(top.height, bottom.height + 1);
   }
   work_ += 2 * pair.arcs.size();

@@ -5,8 +5,8 @@
 #include <map>
 #include <unordered_map>
 
-#include "differentiation/modulo.hpp"
 #include "support/error.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 
@@ -144,7 +144,7 @@ void prune(LabelledGraph& graph, std::size_t index, std::vector<std::uint8_t>& m
 
 Modular path_sum(const LabelledGraph& graph, std::size_t pair, std::span<const Modular> values) {
   return sum_over_paths<Modular>(graph, pair, values, {1, 0}, [](Modular sum, Modular x, Modular y) {
-    return modulo::add(sum, modulo::mul(x, y));
+    return modular::add(sum, modular::multiply(x, y));
   });
 }
 

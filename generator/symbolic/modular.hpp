@@ -1,5 +1,5 @@
 // The field with p^2 elements, p = 2^61 - 1: arithmetic on re + im*i with i^2 = -1, which is a field because
-// p = 3 mod 4. In and out: reduced elements. Private to this room.
+// p = 3 mod 4. In and out: reduced elements.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ constexpr std::uint64_t power(std::uint64_t x, std::uint64_t n) {
   }
   return out;
 }
-/// 1/x; x is not 0.
+/// 1/x; 0 for 0.
 constexpr std::uint64_t inverse(std::uint64_t x) {
   // Extended Euclid: about 35 steps where Fermat's power takes 120 products.
   std::int64_t u = 0, v = 1;
@@ -86,7 +86,7 @@ inline Modular multiply(Modular x, Modular y) {
 inline bool is_zero(Modular x) {
   return x.re == 0 && x.im == 0;
 }
-/// 1/x; x is not 0.
+/// 1/x; 0 for 0.
 inline Modular inverse(Modular x) {
   if (x.im == 0) return {inverse(x.re), 0};
   const std::uint64_t scale = inverse(add(multiply(x.re, x.re), multiply(x.im, x.im)));

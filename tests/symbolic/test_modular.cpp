@@ -29,6 +29,7 @@ TEST(Modular, FieldLaws) {
   }
   EXPECT_EQ(modular::multiply(kPrime - 1, kPrime - 1), 1u);
   EXPECT_EQ(modular::add(kPrime - 1, 1), 0u);
+  EXPECT_EQ(modular::inverse(0), 0u);
   EXPECT_EQ(modular::inverse(1), 1u);
   EXPECT_EQ(modular::inverse(kPrime - 1), kPrime - 1);
 }
