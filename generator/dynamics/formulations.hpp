@@ -30,8 +30,14 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
 std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
                                             ExprGraph& graph);
 
+/// How the momentum of a unit motion comes to those far inward of it.
+enum class FarPairs {
+  carry,  ///< from joint to joint
+  meet    ///< in a common frame, where that is estimated to take less (meeting_frames.hpp)
+};
 /// M (nv x nv, row major, symmetric) by composite bodies over the tree, contracted where speeds are shared.
-std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,
+                                        FarPairs far = FarPairs::carry);
 
 /// M by `coefficient` (lower triangle of Q, mirrored).
 std::vector<Expr> coefficient_mass_matrix(const Mechanism& mechanism, std::span<const Expr> Q);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/formulations.hpp"
+#include "dynamics/meeting_frames.hpp"
 #include "dynamics/scaled_vectors.hpp"
 #include "symbolic/passes.hpp"
 
@@ -108,12 +109,6 @@ Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
   return out;
 }
 
-/// A unit motion of one frame: its twist, and the speeds that make it with their weights.
-struct UnitMotion {
-  Vec3 direction;
-  std::vector<std::pair<int, Expr>> weights;
-};
-
 std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& g) {
   std::vector<UnitMotion> result;
   const bool about_axis = node.motion.kind == MotionKind::axis_rotation;
@@ -134,21 +129,24 @@ std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& 
   return result;
 }
 
-/// Momentum (force-like f and moment n about the frame's origin), as stored: scale times what it is.
-struct Wrench {
+/// As stored: scale times what it is.
+struct ScaledMomentum {
   Vec3 f, n;
   Scale scale = kUnscaled;
 };
 
 }  // namespace
 
-std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree,
-                                        ExprGraph& graph) {
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,
+                                        FarPairs far) {
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   const std::size_t count = tree.nodes.size();
   std::vector<Composite> composites(count, {graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)});
-  std::vector<std::vector<UnitMotion>> units;
+  UnitMotions units;
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
+  MeetingPlan plan(count, -1);
+  if (far == FarPairs::meet) plan = plan_meetings(tree, units);
+  const MeetingFrames meetings(tree, units, std::move(plan), graph);
   for (std::size_t i = 0; i < count; ++i) {
     const NodeMass& mass = tree.masses[i];
     composites[i] = {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)};
@@ -175,8 +173,8 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     const Composite& body = composites[i];
     for (std::size_t a = 0; a < units[i].size(); ++a) {
       const Vec3& d = units[i][a].direction;
-      Wrench momentum = linear ? Wrench{body.mass * d, cross(body.h, d)}
-                               : Wrench{cross(d, body.h), times_inertia(body.K, d)};
+      ScaledMomentum momentum = linear ? ScaledMomentum{body.mass * d, cross(body.h, d)}
+                                       : ScaledMomentum{cross(d, body.h), times_inertia(body.K, d)};
       for (std::size_t b = 0; b <= a; ++b) {
         add(units[i][a], units[i][b], a == b, dot(units[i][b].direction, linear ? momentum.f : momentum.n));
       }
@@ -184,6 +182,17 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
       bool begun = false;
       for (std::size_t j = i; tree.nodes[j].parent >= 0;) {
         const MotionNode& at = tree.nodes[j];
+        if (meetings.is_posed(j)) {
+          const Scale unscaled = inverse(momentum.scale);
+          const Momentum met =
+              meetings.at_meeting(j, {scaled_by(unscaled, momentum.f), scaled_by(unscaled, momentum.n)});
+          for (int k = at.parent; k >= 0; k = tree.nodes[static_cast<std::size_t>(k)].parent) {
+            const std::size_t to = static_cast<std::size_t>(k);
+            for (std::size_t b = 0; b < units[to].size(); ++b)
+              add(units[i][a], units[to][b], false, meetings.along(j, to, b, met));
+          }
+          break;
+        }
         begun = begun || (j != i && !at.partials.empty());
         j = static_cast<std::size_t>(at.parent);
         if (at.motion.kind == MotionKind::translation) {

@@ -31,6 +31,7 @@ struct Form {
   const RigidLinks* links = nullptr;    ///< ... otherwise these, ...
   std::vector<Regrouping> regroupings;  ///< ... one for each
   bool inertia_moments = false;         ///< all moments in the form MomentForm::inertia
+  FarPairs far = FarPairs::carry;       ///< how M is written
   std::vector<int> scaled;              ///< turns that are scaled
 };
 
@@ -65,7 +66,7 @@ std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
 /// The shortest of the lists of equal values that forms give, and the form it came from.
 class Search {
  public:
-  using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&);
+  using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
   Search(const Kinematics& kinematics, Equations equations)
       : kinematics_(kinematics),
         bindings_(symbol_bindings(kinematics.mechanism, kinematics.graph)),
@@ -73,7 +74,7 @@ class Search {
 
   bool offer(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
-    const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph);
+    const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph, form.far);
     std::vector<Expr> values = value_number(raw);
     if (best_.empty()) small_ = weight(values) <= kSmall;
     const std::size_t here = measure(values);
@@ -104,6 +105,14 @@ class Search {
         {{"values", static_cast<std::uint32_t>(values.size()), 1, values}}};
     const OperationCount n = count(optimize(lower("candidate", output, bindings_)));
     return n.mul + n.add + n.div + n.other + n.trig;
+  }
+
+  /// Carrying M's far pairs is only tried where lists are short: the estimate is right about long ones.
+  void offer_near_and_far(Form form) {
+    form.far = FarPairs::meet;
+    offer(form);
+    form.far = FarPairs::carry;
+    if (small_) offer(form);
   }
 
   void offer_scaled() {
@@ -186,7 +195,10 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   std::optional<RigidLinks> links;
   if (passes.placement) links = RigidLinks::of(mechanism, tree, graph);
 
-  Search forces(kinematics, reduced_inverse_dynamics), masses(kinematics, composite_mass_matrix);
+  Search forces(kinematics, [](const Mechanism& m, const MotionTree& t, ExprGraph& g, FarPairs) {
+    return reduced_inverse_dynamics(m, t, g);
+  });
+  Search masses(kinematics, composite_mass_matrix);
   const auto offer_both_moments = [&](Form form) {
     forces.offer(form);
     form.inertia_moments = true;
@@ -195,20 +207,20 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   Form given;
   given.tree = &tree;
   offer_both_moments(given);
-  masses.offer(given);
+  masses.offer_near_and_far(given);
   RegroupingChoices choices;
   if (links) {
     Form placed;
     placed.links = &*links;
     placed.regroupings.resize(links->links().size());
     offer_both_moments(placed);
-    masses.offer(placed);
+    masses.offer_near_and_far(placed);
     if (passes.regrouping) {
       choices = regrouping_choices(*links);
       placed.regroupings = choices.chosen;
       forces.offer(placed);
       placed.regroupings = minimal_regroupings(*links);
-      masses.offer(placed);
+      masses.offer_near_and_far(placed);
     }
   }
   if (passes.scaling) {

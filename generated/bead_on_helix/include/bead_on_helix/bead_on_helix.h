@@ -61,7 +61,7 @@ int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const doub
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 12 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
+   Operations: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -74,7 +74,7 @@ int bead_on_helix_bias(const double* q, const double* qd, double t, const double
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 95 multiplications, 66 additions, 6 sin/cos/tan (reduced formulation).
+   Operations: 93 multiplications, 64 additions, 4 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);

@@ -89,20 +89,21 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = S(0.1601101283018868) * qdd0 + (S(0.9828721869343219) * (t40 - S(0.8) * t41) + S(0.18428853505018536) * (S(0.8) * t42 + t45)) - S(0.15) * (S(0.18428853505018536) * t41 + S(0.9828721869343219) * t42 - S(0.25) * t21);
 }
 
-// mass_matrix: 12 multiplications, 9 additions, 2 sin/cos/tan (reduced formulation).
+// mass_matrix: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // spin
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  const S t2 = S(1.5e-05) * t0 - S(4e-06) * t1;
-  M[0] = S(0.0059775) - (S(0.9828721869343219) * (S(0.3685770701003707) * t2 + S(0.9828721869343219) * (S(2.825e-05) - t1 * (S(6.05e-05) * t0 - S(6.8e-05) * t1))) - S(1.6) * (S(0.1) - (S(0.00175) * t1 + S(0.00275) * t0)));
-  const S t4 = S(6.496170860519034e-05) - S(0.9828721869343219) * t2;
-  M[1] = t4;
-  M[2] = t4;
-  M[3] = S(0.0003525);
+  const S t0 = q1 + S(5.71645608965608);
+  const S t1 = sin(t0);
+  const S t2 = cos(t0);
+  const S t3 = S(1.0507420347208973e-05) * t2 - S(1.1427778333825821e-05) * t1;
+  M[0] = S(0.1660876283018868) - (S(0.9828721869343219) * (S(0.9828721869343219) * (t1 * (S(3.59764705882353e-05) * t2 + S(8.360588235294117e-05) * t1) + S(0.0001344470588235294)) + S(0.3685770701003707) * t3) + S(0.005215361924162119) * t2);
+  const S t5 = S(6.496170860519033e-05) - S(0.9828721869343219) * t3;
+  M[1] = t5;
+  M[2] = t5;
+  M[3] = S(0.00035249999999999995);
 }
 
 // bias: 83 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
@@ -169,7 +170,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[0] = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t15 + S(0.9828721869343219) * t30)) - t41;
 }
 
-// mass_matrix_and_bias: 95 multiplications, 66 additions, 6 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 93 multiplications, 64 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -185,60 +186,58 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t0 = q1 + S(5.71645608965608);
-  const S angle[] = {q0, q1, t0};
-  S sine[3], cosine[3];
-  sines_and_cosines(3, angle, sine, cosine);
+  const S angle[] = {q0, t0};
+  S sine[2], cosine[2];
+  sines_and_cosines(2, angle, sine, cosine);
   const S t1 = sine[0];
   const S t2 = cosine[0];
-  const S t3 = cosine[1];
-  const S t4 = sine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = S(1.5e-05) * t3 - S(4e-06) * t4;
-  M[0] = S(0.0059775) - (S(0.9828721869343219) * (S(0.3685770701003707) * t7 + S(0.9828721869343219) * (S(2.825e-05) - t4 * (S(6.05e-05) * t3 - S(6.8e-05) * t4))) - S(1.6) * (S(0.1) - (S(0.00175) * t4 + S(0.00275) * t3)));
-  const S t9 = S(6.496170860519034e-05) - S(0.9828721869343219) * t7;
-  M[1] = t9;
-  M[2] = t9;
-  const S t10 = S(0.9828721869343219) * t1;
-  const S t11 = S(0.9828721869343219) * t2;
-  const S t12 = S(0.18428853505018536) * f2 - (f0 * t10 - f1 * t11);
-  const S t13 = qd0 * t5;
-  const S t14 = S(0.9828721869343219) * qd1;
-  const S t15 = t13 * t14;
-  const S t16 = qd1 + S(0.18428853505018536) * qd0;
-  const S t17 = S(0.9828721869343219) * t16;
-  const S t18 = t13 * t17;
-  const S t19 = t15 + t18;
-  const S t20 = t12 - S(0.003259601202601324) * t19;
-  const S t21 = S(0.9828721869343219) * t5;
-  const S t22 = S(0.18428853505018536) * t2;
-  const S t23 = t5 * t22 + t1 * t6;
-  const S t24 = S(0.18428853505018536) * t1;
-  const S t25 = t2 * t6 - t5 * t24;
-  const S t26 = f2 * t21 - (f1 * t23 + f0 * t25);
-  const S t27 = qd0 * t6;
-  const S t28 = t27 * (S(0.9660377358490566) * t27);
-  const S t29 = t16 * t16;
-  const S t30 = S(0.9828721869343219) * t6;
-  const S t31 = t1 * t5 - t6 * t22;
-  const S t32 = t6 * t24 + t2 * t5;
-  const S t33 = f2 * t30 + (f1 * t31 + f0 * t32);
-  const S t34 = t13 * t27;
-  const S t35 = t5 * (t26 + S(0.003259601202601324) * (t28 + t29)) + t6 * (t33 - S(0.0031488977655318453) * t34);
-  const S t36 = t14 * t27;
-  const S t37 = t17 * t27;
-  const S t38 = t36 + t37;
-  const S t39 = S(0.0001344470588235294) * t38 - (S(1.0507420347208973e-05) * (t28 - t29) - (S(1.1039665107394001e-05) * t34 + S(1.798823529411765e-05) * t19));
-  const S t40 = t13 * (S(0.9660377358490566) * t13);
-  const S t41 = t31 * f4 + t32 * f3 + t30 * f5 + (S(0.004) * t26 - S(0.013038404810405297) * t12);
-  const S t42 = t6 * (S(0.00021805294117647057) * t19 - (S(1.0150564561832064e-05) * t34 - S(1.7988235294117643e-05) * t38 + S(1.1427778333825821e-05) * (t29 - t40)) + S(0.0058929369499619135) + t41);
-  const S t43 = S(1.798823529411765e-05) * (t28 - t40) + (S(1.1427778333825821e-05) * (t36 - t37) + S(1.0507420347208973e-05) * (t15 - t18)) + S(8.076643729189789e-05) * t34 - S(0.003259601202601324) * (qd0 * (S(0.8) * t13) - S(9.641976153825699) * t6);
-  const S t44 = t43 - (S(0.013038404810405297) * t33 - S(2.6020852139652106e-18) * t26 + (t11 * f4 - t10 * f3 + S(0.18428853505018536) * f5));
-  c[1] = t44;
-  const S t45 = S(0.18428853505018536) * (t44 + S(0.8) * t35);
-  const S t46 = S(0.9828721869343219) * (S(0.8) * t20 - (t5 * (S(0.004) * t33 - S(2.6020852139652106e-18) * t12 - (f5 * t21 - (f3 * t25 + f4 * t23)) + t39) - t42)) - t45;
-  c[0] = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t20 + S(0.9828721869343219) * t35)) - t46;
-  M[3] = S(0.0003525);
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
+  const S t5 = S(1.0507420347208973e-05) * t4 - S(1.1427778333825821e-05) * t3;
+  M[0] = S(0.1660876283018868) - (S(0.9828721869343219) * (S(0.9828721869343219) * (t3 * (S(3.59764705882353e-05) * t4 + S(8.360588235294117e-05) * t3) + S(0.0001344470588235294)) + S(0.3685770701003707) * t5) + S(0.005215361924162119) * t4);
+  const S t7 = S(6.496170860519033e-05) - S(0.9828721869343219) * t5;
+  M[1] = t7;
+  M[2] = t7;
+  const S t8 = qd1 + S(0.18428853505018536) * qd0;
+  const S t9 = t4 * qd0;
+  const S t10 = S(0.9828721869343219) * t9;
+  const S t11 = t8 * t10;
+  const S t12 = qd1 * t10;
+  const S t13 = t11 + t12;
+  const S t14 = t3 * qd0;
+  const S t15 = S(0.9828721869343219) * t14;
+  const S t16 = t8 * t15;
+  const S t17 = qd1 * t15;
+  const S t18 = t16 + t17;
+  const S t19 = t9 * t14;
+  const S t20 = t9 * (S(0.9660377358490566) * t9);
+  const S t21 = t8 * t8;
+  const S t22 = S(0.9828721869343219) * t3;
+  const S t23 = S(0.18428853505018536) * t1;
+  const S t24 = t3 * t23 - t4 * t2;
+  const S t25 = S(0.18428853505018536) * t2;
+  const S t26 = t4 * t1 + t3 * t25;
+  const S t27 = S(0.9828721869343219) * t2;
+  const S t28 = S(0.9828721869343219) * t1;
+  const S t29 = S(0.18428853505018536) * f2 + (f1 * t27 - f0 * t28);
+  const S t30 = t4 * t23 + t3 * t2;
+  const S t31 = t4 * t25 - t3 * t1;
+  const S t32 = S(0.9828721869343219) * t4;
+  const S t33 = f0 * t30 - f1 * t31 + f2 * t32;
+  const S t34 = f5 * t22 + (f3 * t24 - f4 * t26) + (S(2.6020852139652106e-18) * t29 - S(0.004) * t33);
+  const S t35 = t26 * f1 - t24 * f0 - t22 * f2;
+  const S t36 = t14 * (S(0.9660377358490566) * t14);
+  const S t37 = S(0.00021805294117647057) * t18 - (S(1.1427778333825821e-05) * (t21 - t36) - (S(1.7988235294117643e-05) * t13 - S(1.0150564561832064e-05) * t19)) + S(0.0058929369499619135);
+  const S t38 = t4 * (f5 * t32 - (f4 * t31 - f3 * t30) - (S(0.004) * t35 + S(0.013038404810405297) * t29) + t37);
+  const S t39 = t29 - S(0.003259601202601324) * t18;
+  const S t40 = S(1.798823529411765e-05) * (t20 - t36) - (S(1.1427778333825821e-05) * (t11 - t12) + S(1.0507420347208973e-05) * (t16 - t17)) + S(8.076643729189789e-05) * t19 - S(0.003259601202601324) * (qd0 * (S(0.8) * t14) - S(9.641976153825699) * t4);
+  const S t41 = t40 - (S(2.6020852139652106e-18) * t35 + S(0.013038404810405297) * t33 + (f4 * t27 - f3 * t28 + S(0.18428853505018536) * f5));
+  c[1] = t41;
+  const S t42 = t4 * (t33 - S(0.0031488977655318453) * t19) - t3 * (t35 - S(0.003259601202601324) * (t20 + t21));
+  const S t43 = S(0.18428853505018536) * (t41 + S(0.8) * t42);
+  const S t44 = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t39 + S(0.9828721869343219) * t42));
+  c[0] = S(0.9828721869343219) * (t3 * (S(0.0001344470588235294) * t13 + (S(1.798823529411765e-05) * t18 + S(1.1039665107394001e-05) * t19 - S(1.0507420347208973e-05) * (t20 - t21)) - t34) - t38 - S(0.8) * t39) + t43 + t44;
+  M[3] = S(0.00035249999999999995);
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).

@@ -63,7 +63,7 @@ int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qd
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 311 multiplications, 249 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 286 multiplications, 236 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -76,7 +76,7 @@ int chain6r_bias(const double* q, const double* qd, double t, const double* para
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 645 multiplications, 517 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 624 multiplications, 504 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);

@@ -61,7 +61,7 @@ int rolling_wheels_inverse_dynamics(const double* q, const double* qd, const dou
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 39 multiplications, 26 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 31 multiplications, 22 additions, 8 sin/cos/tan (reduced formulation).
  */
 int rolling_wheels_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -74,7 +74,7 @@ int rolling_wheels_bias(const double* q, const double* qd, double t, const doubl
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 85 multiplications, 57 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 77 multiplications, 53 additions, 8 sin/cos/tan (reduced formulation).
  */
 int rolling_wheels_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);

@@ -71,7 +71,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[1] = S(3.0833333333333335) * t29 - t28;
 }
 
-// mass_matrix: 39 multiplications, 26 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix: 31 multiplications, 22 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
@@ -92,16 +92,15 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t9 = sine[3];
   const S t10 = S(0.0015143315356948757) * t6;
   const S t11 = S(0.0015143315356948757) * t7;
-  const S t12 = S(0.0195) - (t10 + S(0.0777) * t4);
-  const S t13 = t11 + S(0.0777) * t5 + S(0.03);
-  const S t14 = S(8.0) * (t2 * (t8 * t12 - t9 * t13) - t3 * (t8 * t13 + t12 * t9));
+  const S t12 = t2 * t8 - t9 * t3;
+  const S t13 = t8 * t3 + t2 * t9;
+  const S t14 = S(8.0) * (t12 * (S(0.0195) - (t10 + S(0.0777) * t4)) - t13 * (t11 + S(0.0777) * t5 + S(0.03)));
   M[0] = S(16.0) * (S(0.74) * (t4 * (S(0.03885) * t4 + t10) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) - t14 + S(1.71);
   const S t16 = t4 * t10 + t5 * t11;
   const S t17 = S(0.37) * t16;
-  const S t18 = S(3.0833333333333335) * (t3 * (t10 * t9 - t11 * t8) - t2 * (t10 * t8 + t11 * t9)) - (S(4.0) * (t17 + S(0.028749)) + S(12.333333333333334) * (t17 + S(0.0015109200000000002)));
-  const S t19 = S(-0.0777) * (t3 * (t4 * t9 - t5 * t8) - t2 * (t4 * t8 + t5 * t9)) - t18;
-  M[1] = t19;
-  M[2] = t19;
+  const S t18 = S(12.333333333333334) * (t17 + S(0.0015109200000000002)) + (S(3.0833333333333335) * (t11 * t13 + t10 * t12) + (S(4.0) * (t17 + S(0.028749)) + S(0.0777) * (t4 * t12 + t5 * t13)));
+  M[1] = t18;
+  M[2] = t18;
   M[3] = S(2.2816666666666667) * t16 + S(0.0431132325);
 }
 
@@ -153,7 +152,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = S(-0.004669188901725867) * t27 - t26;
 }
 
-// mass_matrix_and_bias: 85 multiplications, 57 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 77 multiplications, 53 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -170,48 +169,47 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t2 = cosine[0];
-  const S t3 = sine[0];
-  const S t4 = sine[1];
-  const S t5 = cosine[1];
-  const S t6 = sine[2];
-  const S t7 = cosine[2];
-  const S t8 = cosine[3];
-  const S t9 = sine[3];
+  const S t2 = sine[0];
+  const S t3 = cosine[0];
+  const S t4 = cosine[1];
+  const S t5 = sine[1];
+  const S t6 = cosine[2];
+  const S t7 = sine[2];
+  const S t8 = sine[3];
+  const S t9 = cosine[3];
   const S t10 = S(0.0015143315356948757) * t6;
-  const S t11 = S(0.0015143315356948757) * t7;
-  const S t12 = t11 + S(0.0777) * t5 + S(0.03);
-  const S t13 = S(0.0195) - (t10 + S(0.0777) * t4);
-  const S t14 = S(8.0) * (t2 * (t8 * t12 + t13 * t9) - t3 * (t8 * t13 - t12 * t9));
-  M[0] = S(16.0) * (S(0.74) * (t4 * (t10 + S(0.03885) * t4) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) + t14 + S(1.71);
-  const S t16 = t4 * t10 + t5 * t11;
+  const S t11 = t2 * t8 + t3 * t9;
+  const S t12 = S(0.0015143315356948757) * t7;
+  const S t13 = t8 * t3 - t2 * t9;
+  const S t14 = S(16.0) * (S(0.74) * (t5 * (t12 + S(0.03885) * t5) + t4 * (t10 + S(0.03885) * t4)) + S(0.06836442));
+  M[0] = S(8.0) * ((t10 + S(0.0777) * t4 + S(0.03)) * t11 + (S(0.0195) - (S(0.0777) * t5 + t12)) * t13) + t14 + S(1.71);
+  const S t16 = t5 * t12 + t10 * t4;
   const S t17 = S(0.37) * t16;
-  const S t18 = S(3.0833333333333335) * (t2 * (t11 * t8 - t10 * t9) + t3 * (t11 * t9 + t10 * t8)) + (S(4.0) * (t17 + S(0.028749)) + S(12.333333333333334) * (t17 + S(0.0015109200000000002)));
-  const S t19 = t18 + S(0.0777) * (t3 * (t5 * t9 + t4 * t8) + t2 * (t5 * t8 - t4 * t9));
-  M[1] = t19;
-  M[2] = t19;
+  const S t18 = S(12.333333333333334) * (t17 + S(0.0015109200000000002)) - (S(0.0777) * (t5 * t13 - t4 * t11) - S(4.0) * (t17 + S(0.028749)) - S(3.0833333333333335) * (t10 * t11 - t12 * t13));
+  M[1] = t18;
+  M[2] = t18;
   M[3] = S(2.2816666666666667) * t16 + S(0.0431132325);
-  const S t21 = qd0 * qd0;
-  const S t22 = S(9.81) - t3 * t21;
-  const S t23 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
-  const S t24 = t23 * t23;
-  const S t25 = t2 * t21;
-  const S t26 = t8 * t25 - t9 * t22;
-  const S t27 = S(5.92) * t21 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
-  const S t28 = t26 + t5 * t27;
-  const S t29 = t11 * t24 + S(0.21) * t28;
-  const S t30 = t8 * f0 + t9 * f1;
-  const S t31 = t29 + (t30 + S(0.48) * t21);
-  const S t32 = t9 * t25 + t8 * t22;
-  const S t33 = t32 - t4 * t27;
-  const S t34 = t10 * t24 - S(0.21) * t33;
-  const S t35 = t8 * f1 - t9 * f0;
-  const S t36 = t34 + (t35 - S(0.312) * t21);
-  const S t37 = t7 * t33 + t6 * t28;
-  const S t38 = S(0.37) * (t5 * t34 - t4 * t29);
-  const S t39 = S(4.0) * (f5 + (S(0.013) * t30 + S(0.02) * t35) + (S(0.0195) * t26 - S(0.03) * t32) - (S(0.0015143315356948757) * t37 - t38));
-  c[0] = t2 * (S(1.5) * t22 - (t9 * t31 + t8 * t36)) + t3 * (S(1.5) * t25 + (t8 * t31 - t9 * t36)) - t39;
-  c[1] = S(0.004669188901725867) * t37 - t38;
+  const S t20 = qd0 * qd0;
+  const S t21 = S(9.81) - t2 * t20;
+  const S t22 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
+  const S t23 = t22 * t22;
+  const S t24 = t3 * t20;
+  const S t25 = t9 * t24 - t8 * t21;
+  const S t26 = S(5.92) * t20 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
+  const S t27 = t25 + t4 * t26;
+  const S t28 = t10 * t23 + S(0.21) * t27;
+  const S t29 = t9 * f0 + t8 * f1;
+  const S t30 = t28 + (t29 + S(0.48) * t20);
+  const S t31 = t8 * t24 + t9 * t21;
+  const S t32 = t31 - t5 * t26;
+  const S t33 = t12 * t23 - S(0.21) * t32;
+  const S t34 = t9 * f1 - t8 * f0;
+  const S t35 = t33 + (t34 - S(0.312) * t20);
+  const S t36 = t6 * t32 + t7 * t27;
+  const S t37 = S(0.37) * (t4 * t33 - t5 * t28);
+  const S t38 = S(4.0) * (f5 + (S(0.013) * t29 + S(0.02) * t34) + (S(0.0195) * t25 - S(0.03) * t31) - (S(0.0015143315356948757) * t36 - t37));
+  c[0] = t3 * (S(1.5) * t21 - (t8 * t30 + t9 * t35)) + t2 * (S(1.5) * t24 + (t9 * t30 - t8 * t35)) - t38;
+  c[1] = S(0.004669188901725867) * t36 - t37;
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).

@@ -98,7 +98,7 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 39 multiplications, 26 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 31 multiplications, 22 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
@@ -110,7 +110,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 85 multiplications, 57 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 77 multiplications, 53 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
