@@ -70,13 +70,13 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
               if (pass == "placement") common.passes.placement = common.passes.regrouping = false;
               if (pass == "regrouping") common.passes.regrouping = false;
               if (pass == "scaling") common.passes.scaling = false;
+              if (pass == "articulation") common.passes.articulation = false;
             }
           },
           "passes to leave out, separated by commas: peeling, placement (and regrouping with it), "
-          "regrouping, "
-          "scaling")
+          "regrouping, scaling, articulation")
       ->delimiter(',')
-      ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling"}));
+      ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling", "articulation"}));
   command
       ->add_option("--block-operations", common.block_operations,
                    "functions of more operations are written as blocks that repeat, not straight on")

@@ -1,6 +1,7 @@
 // Equations of motion and the functions made of them (see the header).
 #include "dynamics/equations.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "dynamics/constraints.hpp"
@@ -156,6 +157,35 @@ std::vector<Expr> for_either_tree(const Kinematics& kinematics, Make make) {
   return count_operations(others).total() < count_operations(values).total() ? others : values;
 }
 
+/// M^-1 of the right side, by the way that takes fewer operations.
+std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const EquationsOfMotion& equations,
+                                   std::vector<Expr> right_side) {
+  std::optional<std::vector<Expr>> articulated;
+  if (equations.articulated) {
+    const auto solve = [&](const MotionTree& tree) {
+      return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
+    };
+    articulated = solve(*equations.articulated);
+    // Regrouping may have left mass between two motions of one speed.
+    if (!articulated) articulated = solve(kinematics.tree);
+  }
+  if (!articulated) return straight_line_solve(equations.M, std::move(right_side));
+  *articulated = value_number(*articulated);
+  const std::size_t length = count_operations(*articulated).total();
+  // M and c alone are a part of the other way, which is O(n^3): it is not made in vain.
+  std::vector<Expr> part = equations.M;
+  part.insert(part.end(), right_side.begin(), right_side.end());
+  if (count_operations(part).total() > length) return *articulated;
+  std::vector<Expr> other = value_number(straight_line_solve(equations.M, std::move(right_side)));
+  // Where it is close, the optimised programs decide.
+  const std::size_t other_length = count_operations(other).total();
+  const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
+  const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
+    return close ? program_weight(kinematics, values) : operations;
+  };
+  return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
+}
+
 }  // namespace
 
 std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
@@ -181,7 +211,7 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
       for (int k = 0; k < mechanism.nv; ++k) {
         right_side.push_back(tau_symbol(mechanism, k, graph) - equations.c[static_cast<std::size_t>(k)]);
       }
-      return {{"qdd", nv, 1, straight_line_solve(equations.M, std::move(right_side))}};
+      return {{"qdd", nv, 1, solved_for_rates(kinematics, equations, std::move(right_side))}};
     }
     case FunctionKind::coordinate_rates: {
       const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();

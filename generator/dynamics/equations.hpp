@@ -38,11 +38,12 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph);
 
 /// Passes that look for fewer operations; what one finds is used only where it gains some.
 struct Passes {
-  bool peeling = true;     ///< screws peeled off transforms (screw_peeling.hpp)
-  bool placement = true;   ///< frames placed along the axes (rigid_links.hpp)
-  bool regrouping = true;  ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
-  bool scaling = true;     ///< components scaled by constant turns (scaled_vectors.hpp)
-  double effort = 1;       ///< work spent on trying further choices of these, one after another; 0: none
+  bool peeling = true;       ///< screws peeled off transforms (screw_peeling.hpp)
+  bool placement = true;     ///< frames placed along the axes (rigid_links.hpp)
+  bool regrouping = true;    ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
+  bool scaling = true;       ///< components scaled by constant turns (scaled_vectors.hpp)
+  bool articulation = true;  ///< forward dynamics by articulated bodies (articulated_bodies.cpp)
+  double effort = 1;         ///< work spent on trying further choices of these, one after another; 0: none
 };
 
 /// Equations of motion by one formulation.
@@ -51,6 +52,8 @@ struct EquationsOfMotion {
   std::vector<Expr> Q;  ///< nv: generalized forces for given q, u, ud
   std::vector<Expr> M;  ///< nv x nv, row major, symmetric
   std::vector<Expr> c;  ///< nv
+  /// Motions and masses that M is of, if forward dynamics may be by articulated bodies.
+  std::optional<MotionTree> articulated = {};
 };
 /// Stage `equations`. Q by the formulation; M by `coefficient`, or by composite bodies where that is shorter;
 /// c by `substitute`. The passes are for the reduced form.

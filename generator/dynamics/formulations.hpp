@@ -6,6 +6,8 @@
 // about the frame's origin.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "dynamics/motion_tree.hpp"
@@ -48,6 +50,11 @@ std::vector<Expr> bias_by_substitution(const Mechanism& mechanism, std::span<con
 /// ud = M^-1 (tau - c) by L^T D L from the last speed to the first, which keeps the zeros of a tree; straight
 /// line.
 std::vector<Expr> straight_line_solve(std::vector<Expr> M, std::vector<Expr> right_side);
+
+/// The same by articulated bodies over a tree of the mechanism's motions, O(n); nothing where a speed moves
+/// several bodies' joints (articulated_bodies.cpp). M is not positive: division by zero.
+std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, const MotionTree& tree,
+                                                   std::span<const Expr> right_side, ExprGraph& graph);
 
 /// Kinetic and potential energy, in this order.
 std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);

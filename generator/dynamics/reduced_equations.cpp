@@ -68,9 +68,7 @@ class Search {
  public:
   using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
   Search(const Kinematics& kinematics, Equations equations)
-      : kinematics_(kinematics),
-        bindings_(symbol_bindings(kinematics.mechanism, kinematics.graph)),
-        equations_(equations) {}
+      : kinematics_(kinematics), equations_(equations) {}
 
   bool offer(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
@@ -91,20 +89,11 @@ class Search {
   }
 
   std::size_t measure(const std::vector<Expr>& values) const {
-    return small_ ? program_weight(values) : weight(values);
+    return small_ ? program_weight(kinematics_, values) : weight(values);  // programs of long lists take long
   }
   /// Keeps the shorter of two lists of equal values.
   void keep_shorter(std::vector<Expr>& kept, std::vector<Expr> other) const {
     if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
-  }
-
-  /// Operations of the optimised program, which is what counts in the end; for long lists it would take too
-  /// long.
-  std::size_t program_weight(const std::vector<Expr>& values) const {
-    const std::array<OutputExpressions, 1> output{
-        {{"values", static_cast<std::uint32_t>(values.size()), 1, values}}};
-    const OperationCount n = count(optimize(lower("candidate", output, bindings_)));
-    return n.mul + n.add + n.div + n.other + n.trig;
   }
 
   /// Carrying M's far pairs is only tried where lists are short: the estimate is right about long ones.
@@ -168,6 +157,7 @@ class Search {
   }
 
   std::vector<Expr> best() const { return best_; }
+  MotionTree best_tree() const { return tree_of(form_, kinematics_.graph); }
   /// The first lists that were hardly longer when they were found.
   const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
 
@@ -176,7 +166,6 @@ class Search {
   static constexpr std::size_t kNear = 8;
 
   const Kinematics& kinematics_;
-  std::vector<SymbolBinding> bindings_;
   Equations equations_;
   bool small_ = false;  ///< programs are counted, not expressions
   Form form_;
@@ -187,6 +176,14 @@ class Search {
 };
 
 }  // namespace
+
+std::size_t program_weight(const Kinematics& kinematics, std::span<const Expr> values) {
+  const std::array<OutputExpressions, 1> output{
+      {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
+  const OperationCount n =
+      count(optimize(lower("candidate", output, symbol_bindings(kinematics.mechanism, kinematics.graph))));
+  return n.mul + n.add + n.div + n.other + n.trig;
+}
 
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes) {
   const Mechanism& mechanism = kinematics.mechanism;
@@ -234,6 +231,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   equations.formulation = Formulation::reduced;
   equations.Q = forces.best();
   equations.M = masses.best();
+  if (passes.articulation) equations.articulated = masses.best_tree();
   // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
   // speeds for the bodies.
   if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {

@@ -151,6 +151,37 @@ TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
   }
 }
 
+/// M^-1 (Q - c) are the rates. A coordinate that moves several bodies cannot be taken at one of them.
+TEST_P(Laws, ArticulatedBodiesGiveTheRates) {
+  std::vector<Expr> right_side, rates;
+  for (std::size_t k = 0; k < nv; ++k) {
+    right_side.push_back(equations.Q[k] - equations.c[k]);
+    rates.push_back(kinematics.derivatives.rate(static_cast<int>(k)));
+  }
+  std::vector<int> bodies_moved(nv, 0);
+  for (const Body& body : loaded.mechanism->bodies) {
+    std::vector<char> moves(nv, 0);
+    for (const Motion& motion : elementary_motions(body.transform, *loaded.mechanism, *loaded.graph)) {
+      for (const SpeedPartial& partial :
+           twist_partials(motion, *loaded.mechanism, kinematics.derivatives, *loaded.graph))
+        if (partial.speed < loaded.mechanism->nv) moves[static_cast<std::size_t>(partial.speed)] = 1;
+    }
+    for (std::size_t k = 0; k < nv; ++k) bodies_moved[k] += moves[k];
+  }
+  const bool shared = std::any_of(bodies_moved.begin(), bodies_moved.end(), [](int n) { return n != 1; });
+  const auto solve = [&](const MotionTree& tree) {
+    const auto solved = articulated_solve(*loaded.mechanism, tree, right_side, *loaded.graph);
+    if (solved) expect_equal(*solved, rates, 1e-9);
+    return solved.has_value();
+  };
+  EXPECT_EQ(solve(kinematics.tree), !shared);
+  if (kinematics.peeled) {
+    EXPECT_EQ(solve(*kinematics.peeled), !shared);
+  }
+  // Regrouping may leave mass between two motions of one speed.
+  solve(*equations.articulated);
+}
+
 /// d(T + V)/dt = u . Q where nothing else does work: no prescribed motion. The left side is the chain rule
 /// over q and u, qdot = N u.
 TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
