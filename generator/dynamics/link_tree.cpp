@@ -48,20 +48,12 @@ class TreeBuilder {
   int turn(int parent, int axis, double angle) {
     const Expr a = angle_number(graph_, angle);
     if (a.is_zero()) return parent;
-    Motion motion;
-    motion.kind = MotionKind::axis_rotation;
-    motion.axis = axis;
-    motion.angle = a;
-    motion.cosine = cos(a);
-    motion.sine = sin(a);
-    return add(parent, motion);
+    return add(parent, axis_rotation_motion(axis, a));
   }
   int shift(int parent, const Eigen::Vector3d& t) {
-    Motion motion;
-    motion.kind = MotionKind::translation;
-    motion.offset = {{number(graph_, t[0]), number(graph_, t[1]), number(graph_, t[2])}};
-    if (motion.offset == zeros<3, 1>(graph_)) return parent;
-    return add(parent, motion);
+    const Vec3 offset{{number(graph_, t[0]), number(graph_, t[1]), number(graph_, t[2])}};
+    if (offset == zeros<3, 1>(graph_)) return parent;
+    return add(parent, translation_motion(offset));
   }
   /// A constant pose: its shift, then its rotation by Euler angles z x z.
   int pose(int parent, const Matrix4d& pose) {
@@ -170,9 +162,9 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
       } else {
         const std::size_t i = static_cast<std::size_t>(l);
         const Matrix4d pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
-        Motion shift, turn;
-        shift.kind = MotionKind::translation;
-        shift.offset = {{number(graph, pose(0, 3)), number(graph, pose(1, 3)), number(graph, pose(2, 3))}};
+        const Motion shift = translation_motion(
+            {{number(graph, pose(0, 3)), number(graph, pose(1, 3)), number(graph, pose(2, 3))}});
+        Motion turn;
         turn.kind = MotionKind::rotation;
         for (int r = 0; r < 3; ++r) {
           for (int c = 0; c < 3; ++c)
