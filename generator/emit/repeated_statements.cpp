@@ -122,16 +122,12 @@ class Writer : RepeatedLayout {
       const std::string b = operands(v) > 1 ? text_of(i, 1) : std::string();
       std::string text;
       if (is_call(operation)) {
-        calls.emplace(call_name(operation));
-        text = fmt::format("{}({}{}{})", call_name(operation), a, b.empty() ? "" : ", ", b);
+        calls.emplace(operation_name(operation));
+        text = fmt::format("{}({}{}{})", operation_name(operation), a, b.empty() ? "" : ", ", b);
       } else if (operation == Operation::neg) {
         text = "-" + a;
       } else {
-        const std::string_view sign = operation == Operation::add   ? "+"
-                                      : operation == Operation::sub ? "-"
-                                      : operation == Operation::mul ? "*"
-                                                                    : "/";
-        text = fmt::format("{} {} {}", a, sign, b);
+        text = fmt::format("{} {} {}", a, operation_name(operation), b);
       }
       // Places of the value: in v and in the results.
       std::vector<std::string> targets;

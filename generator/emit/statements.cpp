@@ -164,7 +164,7 @@ class Writer {
     if (v == layout_.trig_call()) write_trig_call(block);
     if (layout_.angle(v) != kNoPlace)
       return fmt::format("{}[{}]", c.op == Operation::sin ? "sine" : "cosine", layout_.angle(v));
-    const std::string_view name = call_name(c.op);
+    const std::string_view name = operation_name(c.op);
     states_[block].calls.emplace(name);
     const std::string a = operand(c.a, block, Binding::sum);
     if (operand_count(c.op) == 1) return fmt::format("{}({})", name, a);
@@ -269,52 +269,6 @@ class Writer {
 };
 
 }  // namespace
-
-std::string_view call_name(Operation op) {
-  switch (op) {
-    case Operation::sqrt:
-      return "sqrt";
-    case Operation::sin:
-      return "sin";
-    case Operation::cos:
-      return "cos";
-    case Operation::tan:
-      return "tan";
-    case Operation::asin:
-      return "asin";
-    case Operation::acos:
-      return "acos";
-    case Operation::atan:
-      return "atan";
-    case Operation::atan2:
-      return "atan2";
-    case Operation::exp:
-      return "exp";
-    case Operation::log:
-      return "log";
-    case Operation::abs:
-      return "abs";
-    case Operation::sign:
-      return "sign";
-    case Operation::sinh:
-      return "sinh";
-    case Operation::cosh:
-      return "cosh";
-    case Operation::tanh:
-      return "tanh";
-    case Operation::pow:
-      return "pow";
-    case Operation::constant:
-    case Operation::input:
-    case Operation::add:
-    case Operation::sub:
-    case Operation::mul:
-    case Operation::div:
-    case Operation::neg:
-      break;
-  }
-  return {};
-}
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature) {
   return Writer(program, signature).write();

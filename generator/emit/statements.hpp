@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "emit/function_signature.hpp"
@@ -37,9 +36,6 @@ struct FunctionBody {
   std::string index_type;      ///< of their tables
   std::size_t calls = 0;       ///< of blocks in one call of the function
 };
-
-/// Name of the function that an operation calls: sin, atan2. Empty for what is an operator.
-std::string_view call_name(Operation op);
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature);
 

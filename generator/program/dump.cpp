@@ -3,6 +3,7 @@
 
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "program/operation.hpp"
 #include "program/passes.hpp"
@@ -30,57 +31,6 @@ const char* argument_name(ArgumentKind kind) {
   return "";
 }
 
-/// Infix symbol of + - * /, name of a function, empty for the rest.
-const char* operation_name(Operation op) {
-  switch (op) {
-    case Operation::constant:
-    case Operation::input:
-      return "";
-    case Operation::add:
-      return "+";
-    case Operation::sub:
-    case Operation::neg:
-      return "-";
-    case Operation::mul:
-      return "*";
-    case Operation::div:
-      return "/";
-    case Operation::sqrt:
-      return "sqrt";
-    case Operation::sin:
-      return "sin";
-    case Operation::cos:
-      return "cos";
-    case Operation::tan:
-      return "tan";
-    case Operation::asin:
-      return "asin";
-    case Operation::acos:
-      return "acos";
-    case Operation::atan:
-      return "atan";
-    case Operation::atan2:
-      return "atan2";
-    case Operation::exp:
-      return "exp";
-    case Operation::log:
-      return "log";
-    case Operation::abs:
-      return "abs";
-    case Operation::sign:
-      return "sign";
-    case Operation::sinh:
-      return "sinh";
-    case Operation::cosh:
-      return "cosh";
-    case Operation::tanh:
-      return "tanh";
-    case Operation::pow:
-      return "pow";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string dump(const Program& program) {
@@ -90,7 +40,7 @@ std::string dump(const Program& program) {
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < program.code.size(); ++i) {
     const Instruction& c = program.code[i];
-    const char* name = operation_name(c.op);
+    const std::string_view name = operation_name(c.op);
     fmt::format_to(out, "t{} = ", i);
     switch (c.op) {
       case Operation::constant:

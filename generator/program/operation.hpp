@@ -1,8 +1,9 @@
-// What each operation of a program means: its number of operands, its parity and its value. In: an operation
-// and operands. Out: one correctly rounded step, the same that the emitted code takes.
+// What each operation of a program means: its number of operands, its parity, its name and its value. In: an
+// operation and operands. Out: one correctly rounded step, the same that the emitted code takes.
 #pragma once
 
 #include <cmath>
+#include <string_view>
 
 #include "program/program.hpp"
 
@@ -79,6 +80,58 @@ constexpr Parity parity(Operation op) {
 /// sin, cos and tan: the calls that the counting convention lists apart.
 constexpr bool is_trigonometric(Operation op) {
   return op == Operation::sin || op == Operation::cos || op == Operation::tan;
+}
+
+/// How an operation is written, in C++ and in dumps: the sign of + - * / and negation, the name of a
+/// function; empty for constants and inputs.
+constexpr std::string_view operation_name(Operation op) {
+  switch (op) {
+    case Operation::constant:
+    case Operation::input:
+      return "";
+    case Operation::add:
+      return "+";
+    case Operation::sub:
+    case Operation::neg:
+      return "-";
+    case Operation::mul:
+      return "*";
+    case Operation::div:
+      return "/";
+    case Operation::sqrt:
+      return "sqrt";
+    case Operation::sin:
+      return "sin";
+    case Operation::cos:
+      return "cos";
+    case Operation::tan:
+      return "tan";
+    case Operation::asin:
+      return "asin";
+    case Operation::acos:
+      return "acos";
+    case Operation::atan:
+      return "atan";
+    case Operation::atan2:
+      return "atan2";
+    case Operation::exp:
+      return "exp";
+    case Operation::log:
+      return "log";
+    case Operation::abs:
+      return "abs";
+    case Operation::sign:
+      return "sign";
+    case Operation::sinh:
+      return "sinh";
+    case Operation::cosh:
+      return "cosh";
+    case Operation::tanh:
+      return "tanh";
+    case Operation::pow:
+      return "pow";
+  }
+  return "";
 }
 
 /// Value of an operation on `a` (and `b`); constants and inputs have none here and give `a`.
