@@ -53,14 +53,20 @@ struct CommandResult {
   std::string out, err;
 };
 
-/// `arguments` are shell words; a command that runs over ten seconds counts as hung (exit code 124).
-inline CommandResult alembert(const TemporaryFolder& folder, const std::string& arguments,
-                              const std::string& input = "") {
+/// Runs shell words; a command that runs over `seconds` counts as hung (exit code 124).
+inline CommandResult run_command(const TemporaryFolder& folder, const std::string& words,
+                                 const std::string& input, int seconds) {
   const std::string in = folder.write("stdin", input), out = folder / "stdout", err = folder / "stderr";
   const std::string command =
-      "timeout 10 " ALEMBERT_EXECUTABLE " " + arguments + " < '" + in + "' > '" + out + "' 2> '" + err + "'";
+      "timeout " + std::to_string(seconds) + " " + words + " < '" + in + "' > '" + out + "' 2> '" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
+}
+
+/// The command with `arguments`, as shell words.
+inline CommandResult alembert(const TemporaryFolder& folder, const std::string& arguments,
+                              const std::string& input = "", int seconds = 10) {
+  return run_command(folder, ALEMBERT_EXECUTABLE " " + arguments, input, seconds);
 }
 
 inline std::string mechanism_file(const std::string& name) {

@@ -160,14 +160,18 @@ INSTANTIATE_TEST_SUITE_P(
                  {"z w", "shift x 2*cos(v)*cos(u) y cos(v)*sin(u) z 3*sin(v)", "matrix", "x s"}}),
     [](const auto& spelling) { return std::string(spelling.param.name); });
 
+/// A torus that touches another one.
+LoadedMechanism mated_tori() {
+  return LoadedMechanism::text(one_body("u1, v1, u2, v2",
+                                        "      - mate:\n"
+                                        "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
+                                        "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
+                                        "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
+                                        "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+}
+
 TEST(ScrewPeeling, ConstantsOfAMateAreExact) {
-  const auto loaded =
-      LoadedMechanism::text(one_body("u1, v1, u2, v2",
-                                     "      - mate:\n"
-                                     "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
-                                     "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
-                                     "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
-                                     "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+  const LoadedMechanism loaded = mated_tori();
   const Kinematics kinematics = loaded.kinematics();
   ASSERT_TRUE(kinematics.peeled);
   std::vector<std::string> shifts;
@@ -214,13 +218,7 @@ TEST(ScrewPeeling, AnAxisThatARuntimeParameterTurnsIsLeftAlone) {
 
 /// What a peeled mechanism is for: an all-revolute chain.
 TEST(ScrewPeeling, NeedsFewerOperations) {
-  const auto loaded =
-      LoadedMechanism::text(one_body("u1, v1, u2, v2",
-                                     "      - mate:\n"
-                                     "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
-                                     "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
-                                     "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
-                                     "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+  const LoadedMechanism loaded = mated_tori();
   Kinematics kinematics = loaded.kinematics();
   const std::size_t with = count_operations(equations_of_motion(kinematics, Formulation::reduced).Q).total();
   kinematics.peeled.reset();

@@ -11,11 +11,8 @@ using testing::HasSubstr;
 
 /// Standard output of a script in mechanisms/paper.
 CommandResult script(const TemporaryFolder& folder, const std::string& arguments) {
-  const std::string out = folder / "script.out", err = folder / "script.err";
-  const std::string command = "timeout 60 " ALEMBERT_PYTHON " " ALEMBERT_SOURCE_DIR "/mechanisms/paper/" +
-                              arguments + " > '" + out + "' 2> '" + err + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
+  return run_command(folder, ALEMBERT_PYTHON " " ALEMBERT_SOURCE_DIR "/mechanisms/paper/" + arguments, "",
+                     60);
 }
 
 TEST(Scripts, WriteTheCommittedDescriptions) {

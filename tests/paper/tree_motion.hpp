@@ -33,11 +33,7 @@ struct Moment {
 /// Runs the command with a time limit fit for a minute of motion.
 inline CommandResult run_for_a_minute(const TemporaryFolder& folder, const std::string& arguments,
                                       const std::string& input = "") {
-  const std::string in = folder.write("in", input), out = folder / "out", err = folder / "err";
-  const std::string command =
-      "timeout 300 " ALEMBERT_EXECUTABLE " " + arguments + " < '" + in + "' > '" + out + "' 2> '" + err + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
+  return alembert(folder, arguments, input, 300);
 }
 
 /// States and poses of one mechanism of mechanisms/paper.
