@@ -34,8 +34,9 @@ std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const Sp
 
 /// How the momentum of a unit motion comes to those far inward of it.
 enum class FarPairs {
-  carry,  ///< from joint to joint
-  meet    ///< in a common frame, where that is estimated to take less (meeting_frames.hpp)
+  carry,       ///< from joint to joint
+  meet,        ///< in a common frame, where that is estimated to take less (meeting_frames.hpp)
+  meet_sooner  ///< the same, with an estimate that is in favour of common frames
 };
 /// M (nv x nv, row major, symmetric) by composite bodies over the tree, contracted where speeds are shared.
 std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,

@@ -144,9 +144,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
   std::vector<Composite> composites(count, {graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)});
   UnitMotions units;
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
-  MeetingPlan plan(count, -1);
-  if (far == FarPairs::meet) plan = plan_meetings(tree, units);
-  const MeetingFrames meetings(tree, units, std::move(plan), graph);
+  const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far), graph);
   for (std::size_t i = 0; i < count; ++i) {
     const NodeMass& mass = tree.masses[i];
     composites[i] = {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)};

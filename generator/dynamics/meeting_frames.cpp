@@ -11,9 +11,13 @@ namespace {
 /// Estimated multiplications and additions.
 using Cost = long long;
 
-constexpr Cost kTurned = 42;       ///< a momentum through a generic pose
-constexpr Cost kOwnTurned = 36;    ///< that of a rotation in its own frame: f has two components only
-constexpr Cost kOwnCarried = -10;  ///< what this saves in carrying, which shares f with the composite's h
+/// A momentum through a pose, and that of a rotation in its own frame, whose f has two components only.
+struct TurningCosts {
+  Cost carried, own;
+};
+constexpr TurningCosts kGeneric{42, 36};
+constexpr TurningCosts kSparse{20, 20};
+constexpr Cost kOwnCarried = -10;  ///< what two components save in carrying, where f is shared with h
 
 std::size_t index(int node) {
   return static_cast<std::size_t>(node);
@@ -77,7 +81,8 @@ UnitCosts costs_of(const MotionNode& node, std::span<const UnitMotion> units) {
 
 class Planner {
  public:
-  Planner(const MotionTree& tree, const UnitMotions& units) : tree_(tree), count_(tree.nodes.size()) {
+  Planner(const MotionTree& tree, const UnitMotions& units, TurningCosts turning)
+      : tree_(tree), turning_(turning), count_(tree.nodes.size()) {
     for (std::size_t k = 0; k < count_; ++k) {
       motions_.push_back(costs_of(tree.nodes[k]));
       units_.push_back(costs_of(tree.nodes[k], units[k]));
@@ -189,7 +194,7 @@ class Planner {
         break;
       }
       const Cost turned =
-          before == Look::same ? std::max<Cost>(0, motions_[k].carried + kOwnCarried) : kOwnTurned;
+          before == Look::same ? std::max<Cost>(0, motions_[k].carried + kOwnCarried) : turning_.own;
       cost_[k] += units_[k].number * (inward_[k] - met(k, before) + turned);
       if (before == Look::generic) cost_[k] += motions_[k].posed + (used_[k] ? units_[k].twists : 0);
       const std::size_t p = index(parent);
@@ -197,7 +202,7 @@ class Planner {
       const Look further =
           at_frame || tree_.nodes[p].parent < 0 ? Look::same : looks_[index(tree_.nodes[p].parent)];
       const Cost beyond_parent =
-          at_frame ? inward_[p] : inward_[p] - met(p, further) + units_[p].direct + kTurned;
+          at_frame ? inward_[p] : inward_[p] - met(p, further) + units_[p].direct + turning_.carried;
       const Cost carry = carried_[k] + to_parent(k) + numbers_[k] * beyond_parent;
       if (cost_[k] < carry) {
         posed_[k] = true;
@@ -211,6 +216,7 @@ class Planner {
   }
 
   const MotionTree& tree_;
+  TurningCosts turning_;
   std::size_t count_;
   std::vector<MotionCosts> motions_;
   std::vector<UnitCosts> units_;
@@ -238,8 +244,16 @@ std::size_t point_on_axis(const MotionTree& tree, std::size_t node) {
 
 }  // namespace
 
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units) {
-  return Planner(tree, units).plan();
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far) {
+  switch (far) {
+    case FarPairs::carry:
+      return MeetingPlan(tree.nodes.size(), -1);
+    case FarPairs::meet:
+      return Planner(tree, units, kGeneric).plan();
+    case FarPairs::meet_sooner:
+      return Planner(tree, units, kSparse).plan();
+  }
+  return {};
 }
 
 MeetingFrames::MeetingFrames(const MotionTree& tree, const UnitMotions& units, MeetingPlan plan,

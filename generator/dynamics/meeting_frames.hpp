@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/formulations.hpp"
 #include "dynamics/motion_tree.hpp"
 
 namespace alembert {
@@ -32,8 +33,9 @@ struct Momentum {
 /// For each node the one in whose frame it is posed: itself for a meeting frame, -1 for none.
 using MeetingPlan = std::vector<int>;
 
-/// The plan that takes the fewest operations by an estimate; -1 for all where carrying takes no more.
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units);
+/// The plan that takes the fewest operations by an estimate; -1 for all where carrying takes no more. Between
+/// simple joints poses and momenta have zeros; `meet_sooner` counts on them.
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far);
 
 /// Poses and twists in the meeting frames of a plan.
 class MeetingFrames {

@@ -96,12 +96,15 @@ class Search {
     if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
   }
 
-  /// Carrying M's far pairs is only tried where lists are short: the estimate is right about long ones.
+  /// Long lists only meet as they are estimated to: the estimate is right about them.
   void offer_near_and_far(Form form) {
     form.far = FarPairs::meet;
     offer(form);
-    form.far = FarPairs::carry;
-    if (small_) offer(form);
+    if (least_ > kMeeting) return;
+    for (const FarPairs far : {FarPairs::meet_sooner, FarPairs::carry}) {
+      form.far = far;
+      offer(form);
+    }
   }
 
   void offer_scaled() {
@@ -162,7 +165,7 @@ class Search {
   const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
 
  private:
-  static constexpr std::size_t kSmall = 20000, kRefined = 1000;
+  static constexpr std::size_t kSmall = 20000, kMeeting = 10000, kRefined = 1000;
   static constexpr std::size_t kNear = 8;
 
   const Kinematics& kinematics_;

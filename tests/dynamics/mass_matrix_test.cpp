@@ -133,8 +133,8 @@ TEST_P(FarPairsOf, MeetAsTheyAreCarried) {
     for (const MotionTree& tree : trees_of(loaded, kinematics)) {
       const std::vector<Expr> carried =
           composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, FarPairs::carry);
-      const std::vector<Expr> met =
-          composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, FarPairs::meet);
+      const FarPairs far = seed % 2 == 0 ? FarPairs::meet_sooner : FarPairs::meet;
+      const std::vector<Expr> met = composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, far);
       least_carried = std::min(least_carried, operations(carried));
       least_met = std::min(least_met, operations(met));
       for (unsigned state = 1; state <= 2; ++state) {
