@@ -67,10 +67,11 @@ std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
 class Search {
  public:
   using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
-  Search(const Kinematics& kinematics, Equations equations)
-      : kinematics_(kinematics), equations_(equations) {}
+  /// `has_pairs`: the equations depend on Form::far.
+  Search(const Kinematics& kinematics, Equations equations, bool has_pairs)
+      : kinematics_(kinematics), equations_(equations), has_pairs_(has_pairs) {}
 
-  bool offer(const Form& form) {
+  bool try_form(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
     const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph, form.far);
     std::vector<Expr> values = value_number(raw);
@@ -96,15 +97,18 @@ class Search {
     if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
   }
 
-  /// Long lists only meet as they are estimated to: the estimate is right about them.
-  void offer_near_and_far(Form form) {
+  /// Tries a form with its far pairs as they are estimated to be best. The estimate is right about long
+  /// lists; in others it is tried what is best.
+  void offer(Form form) {
     form.far = FarPairs::meet;
-    offer(form);
-    if (least_ > kMeeting) return;
-    for (const FarPairs far : {FarPairs::meet_sooner, FarPairs::carry}) {
-      form.far = far;
-      offer(form);
+    try_form(form);
+    if (!has_pairs_ || least_ > kMeeting) return;
+    if (least_ > kRefined) {
+      form.far = FarPairs::meet_sooner;
+      try_form(form);
     }
+    form.far = FarPairs::carry;
+    try_form(form);
   }
 
   void offer_scaled() {
@@ -135,7 +139,7 @@ class Search {
         } else {
           other.scaled.insert(at, turn);
         }
-        better = offer(other) || better;
+        better = try_form(other) || better;
       }
       if (form_.links == nullptr) continue;
       for (std::size_t i = form_.regroupings.size(); i-- > 0;) {
@@ -145,7 +149,7 @@ class Search {
             other.regroupings[i].forms[k] =
                 (mask >> k & 1u) != 0 ? MomentForm::inertia : MomentForm::pseudo_inertia;
           }
-          if (other.regroupings[i].forms != form_.regroupings[i].forms) better = offer(other) || better;
+          if (other.regroupings[i].forms != form_.regroupings[i].forms) better = try_form(other) || better;
         }
         if (candidates.empty()) continue;
         for (const Regrouping& how : candidates[i]) {
@@ -153,7 +157,7 @@ class Search {
           Form other = form_;
           other.regroupings[i] = how;
           other.regroupings[i].forms = form_.regroupings[i].forms;
-          better = offer(other) || better;
+          better = try_form(other) || better;
         }
       }
     }
@@ -170,6 +174,7 @@ class Search {
 
   const Kinematics& kinematics_;
   Equations equations_;
+  bool has_pairs_;
   bool small_ = false;  ///< programs are counted, not expressions
   Form form_;
   std::vector<Expr> best_;
@@ -195,10 +200,13 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   std::optional<RigidLinks> links;
   if (passes.placement) links = RigidLinks::of(mechanism, tree, graph);
 
-  Search forces(kinematics, [](const Mechanism& m, const MotionTree& t, ExprGraph& g, FarPairs) {
-    return reduced_inverse_dynamics(m, t, g);
-  });
-  Search masses(kinematics, composite_mass_matrix);
+  Search forces(
+      kinematics,
+      [](const Mechanism& m, const MotionTree& t, ExprGraph& g, FarPairs) {
+        return reduced_inverse_dynamics(m, t, g);
+      },
+      false);
+  Search masses(kinematics, composite_mass_matrix, true);
   const auto offer_both_moments = [&](Form form) {
     forces.offer(form);
     form.inertia_moments = true;
@@ -207,20 +215,20 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   Form given;
   given.tree = &tree;
   offer_both_moments(given);
-  masses.offer_near_and_far(given);
+  masses.offer(given);
   RegroupingChoices choices;
   if (links) {
     Form placed;
     placed.links = &*links;
     placed.regroupings.resize(links->links().size());
     offer_both_moments(placed);
-    masses.offer_near_and_far(placed);
+    masses.offer(placed);
     if (passes.regrouping) {
       choices = regrouping_choices(*links);
       placed.regroupings = choices.chosen;
       forces.offer(placed);
       placed.regroupings = minimal_regroupings(*links);
-      masses.offer_near_and_far(placed);
+      masses.offer(placed);
     }
   }
   if (passes.scaling) {
