@@ -182,10 +182,6 @@ double operations(const CompiledMechanism& compiled, const std::string& function
   return std::stod(match[1]) + std::stod(match[2]);
 }
 
-double solve_operations(double n) {
-  return n * (n - 1) * (n + 1) / 3 + n * (n - 1) / 2 + 2 * n * n;
-}
-
 void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
                  const std::map<std::string, Timing>& timings) {
   const auto time = [&](const std::string& name) {
@@ -208,11 +204,8 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
   const auto cell = [](double value) { value > 0 ? std::printf(" %.0f |", value) : std::printf(" - |"); };
   for (const auto& s : subjects) {
     const CompiledMechanism& c = s->compiled;
-    const double n = static_cast<double>(c.n);
     const double counts[] = {operations(c, "inverse_dynamics"), operations(c, "mass_matrix"),
-                             c.straight_forward_dynamics
-                                 ? operations(c, "forward_dynamics")
-                                 : operations(c, "mass_matrix_and_bias") + solve_operations(n)};
+                             operations(c, "forward_dynamics")};
     for (std::size_t f = 0; f < 3; ++f) {
       const double ours = time(c.name + "/alembert/" + kFunctions[f]);
       const double mujoco = time(c.name + "/MuJoCo/" + kFunctions[f]);
@@ -231,10 +224,7 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
     if (c.inverse_dynamics_batch == nullptr) continue;
     for (const std::string f : {"ID", "FD"}) {
       const double one = time(c.name + "/alembert/" + f);
-      const double count = f == "ID"                     ? operations(c, "inverse_dynamics")
-                           : c.straight_forward_dynamics ? operations(c, "forward_dynamics")
-                                                         : operations(c, "mass_matrix_and_bias") +
-                                                               solve_operations(static_cast<double>(c.n));
+      const double count = operations(c, f == "ID" ? "inverse_dynamics" : "forward_dynamics");
       std::printf("| %s | %s | %.0f |", c.name.c_str(), f.c_str(), one);
       for (const auto& [set, instructions] : kSets) {
         const double each = time(c.name + "/" + set + "/" + f) / static_cast<double>(kBatch);

@@ -18,8 +18,6 @@ struct CompiledMechanism {
   void (*inverse_dynamics)(const double* q, const double* qd, const double* qdd, double* tau);
   void (*mass_matrix)(const double* q, double* M);
   void (*forward_dynamics)(const double* q, const double* qd, const double* tau, double* qdd);
-  bool straight_forward_dynamics;  ///< generated; otherwise M and c generated and solved by the runtime
-                                   ///< library
 
   /// Over n states; null without batches.
   using Batch3 = std::size_t (*)(std::size_t n, std::size_t stride, const double*, const double*,
