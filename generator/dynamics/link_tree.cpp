@@ -12,31 +12,14 @@ namespace {
 
 using Eigen::Matrix4d;
 
-Expr number(ExprGraph& graph, double x) {
-  return std::abs(x) < 1e-15 ? graph.zero() : graph.real(x);
-}
-
 /// Exact at multiples of a right angle.
 Expr angle_number(ExprGraph& graph, double x) {
   const double quarter_turns = x / (std::numbers::pi / 2);
   const double nearest = std::nearbyint(quarter_turns);
-  if (std::abs(quarter_turns - nearest) > 1e-12) return number(graph, x);
+  if (std::abs(quarter_turns - nearest) > 1e-12) return rounded_number(graph, x);
   const std::int64_t k = static_cast<std::int64_t>(nearest);
   if (k == 0) return graph.zero();
   return k % 2 == 0 ? graph.pi(Rational(k / 2)) : graph.pi(Rational(k, 2));
-}
-
-NodeMass node_mass(ExprGraph& graph, const Matrix4d& S, const std::array<MomentForm, 3>& forms) {
-  NodeMass mass{number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
-  const double trace = S(0, 0) + S(1, 1) + S(2, 2);
-  for (int r = 0; r < 3; ++r) {
-    mass.moment[static_cast<std::size_t>(r)] = number(graph, S(r, 3));
-    for (int c = 0; c < 3; ++c) {
-      mass.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
-          number(graph, r == c ? trace - S(r, c) : -S(r, c));
-    }
-  }
-  return mass;
 }
 
 /// Builds the nodes one after another.
@@ -51,7 +34,8 @@ class TreeBuilder {
     return add(parent, axis_rotation_motion(axis, a));
   }
   int shift(int parent, const Eigen::Vector3d& t) {
-    const Vec3 offset{{number(graph_, t[0]), number(graph_, t[1]), number(graph_, t[2])}};
+    const Vec3 offset{
+        {rounded_number(graph_, t[0]), rounded_number(graph_, t[1]), rounded_number(graph_, t[2])}};
     if (offset == zeros<3, 1>(graph_)) return parent;
     return add(parent, translation_motion(offset));
   }
@@ -134,10 +118,10 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
   }
   for (std::size_t i = 0; i < links_.size(); ++i) {
     // Frames that coincide share a node: what is fixed to them adds up.
-    const auto put = [&](MassFrame frame, const Matrix4d& S) {
+    const auto put = [&](MassFrame frame, const LinkInertia& inertia) {
       NodeMass& mass =
           builder.tree.masses[static_cast<std::size_t>(frames[i][static_cast<std::size_t>(frame)])];
-      const NodeMass more = node_mass(graph, S, regroupings[i].forms);
+      const NodeMass more = terms_.node_mass(inertia, regroupings[i].forms, graph);
       mass.mass += more.mass;
       mass.moment = mass.moment + more.moment;
       mass.inertia = mass.inertia + more.inertia;
@@ -145,8 +129,8 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
     };
     for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
       if (splits[i].points[k] == 0) continue;
-      Matrix4d point = Matrix4d::Zero();
-      point(3, 3) = splits[i].points[k];
+      LinkInertia point;
+      point.number(3, 3) = splits[i].points[k];
       put(kMassFrames[k], point);
     }
     put(regroupings[i].frame, splits[i].remaining);
@@ -162,13 +146,15 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
       } else {
         const std::size_t i = static_cast<std::size_t>(l);
         const Matrix4d pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
-        const Motion shift = translation_motion(
-            {{number(graph, pose(0, 3)), number(graph, pose(1, 3)), number(graph, pose(2, 3))}});
+        const Motion shift =
+            translation_motion({{rounded_number(graph, pose(0, 3)), rounded_number(graph, pose(1, 3)),
+                                 rounded_number(graph, pose(2, 3))}});
         Motion turn;
         turn.kind = MotionKind::rotation;
         for (int r = 0; r < 3; ++r) {
           for (int c = 0; c < 3; ++c)
-            turn.matrix(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) = number(graph, pose(r, c));
+            turn.matrix(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
+                rounded_number(graph, pose(r, c));
         }
         moved.node = frames[i][0];
         moved.tail.insert(moved.tail.begin(), {shift, turn});

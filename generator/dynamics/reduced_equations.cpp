@@ -20,9 +20,21 @@ namespace {
 /// second.
 constexpr double kWork = 100'000;
 
-std::size_t weight(std::span<const Expr> values) {
+/// Operations; and those of them that are no sines and cosines, which other functions may share.
+using Length = std::pair<std::size_t, std::size_t>;
+
+Length length_of(std::span<const Expr> values) {
   const ExprCount n = count_operations(values);
-  return n.total() + n.trig;
+  return {n.total() + n.trig, n.total()};
+}
+
+Length program_length(const Kinematics& kinematics, std::span<const Expr> values) {
+  const std::array<OutputExpressions, 1> output{
+      {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
+  const OperationCount n =
+      count(optimize(lower("candidate", output, symbol_bindings(kinematics.mechanism, kinematics.graph))));
+  const std::size_t others = n.mul + n.add + n.div + n.other;
+  return {others + n.trig, others};
 }
 
 /// How a tree of motions is to be written: on which tree it rests, and the choices that can be tried on it.
@@ -75,8 +87,8 @@ class Search {
     const MotionTree tree = tree_of(form, kinematics_.graph);
     const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph, form.far);
     std::vector<Expr> values = value_number(raw);
-    if (best_.empty()) small_ = weight(values) <= kSmall;
-    const std::size_t here = measure(values);
+    if (best_.empty()) small_ = length_of(values).first <= kSmall;
+    const std::size_t here = measure(values).first;
     work_ += static_cast<double>(postorder(raw).size());
     if (!best_.empty() && here >= least_) {
       if (near_.size() < kNear && here <= least_ + least_ / 20) near_.push_back(std::move(values));
@@ -89,8 +101,9 @@ class Search {
     return true;
   }
 
-  std::size_t measure(const std::vector<Expr>& values) const {
-    return small_ ? program_weight(kinematics_, values) : weight(values);  // programs of long lists take long
+  Length measure(const std::vector<Expr>& values) const {
+    return small_ ? program_length(kinematics_, values)
+                  : length_of(values);  // programs of long lists take long
   }
   /// Keeps the shorter of two lists of equal values.
   void keep_shorter(std::vector<Expr>& kept, std::vector<Expr> other) const {
@@ -186,11 +199,7 @@ class Search {
 }  // namespace
 
 std::size_t program_weight(const Kinematics& kinematics, std::span<const Expr> values) {
-  const std::array<OutputExpressions, 1> output{
-      {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
-  const OperationCount n =
-      count(optimize(lower("candidate", output, symbol_bindings(kinematics.mechanism, kinematics.graph))));
-  return n.mul + n.add + n.div + n.other + n.trig;
+  return program_length(kinematics, values).first;
 }
 
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes) {
@@ -198,7 +207,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   ExprGraph& graph = kinematics.graph;
   const MotionTree& tree = passes.peeling && kinematics.peeled ? *kinematics.peeled : kinematics.tree;
   std::optional<RigidLinks> links;
-  if (passes.placement) links = RigidLinks::of(mechanism, tree, graph);
+  if (passes.placement) links.emplace(mechanism, tree, graph);
 
   Search forces(
       kinematics,
@@ -229,6 +238,13 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
       forces.offer(placed);
       placed.regroupings = minimal_regroupings(*links);
       masses.offer(placed);
+      if (links->has_terms()) {
+        choices = regrouping_choices(*links, true);
+        placed.regroupings = choices.chosen;
+        forces.offer(placed);
+        placed.regroupings = minimal_regroupings(*links, true);
+        masses.offer(placed);
+      }
     }
   }
   if (passes.scaling) {

@@ -1,6 +1,7 @@
 // Which entries of the inertias to zero (rigid_links.hpp), decided by counting. What an inertia costs depends
 // only on which of its entries are zero, where it is written down, and what moves there: so the cost of a
-// link is that of a small model of it, kept by pattern.
+// link is that of a small model of it, kept by pattern. Entries that have runtime terms cost what puts them
+// together besides.
 #include <Eigen/Core>
 #include <algorithm>
 #include <bit>
@@ -15,8 +16,6 @@ namespace alembert {
 
 namespace {
 
-using Eigen::Matrix4d;
-
 constexpr std::size_t kMass = 9, kHz = 8, kKzz = 2;
 constexpr unsigned bit(std::size_t i) {
   return 1u << i;
@@ -25,12 +24,14 @@ constexpr unsigned bit(std::size_t i) {
 /// What the cost of a link depends on.
 struct LinkPattern {
   unsigned entries = 0;  ///< nonzero entries of the remaining inertia
+  unsigned terms = 0;    ///< those of them that have runtime terms
   unsigned points = 0;   ///< point masses at the frames
   MassFrame frame = MassFrame::joint;
-  bool first =
-      false;  ///< its parent is the world: it turns about one axis only, and only that moment is wanted
+  bool first = false;  ///< it turns about an axis that stands still, and only the moment about it is wanted
   bool child = false, twisted = false, length = false, offset = false;
-  auto key() const { return std::tuple(entries, points, frame, first, child, twisted, length, offset); }
+  auto key() const {
+    return std::tuple(entries, terms, points, frame, first, child, twisted, length, offset);
+  }
 };
 
 Vec3 symbols(ExprGraph& g, const std::string& name) {
@@ -63,9 +64,17 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   motions[3].acc = motions[2].at(offset);
 
   NodeMass mass{zero, zeros<3, 1>(g), zeros<3, 3>(g), forms};
-  const auto entry = [&](std::size_t e) { return (p.entries & bit(e)) != 0 ? number() : zero; };
+  const auto is_term = [&](std::size_t e) { return (p.terms & bit(e)) != 0; };
+  const auto entry = [&](std::size_t e) {
+    if (is_term(e)) return g.symbol("e" + std::to_string(e));
+    return (p.entries & bit(e)) != 0 ? number() : zero;
+  };
   const std::array<Expr, 3> K{entry(0), entry(1), entry(2)};
-  for (std::size_t i = 0; i < 3; ++i) mass.inertia(i, i) = K[(i + 1) % 3] + K[(i + 2) % 3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    // With runtime terms the sum is what is given, and K is made of it.
+    mass.inertia(i, i) = is_term(j) || is_term(k) ? g.symbol("J" + std::to_string(i)) : K[j] + K[k];
+  }
   const std::array<std::size_t, 3> rows{0, 0, 1}, columns{1, 2, 2};
   for (std::size_t k = 0; k < 3; ++k) {
     mass.inertia(rows[k], columns[k]) = mass.inertia(columns[k], rows[k]) = -entry(3 + k);
@@ -115,12 +124,13 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
 /// The search over one mechanism's links.
 class RegroupingSearch {
  public:
-  explicit RegroupingSearch(const RigidLinks& links) : links_(links), choices_(links.links().size()) {}
+  RegroupingSearch(const RigidLinks& links, bool terms_may_move)
+      : links_(links), terms_may_move_(terms_may_move), choices_(links.links().size()) {}
 
   RegroupingChoices run() {
     const std::size_t n = choices_.size();
     std::vector<std::vector<Regrouping>> candidates(n);
-    std::vector<Matrix4d> inertias;
+    std::vector<LinkInertia> inertias;
     for (const RigidLink& link : links_.links()) inertias.push_back(link.inertia);
     // From the tips: the best by its own cost; then descent, where a choice is judged by the link's and its
     // ancestors' cost.
@@ -152,13 +162,18 @@ class RegroupingSearch {
     const RigidLink& link = links_.links()[i];
     LinkPattern p;
     for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
-      if (split.remaining(kInertiaEntries[e].first, kInertiaEntries[e].second) != 0) p.entries |= bit(e);
+      const auto [r, c] = kInertiaEntries[e];
+      for (const auto& [term, S] : split.remaining.terms) {
+        if (S(r, c) != 0) p.terms |= bit(e);
+      }
+      if (split.remaining.number(r, c) != 0) p.entries |= bit(e);
     }
+    p.entries |= p.terms;
     for (std::size_t k = 0; k < 4; ++k) {
       if (split.points[k] != 0) p.points |= bit(k);
     }
     p.frame = how.frame;
-    p.first = link.parent < 0 && link.turns;
+    p.first = links_.turns_about_fixed_axis(i);
     if (link.main_child >= 0) {
       const RigidLink& child = links_.links()[static_cast<std::size_t>(link.main_child)];
       p.child = true;
@@ -169,6 +184,11 @@ class RegroupingSearch {
     return p;
   }
 
+  std::size_t cost(std::size_t i, const Regrouping& how, const RigidLinks::Split& split) {
+    if (links_.links()[i].grounded) return 0;
+    const LinkPattern p = pattern(i, how, split);
+    return cost(p) + composition_cost(split.remaining, p.first && !p.twisted);
+  }
   std::size_t cost(const LinkPattern& p) {
     const auto [entry, inserted] = costs_.try_emplace(p.key(), 0);
     if (inserted) {
@@ -183,22 +203,24 @@ class RegroupingSearch {
 
   /// All ways to write the inertia of link i that can be solved for, cheapest first by its own cost; the
   /// first is never missing.
-  std::vector<Regrouping> ranked_candidates(std::size_t i, const Matrix4d& inertia) {
+  std::vector<Regrouping> ranked_candidates(std::size_t i, const LinkInertia& inertia) {
     std::vector<std::pair<std::size_t, Regrouping>> found;
     const auto consider = [&](const Regrouping& how) {
       const auto split = links_.split(i, how, inertia);
-      if (split) found.emplace_back(cost(pattern(i, how, *split)), how);
+      if (split) found.emplace_back(cost(i, how, *split), how);
     };
     for (const MassFrame frame : kMassFrames) {
       if (!links_.has_frame(i, frame)) continue;
-      consider({frame, 0, 0, {}});
+      consider({frame, 0, 0, false, {}});
       for (unsigned points = 0; points < 16; ++points) {
         if ((points & bit(static_cast<std::size_t>(frame))) != 0 || std::popcount(points) > 1) continue;
         if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
         for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
           const int count = std::popcount(zeros) - std::popcount(points);
           if (count != links_.movable_count(i)) continue;
-          consider({frame, zeros, points, {}});
+          consider({frame, zeros, points, false, {}});
+          if (terms_may_move_ && points == 0 && !inertia.terms.empty())
+            consider({frame, zeros, points, true, {}});
         }
       }
     }
@@ -206,8 +228,12 @@ class RegroupingSearch {
                      [](const auto& x, const auto& y) { return x.first < y.first; });
     // A few of each number of zeros kept, and "do nothing" always.
     std::vector<Regrouping> kept;
+    std::array<std::size_t, 2> counts{};  // of those whose terms stay and move
     for (const auto& [own, how] : found) {
-      if (kept.size() < kKept || how.zeros == 0) kept.push_back(how);
+      std::size_t& number = counts[how.moves_terms ? 1 : 0];
+      if (number >= kKept && how.zeros != 0) continue;
+      kept.push_back(how);
+      ++number;
     }
     return kept;
   }
@@ -216,15 +242,18 @@ class RegroupingSearch {
   std::size_t chain_cost(std::size_t i, const Regrouping& how, const RigidLinks::Flow& flow) {
     std::size_t sum = 0;
     Regrouping here = how;
-    Matrix4d inertia = flow.inertias[i];
+    LinkInertia inertia = flow.inertias[i];
     for (std::size_t step = 0; step <= kAncestors; ++step) {
       auto split = links_.split(i, here, inertia);
       if (!split) return ~std::size_t{0};
-      sum += cost(pattern(i, here, *split));
+      sum += cost(i, here, *split);
       const int parent = links_.links()[i].parent;
       if (parent < 0) break;
       const std::size_t p = static_cast<std::size_t>(parent);
-      inertia = flow.inertias[p] + links_.to_parent(i, split->moved - flow.splits[i].moved);
+      LinkInertia change = split->moved;
+      change -= flow.splits[i].moved;
+      inertia = flow.inertias[p];
+      inertia += links_.to_parent(i, change);
       i = p;
       here = choices_[i];
     }
@@ -262,24 +291,26 @@ class RegroupingSearch {
   }
 
   const RigidLinks& links_;
+  bool terms_may_move_;
   std::vector<Regrouping> choices_;
   std::map<decltype(LinkPattern{}.key()), std::size_t> costs_;
 };
 
 }  // namespace
 
-std::vector<Regrouping> choose_regroupings(const RigidLinks& links) {
-  return RegroupingSearch(links).run().chosen;
+std::vector<Regrouping> choose_regroupings(const RigidLinks& links, bool terms_may_move) {
+  return RegroupingSearch(links, terms_may_move).run().chosen;
 }
 
-RegroupingChoices regrouping_choices(const RigidLinks& links) {
-  return RegroupingSearch(links).run();
+RegroupingChoices regrouping_choices(const RigidLinks& links, bool terms_may_move) {
+  return RegroupingSearch(links, terms_may_move).run();
 }
 
-std::vector<Regrouping> minimal_regroupings(const RigidLinks& links) {
+std::vector<Regrouping> minimal_regroupings(const RigidLinks& links, bool terms_move) {
   std::vector<Regrouping> out;
   for (std::size_t i = 0; i < links.links().size(); ++i) {
     Regrouping how;
+    how.moves_terms = terms_move;
     if (links.links()[i].turns) {
       how.zeros = bit(kMass) | bit(kHz) | bit(kKzz);
     } else if (links.movable_count(i) == 6) {

@@ -58,23 +58,6 @@ std::optional<Matrix4d> constant_pose(const Motion& motion, ExprGraph& graph) {
   return m;
 }
 
-std::optional<Matrix4d> pseudo_inertia(const NodeMass& mass) {
-  std::vector<Expr> flat(mass.inertia.entries.begin(), mass.inertia.entries.end());
-  flat.insert(flat.end(), mass.moment.entries.begin(), mass.moment.entries.end());
-  flat.push_back(mass.mass);
-  const auto v = numbers(flat);
-  if (!v) return std::nullopt;
-  Matrix3d J;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) J(r, c) = (*v)[static_cast<std::size_t>(3 * r + c)];
-  }
-  Matrix4d S;
-  S.topLeftCorner<3, 3>() = 0.5 * J.trace() * Matrix3d::Identity() - J;
-  for (int r = 0; r < 3; ++r) S(r, 3) = S(3, r) = (*v)[static_cast<std::size_t>(9 + r)];
-  S(3, 3) = (*v)[12];
-  return S;
-}
-
 /// A pose as Rz(first_angle) Tz(first_shift) Rx(twist) Tx(length) Rz(last_angle) Tz(last_shift).
 struct CommonNormal {
   double first_angle = 0, first_shift = 0, twist = 0, length = 0, last_angle = 0, last_shift = 0;
@@ -118,38 +101,40 @@ Matrix4d rigid_inverse(const Matrix4d& pose) {
   return m;
 }
 
-std::optional<RigidLinks> RigidLinks::of(const Mechanism& mechanism, const MotionTree& tree,
-                                         ExprGraph& graph) {
-  RigidLinks out;
-  out.mechanism_ = &mechanism;
-  out.tree_ = &tree;
+RigidLinks::RigidLinks(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) : tree_(&tree) {
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const MotionNode& node = tree.nodes[i];
-    int link = node.parent < 0 ? -1 : out.link_of_node_[static_cast<std::size_t>(node.parent)];
+    int link = node.parent < 0 ? -1 : link_of_node_[static_cast<std::size_t>(node.parent)];
     Matrix4d pose =
-        node.parent < 0 ? Matrix4d::Identity() : out.pose_of_node_[static_cast<std::size_t>(node.parent)];
-    if (node.partials.empty()) {
-      const auto constant = constant_pose(node.motion, graph);
-      if (!constant) return std::nullopt;
+        node.parent < 0 ? Matrix4d::Identity() : pose_of_node_[static_cast<std::size_t>(node.parent)];
+    const auto constant = node.partials.empty() ? constant_pose(node.motion, graph) : std::nullopt;
+    if (constant) {
       pose = pose * *constant;
     } else {
       RigidLink next;
       next.node = static_cast<int>(i);
       next.parent = link;
       next.before = pose;
-      next.turns = node.motion.kind == MotionKind::axis_rotation;
-      link = static_cast<int>(out.links_.size());
-      out.links_.push_back(next);
+      next.moves = !node.partials.empty();
+      next.turns = next.moves && node.motion.kind == MotionKind::axis_rotation;
+      next.grounded = !next.moves && (link < 0 || links_[static_cast<std::size_t>(link)].grounded);
+      link = static_cast<int>(links_.size());
+      links_.push_back(next);
       pose = Matrix4d::Identity();
     }
-    const auto S = pseudo_inertia(tree.masses[i]);
-    if (!S) return std::nullopt;
-    if (link >= 0) out.links_[static_cast<std::size_t>(link)].inertia += pose * *S * pose.transpose();
-    out.link_of_node_.push_back(link);
-    out.pose_of_node_.push_back(pose);
+    if (link >= 0) {
+      const LinkInertia here = terms_.of_node(mechanism, tree, i, graph);
+      links_[static_cast<std::size_t>(link)].inertia += here.seen_through(pose);
+    }
+    link_of_node_.push_back(link);
+    pose_of_node_.push_back(pose);
   }
-  out.place();
-  return out;
+  place();
+}
+
+bool RigidLinks::turns_about_fixed_axis(std::size_t i) const {
+  const int parent = links_[i].parent;
+  return links_[i].turns && (parent < 0 || links_[static_cast<std::size_t>(parent)].grounded);
 }
 
 void RigidLinks::place() {
@@ -163,7 +148,7 @@ void RigidLinks::place() {
     link.before = link.before * G;
     link.adjusted = link.adjusted * G;
     const Matrix4d back = rigid_inverse(G);
-    link.inertia = back * link.inertia * back.transpose();
+    link.inertia = link.inertia.seen_through(back);
     for (const std::size_t child : children[i]) links_[child].before = back * links_[child].before;
   };
   for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -191,8 +176,10 @@ void RigidLinks::place() {
     } else if (children[i].empty() && link.parent >= 0) {
       const CommonNormal d = common_normal(link.before);
       reframe(i, shift({0, 0, -d.last_shift}));
-      // Nothing follows, so the frame may turn until an entry of the inertia vanishes.
-      const Matrix4d& S = link.inertia;
+      // Nothing follows, so the frame may turn until an entry of the inertia vanishes; turned runtime terms
+      // would be mixed.
+      if (!link.inertia.terms.empty()) continue;
+      const Matrix4d& S = link.inertia.number;
       const double size = kSmall * S.cwiseAbs().maxCoeff();
       if (std::abs(S(0, 3)) > size && std::abs(S(1, 3)) > size) {
         reframe(i, turn(2, std::atan2(S(1, 3), S(0, 3))));
@@ -234,19 +221,18 @@ Matrix4d RigidLinks::pose_in_link(std::size_t i, MassFrame frame) const {
   return frame == MassFrame::length ? pose : Matrix4d(pose * shift({0, 0, child.offset}));
 }
 
-Matrix4d RigidLinks::in_frame(std::size_t i, MassFrame frame, const Matrix4d& inertia) const {
-  const Matrix4d back = rigid_inverse(pose_in_link(i, frame));
-  return back * inertia * back.transpose();
+LinkInertia RigidLinks::in_frame(std::size_t i, MassFrame frame, const LinkInertia& inertia) const {
+  return inertia.seen_through(rigid_inverse(pose_in_link(i, frame)));
 }
 
-Matrix4d RigidLinks::to_parent(std::size_t i, const Matrix4d& moved) const {
-  const Matrix4d& X = links_[i].before;
-  return X * moved * X.transpose();
+LinkInertia RigidLinks::to_parent(std::size_t i, const LinkInertia& moved) const {
+  return moved.seen_through(links_[i].before);
 }
 
 std::vector<Matrix4d> RigidLinks::movable(std::size_t i) const {
   // Pairs of points and directions (homogeneous, in the frame after the motion) that the motion leaves still.
   std::vector<Eigen::Vector4d> still;
+  if (!links_[i].moves) return {};
   const Motion& motion = tree_->nodes[static_cast<std::size_t>(links_[i].node)].motion;
   switch (motion.kind) {
     case MotionKind::translation:
@@ -273,15 +259,20 @@ std::vector<Matrix4d> RigidLinks::movable(std::size_t i) const {
 }
 
 std::optional<RigidLinks::Split> RigidLinks::split(std::size_t i, const Regrouping& how,
-                                                   const Matrix4d& inertia) const {
-  Split out{in_frame(i, how.frame, inertia), Matrix4d::Zero(), {}};
-  const double size = std::max(out.remaining.cwiseAbs().maxCoeff(), 1e-300);
+                                                   const LinkInertia& inertia) const {
+  Split out{in_frame(i, how.frame, inertia), {}, {}};
+  const auto size_of = [](const Matrix4d& S) { return std::max(S.cwiseAbs().maxCoeff(), 1e-300); };
+  const auto snap = [](Matrix4d& S, double size) {
+    S = S.unaryExpr([&](double x) { return std::abs(x) < 1e-14 * size ? 0.0 : x; });
+  };
+  const double size = size_of(out.remaining.number);
   if (how.zeros != 0) {
+    if (how.moves_terms && how.points != 0) return std::nullopt;
     const std::vector<Matrix4d> basis = movable(i);
     std::vector<Matrix4d> columns;
-    for (const Matrix4d& d : basis) columns.push_back(in_frame(i, how.frame, d));
-    std::vector<std::size_t> points;
     const Matrix4d back = rigid_inverse(pose_in_link(i, how.frame));
+    for (const Matrix4d& d : basis) columns.emplace_back(back * d * back.transpose());
+    std::vector<std::size_t> points;
     for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
       if ((how.points >> k & 1u) == 0) continue;
       const Eigen::Vector4d at = (back * pose_in_link(i, kMassFrames[k])).col(3);
@@ -291,34 +282,57 @@ std::optional<RigidLinks::Split> RigidLinks::split(std::size_t i, const Regroupi
     const Eigen::Index n = static_cast<Eigen::Index>(columns.size());
     if (std::popcount(how.zeros) != static_cast<int>(n)) return std::nullopt;
     Eigen::MatrixXd A(n, n);
-    Eigen::VectorXd b(n);
-    Eigen::Index row = 0;
+    std::vector<std::pair<int, int>> zeros;
     for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
       if ((how.zeros >> e & 1u) == 0) continue;
       const auto [r, c] = kInertiaEntries[e];
+      const Eigen::Index row = static_cast<Eigen::Index>(zeros.size());
       for (Eigen::Index k = 0; k < n; ++k) A(row, k) = columns[static_cast<std::size_t>(k)](r, c);
-      b[row++] = out.remaining(r, c);
+      zeros.emplace_back(r, c);
     }
     Eigen::FullPivLU<Eigen::MatrixXd> lu(A);
     lu.setThreshold(1e-6);
     if (!lu.isInvertible()) return std::nullopt;
-    const Eigen::VectorXd x = lu.solve(b);
+    // The amounts of the columns that leave `remaining`, from which they are taken.
+    const auto leaving = [&](Matrix4d& remaining) {
+      Eigen::VectorXd b(n);
+      for (Eigen::Index row = 0; row < n; ++row) {
+        const auto [r, c] = zeros[static_cast<std::size_t>(row)];
+        b[row] = remaining(r, c);
+      }
+      const Eigen::VectorXd x = lu.solve(b);
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        remaining -= x[static_cast<Eigen::Index>(k)] * columns[k];
+      for (const auto& [r, c] : zeros) remaining(r, c) = remaining(c, r) = 0;
+      return x;
+    };
+    const Eigen::VectorXd numbers = leaving(out.remaining.number);
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      const double amount = x[static_cast<Eigen::Index>(k)];
-      out.remaining -= amount * columns[k];
+      const double amount = numbers[static_cast<Eigen::Index>(k)];
       if (k < basis.size()) {
-        out.moved += amount * basis[k];
+        out.moved.number += amount * basis[k];
       } else {
         out.points[points[k - basis.size()]] = amount;
       }
     }
-    for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
-      const auto [r, c] = kInertiaEntries[e];
-      if ((how.zeros >> e & 1u) != 0) out.remaining(r, c) = out.remaining(c, r) = 0;
+    if (how.moves_terms) {
+      for (auto& [term, S] : out.remaining.terms) {
+        const double size_here = size_of(S);
+        const Eigen::VectorXd amounts = leaving(S);
+        Matrix4d moved = Matrix4d::Zero();
+        for (std::size_t k = 0; k < basis.size(); ++k)
+          moved += amounts[static_cast<Eigen::Index>(k)] * basis[k];
+        snap(moved, size_here);
+        snap(S, size_here);
+        if (!moved.isZero(0)) out.moved.terms.emplace(term, moved);
+      }
     }
   }
-  const auto snap = [&](double x) { return std::abs(x) < 1e-14 * size ? 0.0 : x; };
-  out.remaining = out.remaining.unaryExpr(snap);
+  snap(out.remaining.number, size);
+  for (auto term = out.remaining.terms.begin(); term != out.remaining.terms.end();) {
+    snap(term->second, size_of(term->second));
+    term = term->second.isZero(0) ? out.remaining.terms.erase(term) : std::next(term);
+  }
   return out;
 }
 

@@ -1,6 +1,8 @@
-// The tree of motions as rigid links with numbers: one link for each motion that moves, with the constant
-// poses between them and pseudo-inertias. Frame placement and inertia regrouping work on it; `link_tree`
-// turns the result back into a tree of motions.
+// The tree of motions as rigid links: one link for each motion that moves, with the constant poses between
+// them, which are numbers, and pseudo-inertias. Frame placement and inertia regrouping work on it;
+// `link_tree` turns the result back into a tree of motions. A constant motion that depends on a runtime
+// parameter is a link of its own, which does not move: frames before and after it are placed without regard
+// to each other, and it hands nothing to its parent.
 //
 // Placement: a rotation about an axis commutes with turns about and slides along that axis, so frames are
 // turned and slid until the constant pose between two rotations is a twist alpha, a length a and an offset d
@@ -9,7 +11,7 @@
 //
 // Regrouping: a symmetric 4x4 part d of a link's pseudo-inertia may move to its parent, S_parent += X d X^T,
 // exactly when (dA/dq) d = 0, that is when its range lies in the points and directions that the motion leaves
-// still.
+// still. What an inertia has of runtime parameters (link_inertia.hpp) moves with the numbers or stays.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,6 +20,7 @@
 #include <vector>
 
 #include "dynamics/formulations.hpp"
+#include "dynamics/link_inertia.hpp"
 #include "dynamics/motion_tree.hpp"
 
 namespace alembert {
@@ -28,30 +31,30 @@ enum class MassFrame { joint, twist, length, offset };
 inline constexpr std::array kMassFrames{MassFrame::joint, MassFrame::twist, MassFrame::length,
                                         MassFrame::offset};
 
-/// Entries of a pseudo-inertia [K h; h^T m] in this order: Kxx Kyy Kzz Kxy Kxz Kyz hx hy hz m.
-inline constexpr std::array<std::pair<int, int>, 10> kInertiaEntries{
-    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}, {3, 3}}};
-
 /// How a link's inertia is written: entries made zero by moving what the motion allows to the parent (and
 /// into point masses at the other frames), bit i for kInertiaEntries[i].
 struct Regrouping {
   MassFrame frame = MassFrame::joint;
   unsigned zeros = 0;
   unsigned points = 0;  ///< bit k: a point mass at the origin of kMassFrames[k]
+  bool moves_terms =
+      false;  ///< runtime terms move like the numbers, without point masses; otherwise they stay in the link
   std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
                                   MomentForm::pseudo_inertia};
 };
 
 struct RigidLink {
-  int node = -1;        ///< the moving node of the tree it was made from
+  int node = -1;        ///< the node of the tree it was made from: a moving one, or one of runtime parameters
   int parent = -1;      ///< link, or -1: world
   int main_child = -1;  ///< the child, turning about an axis, towards which the frames are placed
   bool turns = false;   ///< rotation about a coordinate axis: from here on the z axis
+  bool moves = true;    ///< false: a constant that depends on a runtime parameter
+  bool grounded = false;  ///< does not move, and nothing before it does
   double angle_offset = 0;
   double twist = 0, length = 0, offset = 0;  ///< from the parent, if this is its main child
   Eigen::Matrix4d before =
       Eigen::Matrix4d::Identity();  ///< parent's frame to this one before its motion, offset included
-  Eigen::Matrix4d inertia = Eigen::Matrix4d::Zero();  ///< pseudo-inertia in the frame after the motion
+  LinkInertia inertia;              ///< in the frame after the motion
   Eigen::Matrix4d adjusted =
       Eigen::Matrix4d::Identity();  ///< node's frame after its motion to this link's frame
 };
@@ -62,14 +65,17 @@ Eigen::Matrix4d rigid_inverse(const Eigen::Matrix4d& pose);
 /// Links of one mechanism; the tree must outlive it.
 class RigidLinks {
  public:
-  /// Links with placed frames. Nothing if a constant between motions, or a mass, depends on a runtime
-  /// parameter: such constants survive as they were given.
-  static std::optional<RigidLinks> of(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+  /// Links with placed frames.
+  RigidLinks(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
 
   const std::vector<RigidLink>& links() const { return links_; }
+  /// Whether an inertia depends on a runtime parameter.
+  bool has_terms() const { return !terms_.empty(); }
+  /// Whether link i turns about an axis that stands still.
+  bool turns_about_fixed_axis(std::size_t i) const;
 
   /// Pseudo-inertia of link i in `frame`, given the one in the joint's frame.
-  Eigen::Matrix4d in_frame(std::size_t i, MassFrame frame, const Eigen::Matrix4d& inertia) const;
+  LinkInertia in_frame(std::size_t i, MassFrame frame, const LinkInertia& inertia) const;
   /// Whether the frame exists: all but `joint` need a main child.
   bool has_frame(std::size_t i, MassFrame frame) const;
 
@@ -81,21 +87,21 @@ class RigidLinks {
   /// `moved` in the frame after the motion (zero if nothing moves), `points` are masses at the frames.
   /// Nothing if the entries cannot be zeroed.
   struct Split {
-    Eigen::Matrix4d remaining, moved;
+    LinkInertia remaining, moved;
     std::array<double, 4> points{};
   };
-  std::optional<Split> split(std::size_t i, const Regrouping& how, const Eigen::Matrix4d& inertia) const;
+  std::optional<Split> split(std::size_t i, const Regrouping& how, const LinkInertia& inertia) const;
 
   /// Inertias flowing from the tips to the root: what each link has once its children have handed over their
   /// parts, and how it splits that. A link whose entries cannot be zeroed keeps everything.
   struct Flow {
-    std::vector<Eigen::Matrix4d> inertias;
+    std::vector<LinkInertia> inertias;
     std::vector<Split> splits;
   };
   Flow flow(const std::vector<Regrouping>& regroupings) const;
 
   /// What the parent receives of a part moved by link i: X d X^T.
-  Eigen::Matrix4d to_parent(std::size_t i, const Eigen::Matrix4d& moved) const;
+  LinkInertia to_parent(std::size_t i, const LinkInertia& moved) const;
 
   /// The tree of motions of the links, inertias written as asked for (one Regrouping a link).
   MotionTree link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const;
@@ -105,25 +111,26 @@ class RigidLinks {
   Eigen::Matrix4d pose_in_link(std::size_t i, MassFrame frame) const;
   std::vector<Eigen::Matrix4d> movable(std::size_t i) const;
 
-  const Mechanism* mechanism_ = nullptr;
   const MotionTree* tree_ = nullptr;
+  RuntimeTerms terms_;
   std::vector<RigidLink> links_;
   std::vector<int> link_of_node_;              ///< link that a node moves with; -1: world
   std::vector<Eigen::Matrix4d> pose_of_node_;  ///< of a node in its link's original frame
 };
 
 /// Chooses for each link how its inertia is written, by counting the operations it causes: coordinate descent
-/// over the entries that can be zeroed, "do nothing" included. Deterministic.
-std::vector<Regrouping> choose_regroupings(const RigidLinks& links);
+/// over the entries that can be zeroed, "do nothing" included; runtime terms stay where they are unless they
+/// may move. Deterministic.
+std::vector<Regrouping> choose_regroupings(const RigidLinks& links, bool terms_may_move = false);
 /// The same, and for each link the ways that were considered, the cheapest by its own cost first.
 struct RegroupingChoices {
   std::vector<Regrouping> chosen;
   std::vector<std::vector<Regrouping>> candidates;
 };
-RegroupingChoices regrouping_choices(const RigidLinks& links);
+RegroupingChoices regrouping_choices(const RigidLinks& links, bool terms_may_move = false);
 
 /// Mass, first moment and one third of the inertia zeroed at each joint: what the composite-body mass matrix
-/// wants.
-std::vector<Regrouping> minimal_regroupings(const RigidLinks& links);
+/// wants. Of runtime terms too, if they move.
+std::vector<Regrouping> minimal_regroupings(const RigidLinks& links, bool terms_move = false);
 
 }  // namespace alembert

@@ -154,12 +154,11 @@ TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
     expect_same(*kinematics.peeled);
   }
   for (const MotionTree& tree : trees) {
-    const std::optional<RigidLinks> links = RigidLinks::of(*loaded.mechanism, tree, *loaded.graph);
-    if (!links) continue;  // a constant depends on a runtime parameter: links stay as they are
-    const std::vector<Regrouping> as_given(links->links().size());
+    const RigidLinks links(*loaded.mechanism, tree, *loaded.graph);
+    const std::vector<Regrouping> as_given(links.links().size());
     for (const std::vector<Regrouping>& how :
-         {as_given, choose_regroupings(*links), minimal_regroupings(*links)}) {
-      MotionTree placed = links->link_tree(how, *loaded.graph);
+         {as_given, choose_regroupings(links), minimal_regroupings(links)}) {
+      MotionTree placed = links.link_tree(how, *loaded.graph);
       expect_same(placed);
       mark_scaled(placed, scalable_turns(placed));
       expect_same(placed);

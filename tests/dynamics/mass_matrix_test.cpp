@@ -108,11 +108,11 @@ class FarPairsOf : public testing::TestWithParam<Shape> {
   static std::vector<MotionTree> trees_of(const LoadedMechanism& loaded, const Kinematics& kinematics) {
     std::vector<MotionTree> trees{kinematics.tree};
     if (kinematics.peeled) trees.push_back(*kinematics.peeled);
-    if (const auto links = RigidLinks::of(*loaded.mechanism, trees.back(), *loaded.graph)) {
-      trees.push_back(links->link_tree(minimal_regroupings(*links), *loaded.graph));
-      trees.push_back(trees.back());
-      mark_scaled(trees.back(), scalable_turns(trees.back()));
-    }
+    const MotionTree given = trees.back();
+    const RigidLinks links(*loaded.mechanism, given, *loaded.graph);
+    trees.push_back(links.link_tree(minimal_regroupings(links), *loaded.graph));
+    trees.push_back(trees.back());
+    mark_scaled(trees.back(), scalable_turns(trees.back()));
     return trees;
   }
 };
@@ -162,8 +162,8 @@ TEST(MeetingFrames, TakeElevenOperationsAPair) {
   const auto operations_of_chain = [](int n, FarPairs far) {
     const LoadedMechanism loaded = LoadedMechanism::text(Writer(1).description(n, 1, true));
     const Kinematics kinematics = loaded.kinematics();
-    const auto links = RigidLinks::of(*loaded.mechanism, kinematics.tree, *loaded.graph);
-    const MotionTree tree = links->link_tree(minimal_regroupings(*links), *loaded.graph);
+    const RigidLinks links(*loaded.mechanism, kinematics.tree, *loaded.graph);
+    const MotionTree tree = links.link_tree(minimal_regroupings(links), *loaded.graph);
     return static_cast<double>(
         operations(composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, far)));
   };

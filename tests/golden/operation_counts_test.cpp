@@ -107,6 +107,29 @@ TEST_P(Pass, ArticulatedBodiesNeverCostOperations) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, Pass, testing::ValuesIn(catalogue()),
                          [](const auto& file) { return test_name(file.param); });
 
+/// A load that is an argument costs what puts its inertia together and little else: the links before it are
+/// placed and regrouped as with a load of numbers. Without these passes they are not.
+class Load : public testing::TestWithParam<const char*> {};
+TEST_P(Load, CostsLittleMoreThanOneOfNumbers) {
+  const std::string path = std::string(ALEMBERT_SOURCE_DIR "/mechanisms/robots/") + GetParam() + ".yaml";
+  const auto operations = [](const std::shared_ptr<const SourceText>& source, bool passes) {
+    CompileOptions options;
+    options.functions = {FunctionKind::inverse_dynamics};
+    options.passes.placement = options.passes.regrouping = passes;
+    return compile_mechanism(source, options).functions[0].count.arithmetic();
+  };
+  const std::shared_ptr<const SourceText> runtime = read_source(path);
+  std::string text = runtime->text;
+  for (std::size_t at = 0; (at = text.find("runtime: true", at)) != std::string::npos;)
+    text.replace(at, 13, "runtime: false");
+  const auto numbers = std::make_shared<const SourceText>(SourceText{path, text});
+  ASSERT_NE(runtime->text, numbers->text);
+  EXPECT_LE(operations(runtime, true), operations(numbers, true) + 70);
+  EXPECT_GE(operations(runtime, false), operations(runtime, true) + 30);
+}
+INSTANTIATE_TEST_SUITE_P(Robots, Load, testing::Values("chain6r_load", "puma560_load"),
+                         [](const auto& test) { return std::string(test.param); });
+
 /// Inverse dynamics is O(n), and forward dynamics by articulated bodies: the operations of a generic revolute
 /// chain grow by the same number with each further link.
 TEST(OperationCounts, DynamicsOfAChainAreLinear) {

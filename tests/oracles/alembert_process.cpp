@@ -68,6 +68,7 @@ Eigen::MatrixXd matrix_of(const nlohmann::json& rows) {
 std::string json_of(const State& state) {
   nlohmann::json line = {{"q", state.q}, {"qd", state.speeds}, {"qdd", state.rates}, {"t", state.time}};
   if (!state.wrenches.empty()) line["wrenches"] = state.wrenches;
+  if (!state.parameters.empty()) line["parameters"] = state.parameters;
   return line.dump();
 }
 

@@ -217,14 +217,15 @@ std::vector<State> comparable_states(const Description& description, int count, 
 }
 
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int count,
-                                std::uint64_t seed, const std::string& equivalent) {
+                                std::uint64_t seed, const std::string& equivalent,
+                                const std::map<std::string, double>& values) {
   Comparison base;
   base.mechanism = file;
   base.oracle = "Taylor";
   base.tolerance = kTolerance;
   std::vector<Comparison> lines;
   try {
-    const Description description = read_description(file);
+    const Description description = read_description(file, values);
     base.mechanism = description.name;
     const std::vector<State> states = comparable_states(description, count, seed);
     std::vector<Dynamics> taylor;

@@ -32,9 +32,10 @@ std::vector<State> comparable_states(const Description& description, int count, 
 
 /// Compares `alembert evaluate`, by every formulation (or, if `executable` is empty, the numeric Lagrangian)
 /// with all oracles. Engines are given `equivalent` instead, if it is not empty: a description of the same
-/// mechanism in their words.
+/// mechanism in their words. Runtime parameters have their defaults, or these values.
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
-                                std::uint64_t seed, const std::string& equivalent = "");
+                                std::uint64_t seed, const std::string& equivalent = "",
+                                const std::map<std::string, double>& values = {});
 
 /// Prints lines as a table.
 void print_table(const std::vector<Comparison>& lines);

@@ -1,4 +1,5 @@
-// oracle_random EXECUTABLE [COUNT] [SEED]: random mechanisms against every oracle, three states each. With
+// oracle_random EXECUTABLE [COUNT] [SEED]: random mechanisms against every oracle, three states each, runtime
+// parameters off their defaults. With
 // `-` for the executable, oracles are compared with each other. What disagrees is printed with its
 // description; exit 1.
 #include <algorithm>
@@ -31,11 +32,12 @@ int main(int argc, char** argv) {
   std::map<std::string, Summary> summaries;
   int failed = 0;
   for (int i = 0; i < count; ++i) {
-    const std::string text = random_mechanism(seed + static_cast<std::uint64_t>(i));
+    const std::uint64_t here = seed + static_cast<std::uint64_t>(i);
+    const std::string text = random_mechanism(here);
+    const std::map<std::string, double> values = random_parameters(parse_description(text), here);
     std::ofstream(file) << text;
     std::vector<Comparison> bad;
-    for (const Comparison& line :
-         compare(executable, file.string(), 3, seed + static_cast<std::uint64_t>(i))) {
+    for (const Comparison& line : compare(executable, file.string(), 3, here, "", values)) {
       const bool fails = line.verdict == Comparison::Verdict::fail;
       if (fails) bad.push_back(line);
       if (!fails && line.verdict != Comparison::Verdict::pass) continue;
@@ -46,7 +48,7 @@ int main(int argc, char** argv) {
     }
     if (bad.empty()) continue;
     ++failed;
-    std::printf("seed %llu\n", static_cast<unsigned long long>(seed) + static_cast<unsigned long long>(i));
+    std::printf("seed %llu\n", static_cast<unsigned long long>(here));
     print_table(bad);
     std::printf("%s\n", text.c_str());
     std::fflush(stdout);

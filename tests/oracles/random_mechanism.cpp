@@ -265,9 +265,12 @@ class Writer : private RandomExpressions {
     }
     const std::string mass = constant(0.5, 3), x = constant(-0.3, 0.3), y = constant(-0.3, 0.3),
                       z = constant(-0.3, 0.3);
-    return "    mass: " + mass + "\n    com: " + list({x, y, z}) + "\n    inertia: {xx: " + decimal(I[0]) +
-           ", yy: " + decimal(I[1]) + ", zz: " + decimal(I[2]) + ", xy: " + decimal(I[3]) +
-           ", xz: " + decimal(I[4]) + ", yz: " + decimal(I[5]) + "}\n";
+    // All of them by one factor, so that they stay those of a body whatever it is.
+    const std::string factor = chance(0.5) ? constant(0.8, 1.2) + "*" : "";
+    const auto entry = [&](std::size_t k) { return factor + "(" + decimal(I[k]) + ")"; };
+    return "    mass: " + mass + "\n    com: " + list({x, y, z}) + "\n    inertia: {xx: " + entry(0) +
+           ", yy: " + entry(1) + ", zz: " + entry(2) + ", xy: " + entry(3) + ", xz: " + entry(4) +
+           ", yz: " + entry(5) + "}\n";
   }
 
   bool joints_only_;  // nothing that multibody engines have no words for
@@ -282,7 +285,9 @@ std::string random_mechanism(std::uint64_t seed) {
   for (std::uint64_t trial = 0; trial < 50; ++trial) {
     const std::string text = Writer(1000003 * seed + trial).write();
     try {
-      comparable_states(parse_description(text), 3, seed);
+      const Description description = parse_description(text);
+      comparable_states(description, 3, seed);
+      comparable_states(parse_description(text, random_parameters(description, seed)), 3, seed);
       return text;
     } catch (const BadlyConditioned&) {
       continue;

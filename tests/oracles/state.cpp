@@ -45,7 +45,15 @@ State random_state(const Description& description, std::mt19937_64& random) {
     if (!body.external_wrench) continue;
     for (double& entry : state.wrenches[body.name]) entry = uniform(random, -5, 5);
   }
+  state.parameters = description.runtime_parameters;
   return state;
+}
+
+std::map<std::string, double> random_parameters(const Description& description, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::map<std::string, double> values = description.runtime_parameters;
+  for (auto& [name, value] : values) value *= uniform(random, 0.9, 1.1);
+  return values;
 }
 
 std::vector<double> coordinate_rates(const Description& description, const std::vector<double>& q,

@@ -16,7 +16,8 @@ struct State {
   std::vector<double> q;              ///< nq; quaternions in the order x y z w, of length 1
   std::vector<double> speeds, rates;  ///< nv
   double time = 0;
-  std::map<std::string, Wrench> wrenches;  ///< by body, of those with external_wrench
+  std::map<std::string, double> parameters;  ///< runtime parameters
+  std::map<std::string, Wrench> wrenches;    ///< by body, of those with external_wrench
 };
 
 /// M(q) rates + c(q, speeds, t) = tau.
@@ -29,6 +30,9 @@ struct Dynamics {
 /// A random state: coordinates within their limits (or 1.5 about their initial value), speeds and rates
 /// within 2, time within 2 s, wrenches within 5 N and 5 N m.
 State random_state(const Description& description, std::mt19937_64& random);
+
+/// For each runtime parameter a value up to a tenth off its default.
+std::map<std::string, double> random_parameters(const Description& description, std::uint64_t seed);
 
 /// The rate of q: N(q) u for real coordinates and quaternions.
 std::vector<double> coordinate_rates(const Description& description, const std::vector<double>& q,

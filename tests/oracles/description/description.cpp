@@ -16,7 +16,8 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(const YAML::Node& root) : root_(root) {}
+  Reader(const YAML::Node& root, const std::map<std::string, double>& values)
+      : root_(root), values_(values) {}
 
   Description read() {
     result_.name = root_["name"].as<std::string>();
@@ -70,7 +71,12 @@ class Reader {
   void read_parameters() {
     for (const auto& entry : root_["parameters"]) {
       const std::string name = entry.first.as<std::string>();
-      const double value = constant(entry.second.IsMap() ? entry.second["value"] : entry.second);
+      double value = constant(entry.second.IsMap() ? entry.second["value"] : entry.second);
+      if (entry.second.IsMap() && entry.second["runtime"] && entry.second["runtime"].as<bool>()) {
+        const auto other = values_.find(name);
+        if (other != values_.end()) value = other->second;
+        result_.runtime_parameters[name] = value;
+      }
       result_.parameters.emplace_back(name, value);
       names_[name] = number(value);
     }
@@ -281,6 +287,7 @@ class Reader {
   }
 
   YAML::Node root_;
+  const std::map<std::string, double>& values_;  ///< of runtime parameters
   Description result_;
   std::map<std::string, Expression> names_;
   std::map<std::string, std::size_t> coordinates_;
@@ -301,16 +308,16 @@ double Description::parameter(const std::string& wanted) const {
   throw std::runtime_error("no parameter '" + wanted + "'");
 }
 
-Description parse_description(const std::string& yaml) {
-  return Reader(YAML::Load(yaml)).read();
+Description parse_description(const std::string& yaml, const std::map<std::string, double>& values) {
+  return Reader(YAML::Load(yaml), values).read();
 }
 
-Description read_description(const std::string& path) {
+Description read_description(const std::string& path, const std::map<std::string, double>& values) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
   std::ostringstream text;
   text << file.rdbuf();
-  return parse_description(text.str());
+  return parse_description(text.str(), values);
 }
 
 }  // namespace alembert::oracles

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -91,6 +92,7 @@ struct Description {
   std::string name;
   std::array<double, 3> gravity{0, 0, -9.81};
   std::vector<std::pair<std::string, double>> parameters;
+  std::map<std::string, double> runtime_parameters;  ///< those of them that stay arguments
   std::vector<Coordinate> coordinates;
   std::vector<Body> bodies;  ///< parents first
   std::vector<Frame> frames;
@@ -101,9 +103,10 @@ struct Description {
   double parameter(const std::string& name) const;  ///< throws if there is none
 };
 
-/// Reads a file; throws std::runtime_error at what the oracles do not know.
-Description read_description(const std::string& path);
+/// Reads a file; throws std::runtime_error at what the oracles do not know. Runtime parameters have their
+/// defaults, or these values.
+Description read_description(const std::string& path, const std::map<std::string, double>& values = {});
 /// The same from text.
-Description parse_description(const std::string& yaml);
+Description parse_description(const std::string& yaml, const std::map<std::string, double>& values = {});
 
 }  // namespace alembert::oracles
