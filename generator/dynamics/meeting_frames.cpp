@@ -87,6 +87,8 @@ class Planner {
       motions_.push_back(costs_of(tree.nodes[k]));
       units_.push_back(costs_of(tree.nodes[k], units[k]));
       numbers_.push_back(units_[k].number);
+      const int parent = tree.nodes[k].parent;
+      wanted_.push_back(units_[k].number > 0 || (parent >= 0 && wanted_[index(parent)]));
     }
     carried_.assign(count_, 0);
     for (std::size_t k = count_; k-- > 0;) {
@@ -132,7 +134,9 @@ class Planner {
  private:
   /// All momenta of a node's subtree through its motion.
   Cost to_parent(std::size_t k) const {
-    return numbers_[k] * motions_[k].carried + (motions_[k].carried > 0 ? units_[k].number * kOwnCarried : 0);
+    const int parent = tree_.nodes[k].parent;
+    if (motions_[k].carried == 0 || parent < 0 || !wanted_[index(parent)]) return 0;
+    return numbers_[k] * motions_[k].carried + units_[k].number * kOwnCarried;
   }
 
   Cost met(std::size_t k, Look look) const {
@@ -157,7 +161,7 @@ class Planner {
       inward += met(k, look);
       if (look == Look::generic) inner_twists += units_[k].twists;
       const int parent = tree_.nodes[k].parent;
-      if (parent < 0) break;
+      if (parent < 0 || !wanted_[index(parent)]) break;
       if (look == Look::generic) inner_twists += motions_[k].posed;
       look = beyond(look, tree_.nodes[k]);
       carried += numbers_[frame] * (motions_[k].carried + units_[index(parent)].direct);
@@ -220,6 +224,7 @@ class Planner {
   std::size_t count_;
   std::vector<MotionCosts> motions_;
   std::vector<UnitCosts> units_;
+  std::vector<bool> wanted_;   ///< momenta are wanted in a node's frame or inward of it
   std::vector<Cost> numbers_;  ///< unit motions of a node's subtree
   std::vector<Cost> carried_;  ///< to carry the momenta of a node's subtree to its frame
   // Of one meeting frame:
