@@ -16,8 +16,8 @@ struct State {
   std::vector<double> q;              ///< nq; quaternions in the order x y z w, of length 1
   std::vector<double> speeds, rates;  ///< nv
   double time = 0;
-  std::map<std::string, double> parameters;  ///< runtime parameters
-  std::map<std::string, Wrench> wrenches;    ///< by body, of those with external_wrench
+  std::map<std::string, double> parameters = {};  ///< runtime parameters
+  std::map<std::string, Wrench> wrenches = {};    ///< by body, of those with external_wrench
 };
 
 /// M(q) rates + c(q, speeds, t) = tau.
