@@ -28,11 +28,10 @@ Length length_of(std::span<const Expr> values) {
   return {n.total() + n.trig, n.total()};
 }
 
-Length program_length(const Kinematics& kinematics, std::span<const Expr> values) {
+Length program_length(std::span<const SymbolBinding> bindings, std::span<const Expr> values) {
   const std::array<OutputExpressions, 1> output{
       {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
-  const OperationCount n =
-      count(optimize(lower("candidate", output, symbol_bindings(kinematics.mechanism, kinematics.graph))));
+  const OperationCount n = count(optimize(lower("candidate", output, bindings)));
   const std::size_t others = n.mul + n.add + n.div + n.other;
   return {others + n.trig, others};
 }
@@ -81,7 +80,10 @@ class Search {
   using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
   /// `has_pairs`: the equations depend on Form::far.
   Search(const Kinematics& kinematics, Equations equations, bool has_pairs)
-      : kinematics_(kinematics), equations_(equations), has_pairs_(has_pairs) {}
+      : kinematics_(kinematics),
+        bindings_(symbol_bindings(kinematics.mechanism, kinematics.graph)),
+        equations_(equations),
+        has_pairs_(has_pairs) {}
 
   bool try_form(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
@@ -102,7 +104,7 @@ class Search {
   }
 
   Length measure(const std::vector<Expr>& values) const {
-    return small_ ? program_length(kinematics_, values)
+    return small_ ? program_length(bindings_, values)
                   : length_of(values);  // programs of long lists take long
   }
   /// Keeps the shorter of two lists of equal values.
@@ -186,6 +188,7 @@ class Search {
   static constexpr std::size_t kNear = 8;
 
   const Kinematics& kinematics_;
+  std::vector<SymbolBinding> bindings_;
   Equations equations_;
   bool has_pairs_;
   bool small_ = false;  ///< programs are counted, not expressions
@@ -199,7 +202,7 @@ class Search {
 }  // namespace
 
 std::size_t program_weight(const Kinematics& kinematics, std::span<const Expr> values) {
-  return program_length(kinematics, values).first;
+  return program_length(symbol_bindings(kinematics.mechanism, kinematics.graph), values).first;
 }
 
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes) {
