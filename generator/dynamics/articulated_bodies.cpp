@@ -55,44 +55,27 @@ struct ArticulatedInertia {
   Mat3 J, H, M;  ///< J and M symmetric, all nine entries kept
 };
 
-/// E A E^T for a turn in the plane of i and j. With z = s (A_ii - A_jj) + c (A_ij + A_ji):
+/// E A E^T of any A; for a turn in the plane of i and j with z = s (A_ii - A_jj) + c (A_ij + A_ji):
 /// A'_ii = A_ii - s z, A'_jj = A_jj + s z, A'_ij = c z - A_ji, A'_ji = c z - A_ij.
-Mat3 turned(const Mat3& A, const Motion& motion, bool symmetric) {
-  if (motion.kind == MotionKind::rotation) {
-    Mat3 out = motion.matrix * A * transpose(motion.matrix);
-    if (symmetric) {
-      for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t c = 0; c < r; ++c) out(r, c) = out(c, r);
-    }
-    return out;
-  }
+Mat3 turned(const Mat3& A, const Motion& motion) {
+  if (motion.kind == MotionKind::rotation) return motion.matrix * A * transpose(motion.matrix);
   const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
   const Expr c = motion.cosine, s = motion.sine;
   Mat3 out = A;
   Expr z = s * (A(i, i) - A(j, j));
-  if (symmetric) {
-    const Expr two_c = c + c;
-    z += two_c * A(i, j);
-  } else {
-    z += c * (A(i, j) + A(j, i));
-  }
+  z += c * (A(i, j) + A(j, i));
   const Expr sz = s * z, cz = c * z;
   out(i, i) = A(i, i) - sz;
   out(j, j) = A(j, j) + sz;
   out(i, j) = cz - A(j, i);
-  out(j, i) = symmetric ? out(i, j) : cz - A(i, j);
+  out(j, i) = cz - A(i, j);
   const auto turn_pair = [&](const Expr& x, const Expr& y, Expr& new_x, Expr& new_y) {
     const Expr cx = c * x, sy = s * y, sx = s * x, cy = c * y;
     new_x = cx - sy;
     new_y = sx + cy;
   };
   turn_pair(A(i, a), A(j, a), out(i, a), out(j, a));
-  if (symmetric) {
-    out(a, i) = out(i, a);
-    out(a, j) = out(j, a);
-  } else {
-    turn_pair(A(a, i), A(a, j), out(a, i), out(a, j));
-  }
+  turn_pair(A(a, i), A(a, j), out(a, i), out(a, j));
   return out;
 }
 
@@ -137,7 +120,7 @@ ArticulatedInertia shifted(const ArticulatedInertia& I, const Vec3& t) {
 
 ArticulatedInertia carried_inward(const ArticulatedInertia& I, const Motion& motion) {
   if (motion.kind == MotionKind::translation) return shifted(I, motion.offset);
-  return {turned(I.J, motion, true), turned(I.H, motion, false), turned(I.M, motion, true)};
+  return {turned_symmetric(I.J, motion), turned(I.H, motion), turned_symmetric(I.M, motion)};
 }
 
 /// J, H = skew(h), M = m 1.

@@ -56,40 +56,6 @@ Vec3 times_inertia(const Mat3& K, const Vec3& d) {
   return out;
 }
 
-/// E K E^T; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z, K'_jj = K_jj + s z,
-/// K'_ij = c z - K_ij.
-Mat3 turned(const Mat3& K, const Motion& motion) {
-  if (motion.kind == MotionKind::rotation) {
-    const Mat3 half = motion.matrix * K;
-    Mat3 out;
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = r; c < 3; ++c) {
-        Expr sum = half(r, 0) * motion.matrix(c, 0);
-        sum += half(r, 1) * motion.matrix(c, 1);
-        sum += half(r, 2) * motion.matrix(c, 2);
-        out(r, c) = sum;
-        out(c, r) = sum;
-      }
-    }
-    return out;
-  }
-  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
-  const Expr c = motion.cosine, s = motion.sine;
-  const Expr two_c = c + c;
-  Expr z = s * (K(i, i) - K(j, j));
-  z += two_c * K(i, j);
-  const Expr sz = s * z;
-  Mat3 out = K;
-  out(i, i) = K(i, i) - sz;
-  out(j, j) = K(j, j) + sz;
-  const Expr cz = c * z;
-  out(i, j) = out(j, i) = cz - K(i, j);
-  const Expr c_i = c * K(i, a), s_j = s * K(j, a), s_i = s * K(i, a), c_j = c * K(j, a);
-  out(i, a) = out(a, i) = c_i - s_j;
-  out(j, a) = out(a, j) = s_i + c_j;
-  return out;
-}
-
 /// Moves the point of reference: h' = h + m t; with k = h + m t/2, K' = K + k t^T + t k^T.
 Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
   Composite out = x;
@@ -213,7 +179,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
       moved = shifted(body, node.motion.offset, graph);
     } else {
       moved.h = node.motion.to_parent(body.h);
-      moved.K = turned(body.K, node.motion);
+      moved.K = turned_symmetric(body.K, node.motion);
     }
     Composite& up = composites[static_cast<std::size_t>(node.parent)];
     up = plus(up, moved);

@@ -27,10 +27,6 @@ Cost nonzeros(const Vec3& v) {
   return std::count_if(v.entries.begin(), v.entries.end(), [](const Expr& x) { return !x.is_zero(); });
 }
 
-bool is_quarter_turn(const Motion& motion) {
-  return motion.cosine.is_zero() || motion.sine.is_zero();
-}
-
 /// What the vectors that pass a motion take.
 struct MotionCosts {
   Cost carried;  ///< a momentum to the parent's frame

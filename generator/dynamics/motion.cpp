@@ -8,6 +8,42 @@
 
 namespace alembert {
 
+bool is_quarter_turn(const Motion& motion) {
+  return motion.cosine.is_zero() || motion.sine.is_zero();
+}
+
+Mat3 turned_symmetric(const Mat3& K, const Motion& motion) {
+  if (motion.kind == MotionKind::rotation) {
+    const Mat3 half = motion.matrix * K;
+    Mat3 out;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = r; c < 3; ++c) {
+        Expr sum = half(r, 0) * motion.matrix(c, 0);
+        sum += half(r, 1) * motion.matrix(c, 1);
+        sum += half(r, 2) * motion.matrix(c, 2);
+        out(r, c) = sum;
+        out(c, r) = sum;
+      }
+    }
+    return out;
+  }
+  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  const Expr c = motion.cosine, s = motion.sine;
+  const Expr two_c = c + c;
+  Expr z = s * (K(i, i) - K(j, j));
+  z += two_c * K(i, j);
+  const Expr sz = s * z;
+  Mat3 out = K;
+  out(i, i) = K(i, i) - sz;
+  out(j, j) = K(j, j) + sz;
+  const Expr cz = c * z;
+  out(i, j) = out(j, i) = cz - K(i, j);
+  const Expr c_i = c * K(i, a), s_j = s * K(j, a), s_i = s * K(i, a), c_j = c * K(j, a);
+  out(i, a) = out(a, i) = c_i - s_j;
+  out(j, a) = out(a, j) = s_i + c_j;
+  return out;
+}
+
 Motion translation_motion(const Vec3& offset) {
   Motion motion;
   motion.kind = MotionKind::translation;

@@ -35,6 +35,12 @@ struct Motion {
   Motion inverse() const;
 };
 
+/// Whether an axis rotation is by a multiple of a right angle in all states.
+bool is_quarter_turn(const Motion& motion);
+/// E K E^T of a symmetric K; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z,
+/// K'_jj = K_jj + s z, K'_ij = c z - K_ij.
+Mat3 turned_symmetric(const Mat3& K, const Motion& motion);
+
 /// Derivative of a motion along one speed: direction of the twist (angular for rotations, in the next frame's
 /// axes; linear for translations).
 struct TwistPartial {

@@ -30,10 +30,6 @@ double smallest(const Scale& scale) {
   return std::min({std::abs(scale[0]), std::abs(scale[1]), std::abs(scale[2])});
 }
 
-bool is_quarter_turn(const Motion& motion) {
-  return motion.cosine.is_zero() || motion.sine.is_zero();
-}
-
 Scale scale_after(const MotionNode& node, const Scale& parent) {
   const Motion& motion = node.motion;
   switch (motion.kind) {
