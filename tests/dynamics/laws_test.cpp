@@ -20,15 +20,10 @@ namespace {
 constexpr unsigned kStates = 8;
 
 /// With sanitizers, without the search for fewer operations: it repeats the same code many times.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr double kEffort = 0;
-#else
-constexpr double kEffort = 1;
+#ifndef __has_feature
+#define __has_feature(x) 0
 #endif
-#else
-constexpr double kEffort = 1;
-#endif
+constexpr double kEffort = __has_feature(address_sanitizer) ? 0 : 1;
 Passes passes() {
   Passes all;
   all.effort = kEffort;
