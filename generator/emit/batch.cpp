@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <map>
 
 #include "emit/literals.hpp"
+#include "emit/statements.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
 namespace {
 
 constexpr std::array<std::string_view, 2> kInstructionSets = {"avx512", "avx2"};
+
+/// What forward dynamics of many states is solved from, unless it has a program.
+constexpr std::string_view kSolvedFrom = "mass_matrix_and_bias";
 
 /// When a file is compiled for a set, in terms of the compiler's macros.
 std::string_view condition(std::string_view instructions) {
@@ -62,58 +68,136 @@ std::string c_batch_call(const FunctionSignature& signature) {
   return out + "options";
 }
 
-/// The function over a range of states, for one set of instructions.
-std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& signature, bool solved) {
-  const auto size_of = [&](ArgumentKind kind) {
-    return kind == ArgumentKind::q ? mechanism.nq : mechanism.nv;
+/// Of these a program is cut into blocks: longer ones do not fit the caches of code and of decoded
+/// instructions, shorter ones hand over more values.
+constexpr BlockSizes kBatchBlocks = {200, 150};
+
+/// An array of a function over packs.
+struct PackArray {
+  std::string_view name;
+  std::size_t size;  ///< elements a pack
+  bool result;
+};
+
+std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const FunctionSignature& signature) {
+  std::vector<PackArray> arrays;
+  for (const ArgumentKind kind : signature.arguments)
+    arrays.push_back({array_name(kind),
+                      static_cast<std::size_t>(kind == ArgumentKind::q ? mechanism.nq : mechanism.nv),
+                      false});
+  for (const ResultArray& result : signature.results)
+    arrays.push_back({result.name, array_size(result.size, mechanism), true});
+  return arrays;
+}
+
+/// A program over packs: its blocks, and a function that calls them.
+struct PackFunction {
+  std::string definition;
+  std::size_t crossing;  ///< elements of w a pack
+};
+
+PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
+  const FunctionSignature& signature = *find_signature(program.function);
+  const FunctionBody body = function_body(program, signature, kBatchBlocks);
+  const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
+  std::string parameters = "int packs", arguments = "packs", advance = "--packs";
+  for (const PackArray& array : pack_arrays(mechanism, signature)) {
+    parameters +=
+        fmt::format(", [[maybe_unused]] {}S* ALEMBERT_RESTRICT {}", array.result ? "" : "const ", array.name);
+    arguments += fmt::format(", {}", array.name);
+    advance += fmt::format(", {} += {}", array.name, array.size);
+  }
+  std::string inputs;
+  if (signature.takes_inputs) {
+    parameters += ", [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs";
+    arguments += ", inputs";
+    advance += ", ++inputs";
+    inputs = "[[maybe_unused]] const Inputs<S>& in = *inputs;\n";
+  }
+  parameters += ", [[maybe_unused]] S* ALEMBERT_RESTRICT w";
+  arguments += ", w";
+  advance += fmt::format(", w += {}", crossing);
+  std::string blocks, calls;
+  for (std::size_t i = 0; i < body.blocks.size(); ++i) {
+    const std::string name = fmt::format("{}_packs_block{}", program.function, i + 1);
+    const std::string start = fmt::format("ALEMBERT_NOINLINE void {}(", name);
+    blocks += (i == 0 ? "" : "\n") +
+              fill_template("batch_block.hpp", {{"block", name},
+                                                {"arguments", wrap_list(parameters, start.size(), 4)},
+                                                {"advance", wrap_list(advance, 23, 7)},
+                                                {"using", body.blocks[i].using_lines},
+                                                {"statements", inputs + body.blocks[i].statement_lines}});
+    calls += fmt::format("{}<S>({});\n", name, arguments);
+  }
+  const std::string start = fmt::format("void {}_packs(", program.function);
+  return {fill_template("batch_function.hpp", {{"function", program.function},
+                                               {"block_count", std::to_string(body.blocks.size())},
+                                               {"blocks", blocks},
+                                               {"arguments", wrap_list(parameters, start.size(), 4)},
+                                               {"crossing_count", std::to_string(crossing)},
+                                               {"calls", calls}}),
+          crossing};
+}
+
+/// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
+/// program of M and c. `crossing`: elements of w a pack.
+std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& signature, bool solved,
+                           std::size_t crossing) {
+  const FunctionSignature& called = solved ? *find_signature(kSolvedFrom) : signature;
+  std::string arrays, loads, stores, call = "window.packs", finite;
+  std::size_t size = 0, argument = 0, result = 0;
+  const auto add = [&](const PackArray& array) {
+    arrays += fmt::format("Pack {}[kPacks * {}];\n", array.name, array.size);
+    size += array.size;
   };
-  std::string arrays, loads, stores, call;
-  for (std::size_t i = 0; i < signature.arguments.size(); ++i) {
-    const std::string_view name = array_name(signature.arguments[i]);
-    const int size = size_of(signature.arguments[i]);
-    arrays += fmt::format("Pack {}[{}];\n", name, size);
-    loads += fmt::format("window.load({}, call.arguments[{}], call.stride, {});\n", size, i, name);
-    if (!solved || signature.arguments[i] != ArgumentKind::tau) call += fmt::format("{}, ", name);
+  for (const PackArray& array : pack_arrays(mechanism, signature)) {
+    add(array);
+    if (array.result) {
+      stores += fmt::format("window.store({0}, {1}, call.results[{2}], call.stride);\n", array.size,
+                            array.name, result++);
+      finite += fmt::format("{0}pack::zero_if_finite({1}, {2} + {1} * k)", finite.empty() ? "" : " + ",
+                            array.size, array.name);
+    } else {
+      loads += fmt::format("window.load({0}, call.arguments[{1}], call.stride, {2});\n", array.size,
+                           argument++, array.name);
+    }
+  }
+  for (const PackArray& array : pack_arrays(mechanism, called)) {
+    if (solved && array.result) add(array);
+    call += fmt::format(", {}", array.name);
   }
   if (signature.takes_inputs) {
-    loads += "take_own(call, window, in);\n";
-    call += "in, ";
+    arrays += "Inputs<Pack> inputs[kPacks];\nfor (Inputs<Pack>& in : inputs) take_common(call, in);\n";
+    loads += "take_own(call, window, inputs);\n";
+    call += ", inputs";
   }
-  std::string finite;
-  for (std::size_t i = 0; i < signature.results.size(); ++i) {
-    const ResultArray& result = signature.results[i];
-    const std::size_t size = array_size(result.size, mechanism);
-    finite += fmt::format("{}pack::zero_if_finite({}, {})", i == 0 ? "" : " + ", size, result.name);
-    arrays += fmt::format("Pack {}[{}];\n", result.name, size);
-    stores += fmt::format("window.store({}, {}, call.results[{}], call.stride);\n", size, result.name, i);
-    call += fmt::format("{}{}", result.name, i + 1 == signature.results.size() ? "" : ", ");
-  }
-  std::string calls = fmt::format("{}<Pack>({});\n", signature.name, call);
-  if (solved) {
-    arrays += fmt::format("Pack M[{}];\n", mechanism.nv * mechanism.nv);
-    calls = fmt::format(
-        "mass_matrix_and_bias<Pack>(q, qd, in, M, qdd);\n"
-        "for (int i = 0; i < {0}; ++i) qdd[i] = tau[i] - qdd[i];\n"
-        "pack::solve_positive_definite<{0}>(M, qdd);\n",
-        mechanism.nv);
-  }
-  return fill_template(
-      "batch_lanes.cpp",
-      {{"function", std::string(signature.name)},
-       {"inputs", signature.takes_inputs ? "Inputs<Pack> in;\ntake_common(call, in);\n" : ""},
-       {"arrays", arrays},
-       {"loads", loads},
-       {"calls", calls},
-       {"stores", stores},
-       {"finite", finite}});
+  add({"w", crossing, true});
+  std::string calls = fmt::format("detail::{}_packs<Pack>({}, w);\n", called.name, call);
+  if (solved)
+    calls += fmt::format(
+        "for (int k = 0; k < window.packs; ++k) {{\n"
+        "  for (int i = {0} * k; i < {0} * (k + 1); ++i) qdd[i] = tau[i] - c[i];\n"
+        "  pack::solve_positive_definite<{0}>(M + {1} * k, qdd + {0} * k);\n"
+        "}}\n",
+        mechanism.nv, mechanism.nv * mechanism.nv);
+  return fill_template("batch_lanes.cpp", {{"function", std::string(signature.name)},
+                                           {"pack_size", std::to_string(size)},
+                                           {"arrays", arrays},
+                                           {"loads", loads},
+                                           {"calls", calls},
+                                           {"stores", stores},
+                                           {"finite", finite}});
 }
 
 std::string lanes_file(const Mechanism& mechanism, const std::vector<const FunctionSignature*>& functions,
-                       bool solve, const std::string& set, const Slots& common) {
+                       const std::map<std::string, std::size_t, std::less<>>& crossing,
+                       const std::string& set, const Slots& common) {
   std::string definitions, table;
   for (const FunctionSignature* signature : functions) {
+    const bool solved = !crossing.contains(signature->name);
     definitions += (definitions.empty() ? "" : "\n") +
-                   lanes_function(mechanism, *signature, solve && signature->name == "forward_dynamics");
+                   lanes_function(mechanism, *signature, solved,
+                                  crossing.find(solved ? kSolvedFrom : signature->name)->second);
     table += fmt::format("{}{}_lanes", table.empty() ? "" : ", ", signature->name);
   }
   const std::string parameters = common.at("parameter_count");
@@ -124,7 +208,11 @@ std::string lanes_file(const Mechanism& mechanism, const std::vector<const Funct
   constexpr std::string_view kCommon =
       "for (::std::size_t i = 0; i < {1}; ++i) in.{0}[i] = Pack(call.{0}[i]);\n";
   constexpr std::string_view kOwn =
-      "if (call.{0}_of_state != nullptr) window.load({1}, call.{0}_of_state, call.stride, in.{0}.data());\n";
+      "if (call.{0}_of_state != nullptr)\n"
+      "  for (::std::size_t i = 0; i < {1}; ++i) {{\n"
+      "    window.load(call.{0}_of_state + i * call.stride, row, 1);\n"
+      "    for (int k = 0; k < window.packs; ++k) in[k].{0}[i] = row[k];\n"
+      "  }}\n";
   return fill_template("mechanism_batch_lanes.cpp",
                        {{"instructions", set},
                         {"condition", std::string(condition(set))},
@@ -159,9 +247,8 @@ std::vector<const FunctionSignature*> batch_signatures(const Mechanism& mechanis
       throw InputError(mechanism.where, fmt::format("batch: {} is given twice", signature.name));
     if (std::ranges::find(options.batch, signature.name) == options.batch.end()) continue;
     const std::string_view needed =
-        signature.name == "forward_dynamics" && !has_program(programs, signature.name)
-            ? std::string_view("mass_matrix_and_bias")
-            : signature.name;
+        signature.name == "forward_dynamics" && !has_program(programs, signature.name) ? kSolvedFrom
+                                                                                       : signature.name;
     if (!has_program(programs, needed))
       throw InputError(mechanism.where, fmt::format("batch: {} needs {}, which is not among the functions",
                                                     signature.name, needed));
@@ -185,6 +272,7 @@ std::vector<const FunctionSignature*> batch_signatures(const Mechanism& mechanis
 
 std::vector<std::string> batch_paths(const std::string& name, const EmitOptions& options) {
   std::vector<std::string> paths{fmt::format("include/{0}/{0}_batch.hpp", name),
+                                 fmt::format("include/{0}/{0}_batch_impl.hpp", name),
                                  fmt::format("src/{}_batch.cpp", name)};
   for (const std::string& set : sets_of(options))
     paths.push_back(fmt::format("src/{}_batch_{}.cpp", name, set));
@@ -250,16 +338,30 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
     tables += fmt::format("const ::alembert::BatchFunction* batch_{}();\n", set);
     if (set != "baseline") choices += fill_template("batch_choice.cpp", {{"instructions", set}});
   }
+  std::string packs;
+  std::map<std::string, std::size_t, std::less<>> crossing;
+  for (const Program& program : programs) {
+    const auto needs = [&](const FunctionSignature* f) {
+      return f->name == program.function ||
+             (f->name == "forward_dynamics" && program.function == kSolvedFrom &&
+              !has_program(programs, "forward_dynamics"));
+    };
+    if (!std::ranges::any_of(functions, needs)) continue;
+    const PackFunction function = pack_function(mechanism, program);
+    packs += (packs.empty() ? "" : "\n") + function.definition;
+    crossing.emplace(program.function, function.crossing);
+  }
   std::vector<std::string> texts{
       fill_template("mechanism_batch.hpp", {{"declarations", declarations}}, common),
+      fill_template("mechanism_batch_impl.hpp", {{"definitions", packs}}, common),
       fill_template("mechanism_batch.cpp",
                     {{"table_declarations", tables},
                      {"choices", choices},
                      {"definitions", definitions},
                      {"c_definitions", c_definitions}},
                     common)};
-  const bool solve = !has_program(programs, "forward_dynamics");
-  for (const std::string& set : sets) texts.push_back(lanes_file(mechanism, functions, solve, set, common));
+  for (const std::string& set : sets)
+    texts.push_back(lanes_file(mechanism, functions, crossing, set, common));
   const std::vector<std::string> paths = batch_paths(mechanism.name, options);
   std::vector<EmittedFile> files;
   for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i], std::move(texts[i])});

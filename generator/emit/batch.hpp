@@ -33,7 +33,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
 std::string batch_c_declarations(const Mechanism& mechanism, std::span<const Program> programs,
                                  const EmitOptions& options, const Slots& common);
 
-/// include/name/name_batch.hpp, src/name_batch.cpp, src/name_batch_SET.cpp.
+/// include/name/name_batch.hpp, include/name/name_batch_impl.hpp, src/name_batch.cpp, src/name_batch_SET.cpp.
 std::vector<std::string> batch_paths(const std::string& name, const EmitOptions& options);
 
 }  // namespace alembert

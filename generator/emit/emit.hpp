@@ -43,11 +43,12 @@ std::string_view generator_version();
 /// in this order, and with options.batch
 ///
 ///     include/name/name_batch.hpp   functions over many states
+///     include/name/name_batch_impl.hpp  their blocks
 ///     src/name_batch.cpp            choice of instructions at run time
 ///     src/name_batch_SET.cpp        compiled for one set of instructions: baseline, avx2, avx512
 ///
-/// The same input gives the same bytes. Functions of more than kBlockThreshold statements
-/// (statement_layout.hpp) are cut into blocks; those whose program is marked so are written as blocks that
+/// The same input gives the same bytes. Long functions (BlockSizes in
+/// statement_layout.hpp) are cut into blocks; those whose program is marked so are written as blocks that
 /// repeat (repeated_statements.hpp). If all coordinates are real and no program gives
 /// coordinate_rates, it is added.
 ///

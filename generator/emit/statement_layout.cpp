@@ -18,10 +18,11 @@ constexpr int kMaxOperations = 16;
 
 }  // namespace
 
-StatementLayout::StatementLayout(const Program& program) : program_(program), size_(program.code.size()) {
+StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes)
+    : program_(program), size_(program.code.size()) {
   collect_uses();
   choose_names();
-  assign_blocks();
+  assign_blocks(sizes);
   assign_crossings();
   collect_angles();
 }
@@ -69,18 +70,25 @@ void StatementLayout::choose_names() {
   }
 }
 
-void StatementLayout::assign_blocks() {
+void StatementLayout::assign_blocks(const BlockSizes& sizes) {
+  const auto counts = [&](std::uint32_t v) {
+    const Operation op = program_.code[v].op;
+    return op != Operation::sin && op != Operation::cos;
+  };
   std::size_t statements = 0;
-  for (std::uint32_t v = 0; v < size_; ++v) statements += live(v) && named_[v] ? 1 : 0;
-  const std::size_t count = statements > kBlockThreshold ? (statements + kBlockSize - 1) / kBlockSize : 1;
+  for (std::uint32_t v = 0; v < size_; ++v) statements += live(v) && named_[v] && counts(v) ? 1 : 0;
+  const std::size_t count = statements > sizes.longest ? (statements + sizes.size - 1) / sizes.size : 1;
   blocks_ = static_cast<std::uint32_t>(count);
   block_.assign(size_, kNoPlace);
   number_.assign(size_, kNoPlace);
   std::uint32_t number = 0;
+  std::size_t before = 0;
   for (std::uint32_t v = 0; v < size_; ++v) {
     if (!live(v) || !named_[v]) continue;
-    block_[v] = static_cast<std::uint32_t>(number * count / statements);
+    block_[v] = static_cast<std::uint32_t>(
+        std::min(before * count / std::max<std::size_t>(statements, 1), count - 1));
     number_[v] = number++;
+    before += counts(v) ? 1 : 0;
   }
   // What is written into its user belongs to the user's block; users have larger indices.
   for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {

@@ -14,9 +14,11 @@
 
 namespace alembert {
 
-/// Functions of more statements are cut into blocks of about kBlockSize.
-inline constexpr std::size_t kBlockThreshold = 2000;
-inline constexpr std::size_t kBlockSize = 1000;
+/// Functions of more statements than `longest` are cut into blocks of about `size`. Sines and cosines do not
+/// count: those that come first stay together, however many they are.
+struct BlockSizes {
+  std::size_t longest = 2000, size = 1000;
+};
 
 inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
 
@@ -35,7 +37,7 @@ constexpr bool is_call(Operation op) {
 /// Layout of one program: what is live, named, in which block, and where values cross.
 class StatementLayout {
  public:
-  explicit StatementLayout(const Program& program);
+  StatementLayout(const Program& program, const BlockSizes& sizes);
 
   bool live(std::uint32_t v) const { return uses_[v] > 0; }
   /// Has a statement of its own. Leaves have none.
@@ -65,7 +67,7 @@ class StatementLayout {
   int operands(std::uint32_t v) const { return operand_count(program_.code[v].op); }
   void collect_uses();
   void choose_names();
-  void assign_blocks();
+  void assign_blocks(const BlockSizes& sizes);
   void assign_crossings();
   void collect_angles();
 

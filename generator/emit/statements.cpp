@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "emit/literals.hpp"
-#include "emit/statement_layout.hpp"
 #include "program/operation.hpp"
 #include "support/error.hpp"
 
@@ -62,8 +61,8 @@ std::string input_source(const InputSlot& slot) {
 /// Writes the statements of a layout.
 class Writer {
  public:
-  Writer(const Program& program, const FunctionSignature& signature)
-      : program_(program), signature_(signature), layout_(program) {}
+  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes)
+      : program_(program), signature_(signature), layout_(program, sizes) {}
 
   FunctionBody write() {
     const std::size_t size = program_.code.size();
@@ -87,8 +86,8 @@ class Writer {
 
  private:
   struct BlockState {
-    std::set<std::uint32_t> inputs;  ///< indices into program.inputs
-    std::set<std::uint32_t> loaded;  ///< values of earlier blocks
+    std::set<std::pair<ArgumentKind, std::uint32_t>> inputs;  ///< loaded so far
+    std::set<std::uint32_t> loaded;                           ///< values of earlier blocks
     std::set<std::string> calls;
     std::string lines;
   };
@@ -110,8 +109,12 @@ class Writer {
     if (instruction.op == Operation::constant)
       return fmt::format("S({})", number_literal(program_.constants[instruction.a]));
     if (instruction.op == Operation::input) {
-      states_[block].inputs.insert(instruction.a);
-      return input_local(program_.inputs[instruction.a]);
+      const InputSlot& slot = program_.inputs[instruction.a];
+      // Two inputs of a program may be the same element.
+      if (states_[block].inputs.emplace(slot.kind, slot.index).second)
+        line(block, fmt::format("const S {} = {};  // {}", input_local(slot), input_source(slot),
+                                comment_text(slot.name)));
+      return input_local(slot);
     }
     if (layout_.named(v)) {
       // Not only the last block is written to: what is written into a user belongs to the user's block.
@@ -246,15 +249,6 @@ class Writer {
       const bool own = name == "sign" || name == "sines_and_cosines";
       block.using_lines += fmt::format("using {}::{};\n", own ? "detail" : "::std", name);
     }
-    // Two inputs of a program may be the same element.
-    std::map<std::pair<ArgumentKind, std::uint32_t>, const InputSlot*> loaded;
-    for (const std::uint32_t i : state.inputs)
-      loaded.try_emplace({program_.inputs[i].kind, program_.inputs[i].index}, &program_.inputs[i]);
-    for (const auto& [key, slot] : loaded) {
-      block.statement_lines += fmt::format("const S {} = {};  // {}\n", input_local(*slot),
-                                           input_source(*slot), comment_text(slot->name));
-      ++block.statements;
-    }
     block.statement_lines += state.lines;
     state.lines.clear();
   }
@@ -270,8 +264,9 @@ class Writer {
 
 }  // namespace
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature) {
-  return Writer(program, signature).write();
+FunctionBody function_body(const Program& program, const FunctionSignature& signature,
+                           const BlockSizes& sizes) {
+  return Writer(program, signature, sizes).write();
 }
 
 }  // namespace alembert

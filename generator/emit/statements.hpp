@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "emit/function_signature.hpp"
+#include "emit/statement_layout.hpp"
 #include "program/program.hpp"
 
 namespace alembert {
@@ -37,6 +38,7 @@ struct FunctionBody {
   std::size_t calls = 0;       ///< of blocks in one call of the function
 };
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature);
+FunctionBody function_body(const Program& program, const FunctionSignature& signature,
+                           const BlockSizes& sizes = {});
 
 }  // namespace alembert

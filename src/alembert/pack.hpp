@@ -70,6 +70,13 @@ struct Pack {
 #endif
 
   Pack() = default;
+  // Written out: as one object, it would be copied through memory.
+  Pack(const Pack& other) : v(other.v), w(other.w) {}
+  Pack& operator=(const Pack& other) {
+    v = other.v;
+    w = other.w;
+    return *this;
+  }
   explicit Pack(double x) : v(x - Vector{}), w(x - Vector{}) {}
   Pack(const Vector& first, const Vector& second) : v(first), w(second) {}
 
@@ -218,50 +225,80 @@ inline Pack cos(const Pack& a) {
   return c;
 }
 
-/// States first ... first + count - 1, count being kLanes or less: one pack.
+/// Packs that are done together: states first ... first + packs * kLanes - 1, or a single pack of fewer
+/// states, `count`. Of these the first `known` were in a window before.
 struct Window {
   ::std::size_t first;
-  int count;
+  int packs;
+  int count = Pack::kLanes;
+  int known = 0;
 
-  /// Entries 0 ... n - 1 of an array. Lanes without a state get the last one.
-  void load(int n, const double* x, ::std::size_t stride, Pack* out) const {
-    for (int i = 0; i < n; ++i) {
-      const double* from = x + static_cast<::std::size_t>(i) * stride + first;
-      if (count == Pack::kLanes) {
-        out[i] = Pack::load(from);
-      } else {
-        double lanes[Pack::kLanes];
-        for (int k = 0; k < Pack::kLanes; ++k) lanes[k] = from[k < count ? k : count - 1];
-        out[i] = Pack::load(lanes);
-      }
+  /// One entry of an array: that of pack k goes to out[k * step]. Lanes without a state get the last one.
+  void load(const double* row, Pack* out, int step) const {
+    const double* from = row + first;
+    if (count == Pack::kLanes) {
+      for (int k = 0; k < packs; ++k) out[k * step] = Pack::load(from + k * Pack::kLanes);
+    } else {
+      double lanes[Pack::kLanes];
+      for (int i = 0; i < Pack::kLanes; ++i) lanes[i] = from[i < count ? i : count - 1];
+      *out = Pack::load(lanes);
     }
   }
-  void store(int n, const Pack* in, double* x, ::std::size_t stride) const {
-    for (int i = 0; i < n; ++i) {
-      double* to = x + static_cast<::std::size_t>(i) * stride + first;
-      if (count == Pack::kLanes) {
-        in[i].store(to);
-      } else {
-        double lanes[Pack::kLanes];
-        in[i].store(lanes);
-        for (int k = 0; k < count; ++k) to[k] = lanes[k];
-      }
+  void store(const Pack* in, int step, double* row) const {
+    double* to = row + first;
+    if (count == Pack::kLanes) {
+      for (int k = 0; k < packs; ++k) in[k * step].store(to + k * Pack::kLanes);
+    } else {
+      double lanes[Pack::kLanes];
+      in->store(lanes);
+      for (int i = 0; i < count; ++i) to[i] = lanes[i];
     }
+  }
+
+  /// n entries, one after the other and not one pack after the other: a stride may be such that all entries
+  /// of a state fall on the same few places of a cache.
+  void load(int n, const double* x, ::std::size_t stride, Pack* out) const {
+    for (int i = 0; i < n; ++i) load(x + static_cast<::std::size_t>(i) * stride, out + i, n);
+  }
+  void store(int n, const Pack* in, double* x, ::std::size_t stride) const {
+    for (int i = 0; i < n; ++i) store(in + i, n, x + static_cast<::std::size_t>(i) * stride);
+  }
+
+  /// New states of pack k whose lane of `sum` is not zero.
+  ::std::size_t count_not_finite(const Pack& sum) const {
+    double x[Pack::kLanes];
+    sum.store(x);
+    ::std::size_t failed = 0;
+    for (int i = known; i < count; ++i) failed += x[i] == 0 ? 0U : 1U;
+    return failed;
   }
 };
 
-/// Calls body(window) -> number of failures for the windows of a range, one after the other, and adds up. The
-/// last one overlaps the one before, whose states it computes again: no lane is left empty unless the range
-/// is shorter than a pack. So failures of those count in the last window only as far as they are new:
-/// body(window, skip) is to leave out the first `skip` lanes.
-template <class Body>
+/// Packs that are done together if a function has `size` values for each: as many as keep a second-level
+/// cache half filled.
+constexpr int kMostPacks = 8;
+constexpr int packs_together(::std::size_t size) {
+  constexpr ::std::size_t kBytes = 1 << 18;
+  const ::std::size_t packs = kBytes / (size * sizeof(Pack));
+  return packs < 1 ? 1 : packs < kMostPacks ? static_cast<int>(packs) : kMostPacks;
+}
+
+/// Calls body(window) -> number of failures for the windows of a range, of up to kPacks packs, and adds up.
+/// The last one overlaps the one before, whose states it computes again: no lane is left empty unless the
+/// range is shorter than a pack.
+template <int kPacks, class Body>
 ::std::size_t for_each_window(::std::size_t first, ::std::size_t last, const Body& body) {
   constexpr ::std::size_t kLanes = Pack::kLanes;
+  if (last - first < kLanes) return body(Window{first, 1, static_cast<int>(last - first), 0});
   ::std::size_t failed = 0, at = first;
-  for (; at + kLanes <= last; at += kLanes) failed += body(Window{at, Pack::kLanes}, 0);
+  while (at + kLanes <= last) {
+    const ::std::size_t packs = (last - at) / kLanes;
+    const Window window{at, packs < kPacks ? static_cast<int>(packs) : kPacks};
+    failed += body(window);
+    at += static_cast<::std::size_t>(window.packs) * kLanes;
+  }
   if (at == last) return failed;
-  if (last - first < kLanes) return body(Window{first, static_cast<int>(last - first)}, 0);
-  return failed + body(Window{last - kLanes, Pack::kLanes}, static_cast<int>(at - (last - kLanes)));
+  return failed + body(Window{last - kLanes, 1, Pack::kLanes, static_cast<int>(at - (last - kLanes))});
 }
 
 /// 0 in lanes where all n numbers are finite, NaN in the others.
@@ -273,15 +310,6 @@ inline Pack zero_if_finite(int n, const Pack* x) {
     odd = odd + x[i + 1] * zero;
   }
   return n % 2 == 0 ? even + odd : even + odd + x[n - 1] * zero;
-}
-
-/// States of a window, beyond the first `skip`, whose lane of `sum` is not zero.
-inline ::std::size_t count_not_finite(const Window& window, int skip, const Pack& sum) {
-  double x[Pack::kLanes];
-  sum.store(x);
-  ::std::size_t count = 0;
-  for (int k = skip; k < window.count; ++k) count += x[k] == 0 ? 0U : 1U;
-  return count;
 }
 
 /// x = M^-1 b by L D L^T without a branch; M and b are spoilt. In lanes where M has a pivot that is not

@@ -17,7 +17,7 @@ namespace one = alembert::mechanisms::batch_sample;
 using alembert::BatchOptions;
 using alembert::Instructions;
 
-constexpr std::size_t kQ = one::kNq, kV = one::kNv, kStates = 23, kStride = 25;
+constexpr std::size_t kQ = one::kNq, kV = one::kNv, kStates = 150, kStride = 153;
 constexpr std::size_t kP = one::kParameterCount, kW = 6 * one::kWrenchCount;
 
 std::vector<double> random_rows(std::size_t rows, unsigned seed, double low, double high) {

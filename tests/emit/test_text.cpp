@@ -100,7 +100,8 @@ TEST(Template, WhatDoesNotFitIsADefect) {
 }
 
 /// Statements of a program with the given code over q, whose last value is tau[0].
-FunctionBody body_of(std::vector<Instruction> code, std::vector<double> constants = {}) {
+FunctionBody body_of(std::vector<Instruction> code, std::vector<double> constants = {},
+                     const BlockSizes& sizes = {}) {
   Program program;
   program.function = "inverse_dynamics";
   program.code = std::move(code);
@@ -108,7 +109,7 @@ FunctionBody body_of(std::vector<Instruction> code, std::vector<double> constant
   for (std::uint32_t i = 0; i < 4; ++i)
     program.inputs.push_back({ArgumentKind::q, i, "angle*/\n" + std::to_string(i)});
   program.outputs = {{"tau", 1, 1, {static_cast<std::uint32_t>(program.code.size() - 1)}}};
-  return function_body(program, *find_signature("inverse_dynamics"));
+  return function_body(program, *find_signature("inverse_dynamics"), sizes);
 }
 const std::string kLoads =
     "const S q0 = q[0];  // angle* / 0\nconst S q1 = q[1];  // angle* / 1\nconst S q2 = q[2];  // angle* / "
@@ -159,7 +160,29 @@ TEST(Statements, CallsAndSharedValuesAreNamedAndTheRestIsNot) {
       << "the rest is dead";
   const FunctionBody live = body_of({in(0), in(1), {sin, 0, 0}, {mul, 2, 1}, {mul, 2, 3}, {mul, 3, 4}});
   EXPECT_THAT(live.blocks[0].statement_lines,
-              HasSubstr("const S t0 = sin(q0);\nconst S t1 = t0 * q1;\ntau[0] = t1 * (t0 * t1);\n"));
+              HasSubstr("const S t0 = sin(q0);\nconst S q1 = q[1];  // angle* / 1\nconst S t1 = t0 * q1;\n"
+                        "tau[0] = t1 * (t0 * t1);\n"))
+      << "an input is taken where it is first used";
+}
+
+TEST(Statements, SinesThatComeFirstStayInOneBlock) {
+  using enum Operation;
+  const FunctionBody body = body_of({in(0),
+                                     in(1),
+                                     {sin, 0, 0},
+                                     {cos, 0, 0},
+                                     {sin, 1, 0},
+                                     {cos, 1, 0},
+                                     {exp, 2, 0},
+                                     {atan2, 6, 3},
+                                     {atan2, 7, 4},
+                                     {atan2, 8, 5},
+                                     {exp, 9, 0}},
+                                    {}, {3, 2});
+  ASSERT_GT(body.blocks.size(), 2u);
+  EXPECT_THAT(body.blocks[0].statement_lines, HasSubstr("sines_and_cosines(2, q, sine, cosine)"));
+  for (std::size_t b = 1; b < body.blocks.size(); ++b)
+    EXPECT_THAT(body.blocks[b].using_lines, Not(HasSubstr("::sin")));
 }
 
 TEST(Statements, LongExpressionsAreCut) {
@@ -184,7 +207,7 @@ TEST(Statements, BlocksPassValuesThroughAnArrayThatIsReused) {
   EXPECT_GT(body.crossing, 0u);
   std::size_t stores = 0;
   for (const CodeBlock& block : body.blocks) {
-    EXPECT_LT(block.statements, 3 * kBlockSize);
+    EXPECT_LT(block.statements, 3 * BlockSizes().size);
     for (std::size_t at = block.statement_lines.find("\nw["); at != std::string::npos;
          at = block.statement_lines.find("\nw[", at + 1))
       ++stores;

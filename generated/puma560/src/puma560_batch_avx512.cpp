@@ -10,7 +10,7 @@
 
 #define ALEMBERT_PACK_NAMESPACE batch_avx512
 #include <alembert/pack.hpp>
-#include <puma560/puma560_impl.hpp>
+#include <puma560/puma560_batch_impl.hpp>
 
 namespace alembert::mechanisms::puma560 {
 namespace {
@@ -25,65 +25,83 @@ using pack::Pack;
 }
 
 /// Those that differ from state to state.
-[[maybe_unused]] void take_own([[maybe_unused]] const BatchCall& call, [[maybe_unused]] const pack::Window& window,
-                               [[maybe_unused]] Inputs<Pack>& in) {
-  if (call.t_of_state != nullptr) window.load(1, call.t_of_state, call.stride, &in.t);
+[[maybe_unused]] void take_own(const BatchCall& call, const pack::Window& window, Inputs<Pack>* in) {
+  Pack row[pack::kMostPacks];
+  if (call.t_of_state != nullptr) {
+    window.load(call.t_of_state, row, 1);
+    for (int k = 0; k < window.packs; ++k) in[k].t = row[k];
+  }
 }
 
 ::std::size_t inverse_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  Inputs<Pack> in;
-  take_common(call, in);
-  return pack::for_each_window(first, last, [&](const pack::Window& window, int skip) {
-    Pack q[6];
-    Pack qd[6];
-    Pack qdd[6];
-    Pack tau[6];
+  constexpr int kPacks = pack::packs_together(25);
+  Pack q[kPacks * 6];
+  Pack qd[kPacks * 6];
+  Pack qdd[kPacks * 6];
+  Pack tau[kPacks * 6];
+  Inputs<Pack> inputs[kPacks];
+  for (Inputs<Pack>& in : inputs) take_common(call, in);
+  Pack w[kPacks * 1];
+  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, qdd);
-    take_own(call, window, in);
-    inverse_dynamics<Pack>(q, qd, qdd, in, tau);
+    take_own(call, window, inputs);
+    detail::inverse_dynamics_packs<Pack>(window.packs, q, qd, qdd, tau, inputs, w);
     window.store(6, tau, call.results[0], call.stride);
-    return pack::count_not_finite(window, skip, pack::zero_if_finite(6, tau));
+    ::std::size_t failed = 0;
+    for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(6, tau + 6 * k));
+    return failed;
   });
 }
 
 ::std::size_t mass_matrix_and_bias_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  Inputs<Pack> in;
-  take_common(call, in);
-  return pack::for_each_window(first, last, [&](const pack::Window& window, int skip) {
-    Pack q[6];
-    Pack qd[6];
-    Pack M[36];
-    Pack c[6];
+  constexpr int kPacks = pack::packs_together(55);
+  Pack q[kPacks * 6];
+  Pack qd[kPacks * 6];
+  Pack M[kPacks * 36];
+  Pack c[kPacks * 6];
+  Inputs<Pack> inputs[kPacks];
+  for (Inputs<Pack>& in : inputs) take_common(call, in);
+  Pack w[kPacks * 1];
+  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
-    take_own(call, window, in);
-    mass_matrix_and_bias<Pack>(q, qd, in, M, c);
+    take_own(call, window, inputs);
+    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, inputs, w);
     window.store(36, M, call.results[0], call.stride);
     window.store(6, c, call.results[1], call.stride);
-    return pack::count_not_finite(window, skip, pack::zero_if_finite(36, M) + pack::zero_if_finite(6, c));
+    ::std::size_t failed = 0;
+    for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(36, M + 36 * k) + pack::zero_if_finite(6, c + 6 * k));
+    return failed;
   });
 }
 
 ::std::size_t forward_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  Inputs<Pack> in;
-  take_common(call, in);
-  return pack::for_each_window(first, last, [&](const pack::Window& window, int skip) {
-    Pack q[6];
-    Pack qd[6];
-    Pack tau[6];
-    Pack qdd[6];
-    Pack M[36];
+  constexpr int kPacks = pack::packs_together(67);
+  Pack q[kPacks * 6];
+  Pack qd[kPacks * 6];
+  Pack tau[kPacks * 6];
+  Pack qdd[kPacks * 6];
+  Pack M[kPacks * 36];
+  Pack c[kPacks * 6];
+  Inputs<Pack> inputs[kPacks];
+  for (Inputs<Pack>& in : inputs) take_common(call, in);
+  Pack w[kPacks * 1];
+  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, tau);
-    take_own(call, window, in);
-    mass_matrix_and_bias<Pack>(q, qd, in, M, qdd);
-    for (int i = 0; i < 6; ++i) qdd[i] = tau[i] - qdd[i];
-    pack::solve_positive_definite<6>(M, qdd);
+    take_own(call, window, inputs);
+    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, inputs, w);
+    for (int k = 0; k < window.packs; ++k) {
+      for (int i = 6 * k; i < 6 * (k + 1); ++i) qdd[i] = tau[i] - c[i];
+      pack::solve_positive_definite<6>(M + 36 * k, qdd + 6 * k);
+    }
     window.store(6, qdd, call.results[0], call.stride);
-    return pack::count_not_finite(window, skip, pack::zero_if_finite(6, qdd));
+    ::std::size_t failed = 0;
+    for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(6, qdd + 6 * k));
+    return failed;
   });
 }
 

@@ -24,19 +24,9 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
-  const S qd0 = qd[0];  // d(s)
-  const S qd1 = qd[1];  // d(spin)
-  const S qdd0 = qdd[0];  // dd(s)
-  const S qdd1 = qdd[1];  // dd(spin)
-  const S f0 = in.wrenches[0];  // wrench(bead).fx
-  const S f1 = in.wrenches[1];  // wrench(bead).fy
-  const S f2 = in.wrenches[2];  // wrench(bead).fz
-  const S f3 = in.wrenches[3];  // wrench(bead).tx
-  const S f4 = in.wrenches[4];  // wrench(bead).ty
-  const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t0 = q1 + S(5.71645608965608);
+  const S q0 = q[0];  // s
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -44,6 +34,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t2 = cosine[0];
   const S t3 = cosine[1];
   const S t4 = sine[1];
+  const S qdd0 = qdd[0];  // dd(s)
+  const S qd0 = qd[0];  // d(s)
+  const S qd1 = qd[1];  // d(spin)
   const S t5 = qd1 + S(0.18428853505018536) * qd0;
   const S t6 = t5 * t5;
   const S t7 = qd0 * t4;
@@ -55,6 +48,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t13 = t12 * t10;
   const S t14 = t11 + t13;
   const S t15 = t10 * t8;
+  const S qdd1 = qdd[1];  // dd(spin)
   const S t16 = qdd1 + S(0.18428853505018536) * qdd0;
   const S t17 = t15 - t16;
   const S t18 = S(0.9828721869343219) * (qdd0 * t3 - qd1 * t7);
@@ -63,12 +57,18 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t21 = S(0.15) * qdd0 + S(9.81);
   const S t22 = S(0.18428853505018536) * t2;
   const S t23 = t1 * t4 - t3 * t22;
+  const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S t24 = S(0.18428853505018536) * t1;
   const S t25 = t3 * t24 + t2 * t4;
+  const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S t26 = S(0.9828721869343219) * t3;
+  const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t27 = S(0.9828721869343219) * t4;
+  const S f2 = in.wrenches[2];  // wrench(bead).fz
   const S t28 = t4 * t22 + t1 * t3;
+  const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S t29 = t2 * t3 - t4 * t24;
+  const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S t30 = f2 * t27 - (f1 * t28 + f0 * t29);
   const S t31 = S(0.9828721869343219) * t1;
   const S t32 = S(0.9828721869343219) * t2;
@@ -111,17 +111,9 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
-  const S qd0 = qd[0];  // d(s)
-  const S qd1 = qd[1];  // d(spin)
-  const S f0 = in.wrenches[0];  // wrench(bead).fx
-  const S f1 = in.wrenches[1];  // wrench(bead).fy
-  const S f2 = in.wrenches[2];  // wrench(bead).fz
-  const S f3 = in.wrenches[3];  // wrench(bead).tx
-  const S f4 = in.wrenches[4];  // wrench(bead).ty
-  const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t0 = q1 + S(5.71645608965608);
+  const S q0 = q[0];  // s
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -129,10 +121,15 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t2 = cosine[0];
   const S t3 = sine[1];
   const S t4 = cosine[1];
+  const S f2 = in.wrenches[2];  // wrench(bead).fz
   const S t5 = S(0.9828721869343219) * t1;
+  const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S t6 = S(0.9828721869343219) * t2;
+  const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S t7 = S(0.18428853505018536) * f2 - (f0 * t5 - f1 * t6);
+  const S qd0 = qd[0];  // d(s)
   const S t8 = qd0 * t3;
+  const S qd1 = qd[1];  // d(spin)
   const S t9 = S(0.9828721869343219) * qd1;
   const S t10 = t8 * t9;
   const S t11 = qd1 + S(0.18428853505018536) * qd0;
@@ -155,6 +152,9 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t28 = f2 * t25 + (f1 * t26 + f0 * t27);
   const S t29 = t8 * t22;
   const S t30 = t3 * (t21 + S(0.003259601202601324) * (t23 + t24)) + t4 * (t28 - S(0.0031488977655318453) * t29);
+  const S f5 = in.wrenches[5];  // wrench(bead).tz
+  const S f3 = in.wrenches[3];  // wrench(bead).tx
+  const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S t31 = t9 * t22;
   const S t32 = t12 * t22;
   const S t33 = t31 + t32;
@@ -175,17 +175,9 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
-  const S qd0 = qd[0];  // d(s)
-  const S qd1 = qd[1];  // d(spin)
-  const S f0 = in.wrenches[0];  // wrench(bead).fx
-  const S f1 = in.wrenches[1];  // wrench(bead).fy
-  const S f2 = in.wrenches[2];  // wrench(bead).fz
-  const S f3 = in.wrenches[3];  // wrench(bead).tx
-  const S f4 = in.wrenches[4];  // wrench(bead).ty
-  const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t0 = q1 + S(5.71645608965608);
+  const S q0 = q[0];  // s
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -198,6 +190,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t7 = S(6.496170860519033e-05) - S(0.9828721869343219) * t5;
   M[1] = t7;
   M[2] = t7;
+  const S qd0 = qd[0];  // d(s)
+  const S qd1 = qd[1];  // d(spin)
   const S t8 = qd1 + S(0.18428853505018536) * qd0;
   const S t9 = t4 * qd0;
   const S t10 = S(0.9828721869343219) * t9;
@@ -213,12 +207,18 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t20 = t9 * (S(0.9660377358490566) * t9);
   const S t21 = t8 * t8;
   const S t22 = S(0.9828721869343219) * t3;
+  const S f5 = in.wrenches[5];  // wrench(bead).tz
   const S t23 = S(0.18428853505018536) * t1;
   const S t24 = t3 * t23 - t4 * t2;
+  const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S t25 = S(0.18428853505018536) * t2;
   const S t26 = t4 * t1 + t3 * t25;
+  const S f4 = in.wrenches[4];  // wrench(bead).ty
+  const S f2 = in.wrenches[2];  // wrench(bead).fz
   const S t27 = S(0.9828721869343219) * t2;
+  const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S t28 = S(0.9828721869343219) * t1;
+  const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S t29 = S(0.18428853505018536) * f2 + (f1 * t27 - f0 * t28);
   const S t30 = t4 * t23 + t3 * t2;
   const S t31 = t4 * t25 - t3 * t1;
@@ -244,8 +244,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(s)
-  const S qd1 = qd[1];  // d(spin)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(spin)
   qdot[1] = qd1;
 }
 
@@ -255,17 +255,17 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
             [[maybe_unused]] S* e) {
   using ::std::cos;
   using ::std::sin;
-  const S q0 = q[0];  // s
   const S q1 = q[1];  // spin
-  const S qd0 = qd[0];  // d(s)
-  const S qd1 = qd[1];  // d(spin)
   const S t0 = cos(q1);
   const S t1 = sin(q1);
+  const S qd0 = qd[0];  // d(s)
   const S t2 = qd0 * t0;
   const S t3 = qd0 * t1;
+  const S qd1 = qd[1];  // d(spin)
   const S t4 = qd1 + S(0.18428853505018536) * qd0;
   const S t5 = S(0.9828721869343219) * (t2 * (S(0.00031869630661345385) * t2 + (S(2.9731883654763237e-05) * t3 - S(1.5e-05) * t4)) + t3 * (S(2.9731883654763237e-05) * t2 + (S(0.00025186099790191997) * t3 + S(4e-06) * t4)));
   e[0] = qd0 * (S(0.0828125) * qd0 - S(0.8139410298049853) * (S(0.002702898514069385) * t2 + S(0.0017200263271350633) * t3)) - S(0.5) * (t4 * (S(1.474308280401483e-05) * t2 - (S(0.0003525) * t4 + S(3.9314887477372875e-06) * t3)) - t5);
+  const S q0 = q[0];  // s
   e[1] = S(2.4525) * (S(0.15) * q0 + (S(0.01081159405627754) * t1 + S(0.0007371541402007414) - S(0.006880105308540253) * t0));
 }
 
@@ -273,7 +273,6 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // s
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = sine[0];
@@ -294,6 +293,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[7] = S(0.8) * t0;
   W[9] = S(0.9828721869343219) * t3;
   W[10] = S(0.9828721869343219) * t2;
+  const S q0 = q[0];  // s
   W[11] = S(0.15) * q0;
   W[8] = S(0.18428853505018536);
 }

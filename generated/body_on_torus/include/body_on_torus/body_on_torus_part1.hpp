@@ -24,15 +24,9 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v
   const S q2 = q[2];  // spin
-  const S qd0 = qd[0];  // d(u)
-  const S qd1 = qd[1];  // d(v)
-  const S qd2 = qd[2];  // d(spin)
-  const S qdd0 = qdd[0];  // dd(u)
-  const S qdd1 = qdd[1];  // dd(v)
-  const S qdd2 = qdd[2];  // dd(spin)
   const S t0 = q2 + S(1.1071487177940866);
+  const S q1 = q[1];  // v
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -40,20 +34,26 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t2 = cosine[0];
   const S t3 = sine[1];
   const S t4 = cosine[1];
+  const S qdd0 = qdd[0];  // dd(u)
+  const S qd0 = qd[0];  // d(u)
   const S t5 = qd0 * t1;
+  const S qd1 = qd[1];  // d(v)
   const S t6 = qd1 * t5;
   const S t7 = t6 - qdd0 * t2;
   const S t8 = t6 + t7;
   const S t9 = qd0 * t2;
   const S t10 = qd1 * t4 - t3 * t9;
   const S t11 = t10 * t10;
+  const S qd2 = qd[2];  // d(spin)
   const S t12 = t5 + qd2;
   const S t13 = t12 * t12;
+  const S qdd2 = qdd[2];  // dd(spin)
   const S t14 = qdd2 + (qdd0 * t1 + qd1 * t9);
   const S t15 = qd1 * t3 + t4 * t9;
   const S t16 = t10 * t15;
   const S t17 = t14 + t16;
   const S t18 = t12 * t15;
+  const S qdd1 = qdd[1];  // dd(v)
   const S t19 = t7 * t3 + t4 * qdd1 - qd2 * t15;
   const S t20 = t18 + t19;
   const S t21 = t7 * t4 - t3 * qdd1 - t10 * qd2;
@@ -78,9 +78,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v
   const S q2 = q[2];  // spin
   const S t0 = q2 + S(1.1071487177940866);
+  const S q1 = q[1];  // v
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -111,12 +111,9 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v
   const S q2 = q[2];  // spin
-  const S qd0 = qd[0];  // d(u)
-  const S qd1 = qd[1];  // d(v)
-  const S qd2 = qd[2];  // d(spin)
   const S t0 = q2 + S(1.1071487177940866);
+  const S q1 = q[1];  // v
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -124,8 +121,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t2 = sine[0];
   const S t3 = sine[1];
   const S t4 = cosine[1];
+  const S qd0 = qd[0];  // d(u)
   const S t5 = qd0 * t2;
+  const S qd1 = qd[1];  // d(v)
   const S t6 = qd1 * t5;
+  const S qd2 = qd[2];  // d(spin)
   const S t7 = t5 + qd2;
   const S t8 = t7 * t7;
   const S t9 = t1 * qd0;
@@ -161,12 +161,9 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v
   const S q2 = q[2];  // spin
-  const S qd0 = qd[0];  // d(u)
-  const S qd1 = qd[1];  // d(v)
-  const S qd2 = qd[2];  // d(spin)
   const S t0 = q2 + S(1.1071487177940866);
+  const S q1 = q[1];  // v
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
@@ -189,8 +186,11 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[2] = t12;
   M[6] = t12;
   M[4] = S(0.13868999999999995) - t8;
+  const S qd0 = qd[0];  // d(u)
   const S t14 = t1 * qd0;
+  const S qd1 = qd[1];  // d(v)
   const S t15 = qd1 * t14;
+  const S qd2 = qd[2];  // d(spin)
   const S t16 = t14 + qd2;
   const S t17 = t16 * t16;
   const S t18 = t2 * qd0;
@@ -226,10 +226,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(u)
-  const S qd1 = qd[1];  // d(v)
-  const S qd2 = qd[2];  // d(spin)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(v)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(spin)
   qdot[2] = qd2;
 }
 
@@ -238,18 +238,18 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(u)
-  const S qd1 = qd[1];  // d(v)
-  const S qd2 = qd[2];  // d(spin)
   S sine[2], cosine[2];
   sines_and_cosines(2, q + 1, sine, cosine);
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
+  const S qd1 = qd[1];  // d(v)
   const S t4 = qd1 * t2;
+  const S qd0 = qd[0];  // d(u)
   const S t5 = qd0 * t0;
   const S t6 = t4 + t5 * t3;
+  const S qd2 = qd[2];  // d(spin)
   const S t7 = qd2 + qd0 * t1;
   const S t8 = qd1 * t3;
   const S t9 = t8 - t2 * t5;

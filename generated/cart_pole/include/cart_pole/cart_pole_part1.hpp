@@ -26,12 +26,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q
-  const S qd1 = qd[1];  // d(q)
-  const S qdd0 = qdd[0];  // dd(x)
-  const S qdd1 = qdd[1];  // dd(q)
-  const S f0 = in.wrenches[0];  // wrench(cart).fx
   const S t0 = cos(q1);
   const S t1 = sin(q1);
+  const S qdd0 = qdd[0];  // dd(x)
+  const S qdd1 = qdd[1];  // dd(q)
+  const S qd1 = qd[1];  // d(q)
+  const S f0 = in.wrenches[0];  // wrench(cart).fx
   tau[0] = S(2.76) * qdd0 - (f0 - S(0.1728) * (qdd1 * t0 - qd1 * qd1 * t1));
   tau[1] = S(0.111044) * qdd1 - S(0.1728) * (S(9.81) * t1 - t0 * qdd0);
 }
@@ -55,9 +55,9 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
           [[maybe_unused]] S* c) {
   using ::std::sin;
   const S q1 = q[1];  // q
+  const S t0 = sin(q1);
   const S qd1 = qd[1];  // d(q)
   const S f0 = in.wrenches[0];  // wrench(cart).fx
-  const S t0 = sin(q1);
   c[0] = S(-0.1728) * (qd1 * qd1 * t0) - f0;
   c[1] = S(-1.695168) * t0;
 }
@@ -69,13 +69,13 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q
-  const S qd1 = qd[1];  // d(q)
-  const S f0 = in.wrenches[0];  // wrench(cart).fx
   const S t0 = cos(q1);
   const S t1 = sin(q1);
   const S t2 = S(0.1728) * t0;
   M[1] = t2;
   M[2] = t2;
+  const S qd1 = qd[1];  // d(q)
+  const S f0 = in.wrenches[0];  // wrench(cart).fx
   c[0] = S(-0.1728) * (qd1 * qd1 * t1) - f0;
   c[1] = S(-1.695168) * t1;
   M[0] = S(2.76);
@@ -86,8 +86,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(x)
-  const S qd1 = qd[1];  // d(q)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q)
   qdot[1] = qd1;
 }
 
@@ -97,9 +97,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
             [[maybe_unused]] S* e) {
   using ::std::cos;
   const S q1 = q[1];  // q
-  const S qd0 = qd[0];  // d(x)
-  const S qd1 = qd[1];  // d(q)
   const S t0 = cos(q1);
+  const S qd1 = qd[1];  // d(q)
+  const S qd0 = qd[0];  // d(x)
   e[0] = S(0.055522) * (qd1 * qd1) + qd0 * (S(1.38) * qd0 + S(0.1728) * (qd1 * t0));
   e[1] = S(1.695168) * t0;
 }
@@ -109,7 +109,6 @@ template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using ::std::cos;
   using ::std::sin;
-  const S q0 = q[0];  // x
   const S q1 = q[1];  // q
   const S t0 = cos(q1);
   W[12] = t0;
@@ -135,6 +134,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[19] = S(0.0);
   W[21] = S(0.0);
   W[23] = S(0.0);
+  const S q0 = q[0];  // x
   W[3] = q0;
   W[15] = q0;
 }

@@ -24,24 +24,12 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = S(1.037952439175508) - q5;
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S qdd2 = qdd[2];  // dd(q3)
-  const S qdd3 = qdd[3];  // dd(q4)
-  const S qdd4 = qdd[4];  // dd(q5)
-  const S qdd5 = qdd[5];  // dd(q6)
-  const S t0 = S(1.037952439175508) - q5;
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -55,7 +43,10 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t8 = sine[3];
   const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd0 = qd[0];  // d(q1)
   const S t11 = qd0 * t2;
+  const S qd1 = qd[1];  // d(q2)
   const S t12 = S(0.8087360605531302) * (qd1 * t11 + qdd0 * t1);
   const S t13 = qd1 + S(0.588171730331375) * qd0;
   const S t14 = S(0.8044781165221552) * t13 - S(0.48037489671056854) * t11;
@@ -69,6 +60,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t22 = t1 * t20 - t2 * t21;
   const S t23 = t1 * qd0;
   const S t24 = qdd0 * t2 - qd1 * t23;
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t25 = qdd1 + S(0.588171730331375) * qdd0;
   const S t26 = S(0.4803748967105686) * t24 - S(0.8044781165221552) * t25;
   const S t27 = t15 * t23;
@@ -76,6 +68,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t29 = S(0.7383448687171558) * t19 - t22 - S(1.042912147352232) * t28;
   const S t30 = S(0.38534298650678417) * t17 - t29;
   const S t31 = S(0.8044781165221552) * t3;
+  const S qd2 = qd[2];  // d(q3)
   const S t32 = t14 + qd2;
   const S t33 = S(0.8087360605531302) * t23;
   const S t34 = t15 * t4 - t3 * t33;
@@ -91,6 +84,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t44 = t42 + t43;
   const S t45 = t41 + S(0.31) * t44;
   const S t46 = S(0.29) * (t36 + t38) - (t4 * t45 - t30 * t31);
+  const S qd3 = qd[3];  // d(q4)
   const S t47 = t35 + qd3;
   const S t48 = t4 * t33 + t15 * t3;
   const S t49 = t5 * t48 - t37 * t6;
@@ -98,6 +92,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t51 = S(0.5311861979208834) * t47 - S(0.8472551110134161) * t49;
   const S t52 = t50 * t51;
   const S t53 = t12 * t3 - t4 * t43 + qd2 * t48;
+  const S qdd2 = qdd[2];  // dd(q3)
   const S t54 = t26 - qdd2;
   const S t55 = S(0.805664471353141) * t53 + S(0.5923721462047856) * t54;
   const S t56 = qd2 * t34 + (t3 * t43 + t12 * t4);
@@ -107,6 +102,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t60 = t51 * t59;
   const S t61 = qd3 * t59 + (t6 * t55 + t5 * t56);
   const S t62 = S(0.5923721462047856) * t53 - S(0.805664471353141) * t54;
+  const S qdd3 = qdd[3];  // dd(q4)
   const S t63 = qdd3 + t62;
   const S t64 = S(0.5311861979208834) * t61 + S(0.8472551110134161) * t63;
   const S t65 = t60 + t64;
@@ -134,9 +130,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t87 = S(0.3517240511462447) * t65 - (S(0.4063507183397911) * t76 - t86);
   const S t88 = S(0.9229805637461859) * t58 + t87;
   const S t89 = S(0.8472551110134161) * t7;
+  const S qdd4 = qdd[4];  // dd(q5)
   const S t90 = t64 + qdd4;
   const S t91 = S(0.5311861979208834) * t63 - S(0.8472551110134161) * t61;
   const S t92 = t59 * t7 + t51 * t8;
+  const S qd4 = qd[4];  // d(q5)
   const S t93 = t57 * t8 + t7 * t91 - qd4 * t92;
   const S t94 = S(0.9286646355765102) * t90 - S(0.3709204694129827) * t93;
   const S t95 = t51 * t7 - t59 * t8;
@@ -158,6 +156,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t111 = S(0.21933328225876517) * t105 + t110;
   const S t112 = S(0.5610206096375856) * t99 - t111;
   const S t113 = S(0.9286646355765102) * t96 - S(0.3709204694129827) * t95;
+  const S qd5 = qd[5];  // d(q6)
   const S t114 = qd5 + t113;
   const S t115 = t114 * t114;
   const S t116 = t92 * t9 + t97 * t10;
@@ -167,6 +166,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t120 = S(0.9286646355765102) * t10;
   const S t121 = t97 * t9 - t92 * t10;
   const S t122 = t116 * t121;
+  const S qdd5 = qdd[5];  // dd(q6)
   const S t123 = t94 + qdd5;
   const S t124 = t122 - t123;
   const S t125 = S(2.0103112683343562) * t112 + S(0.5578117245092649) * (t118 * t119 - t120 * t124);
@@ -257,12 +257,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = S(1.037952439175508) - q5;
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S t0 = S(1.037952439175508) - q5;
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -471,18 +471,12 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = S(1.037952439175508) - q5;
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S t0 = S(1.037952439175508) - q5;
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -496,6 +490,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t8 = sine[3];
   const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
   const S t11 = qd1 + S(0.588171730331375) * qd0;
   const S t12 = qd0 * t1;
   const S t13 = S(0.8044781165221552) * t11 - S(0.48037489671056854) * t12;
@@ -529,6 +525,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t41 = S(0.38534298650678417) * t37 - t40;
   const S t42 = t33 * t3 + t34 * t41;
   const S t43 = t15 * t4 + t26 * t3;
+  const S qd2 = qd[2];  // d(q3)
   const S t44 = t13 + qd2;
   const S t45 = t26 * t4 - t15 * t3;
   const S t46 = S(0.5923721462047856) * t44 + S(0.805664471353141) * t45;
@@ -557,6 +554,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t69 = S(0.805664471353141) * t56;
   const S t70 = t6 * t68 - t5 * t69;
   const S t71 = t43 * t5 + t46 * t6;
+  const S qd3 = qd[3];  // d(q4)
   const S t72 = t53 + qd3;
   const S t73 = t43 * t6 - t46 * t5;
   const S t74 = S(0.8472551110134161) * t72 + S(0.5311861979208834) * t73;
@@ -565,10 +563,12 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t77 = S(0.5311861979208834) * t49 - S(0.8472551110134161) * t76;
   const S t78 = t75 - t77;
   const S t79 = t63 + S(0.9673065698240312) * t70 + S(0.5426672585542128) * t78;
+  const S qd4 = qd[4];  // d(q5)
   const S t80 = t74 + qd4;
   const S t81 = S(0.5311861979208834) * t72 - S(0.8472551110134161) * t73;
   const S t82 = t81 * t7 - t71 * t8;
   const S t83 = S(0.9286646355765102) * t80 - S(0.3709204694129827) * t82;
+  const S qd5 = qd[5];  // d(q6)
   const S t84 = qd5 + t83;
   const S t85 = S(0.9286646355765102) * t82 + S(0.3709204694129827) * t80;
   const S t86 = t71 * t7 + t81 * t8;
@@ -692,18 +692,12 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = S(1.037952439175508) - q5;
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S t0 = S(1.037952439175508) - q5;
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -905,6 +899,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t164 = S(0.6749571397620882) * t157 + S(0.18413450969210635) * t158 - S(0.4983511407473459) * t159 + (S(0.8044781165221552) * t152 - S(0.5939822893293754) * t155);
   M[11] = t164;
   M[31] = t164;
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
   const S t165 = qd1 + S(0.588171730331375) * qd0;
   const S t166 = t2 * qd0;
   const S t167 = S(0.8044781165221552) * t165 - S(0.48037489671056854) * t166;
@@ -937,6 +933,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t194 = S(0.38534298650678417) * t190 - t193;
   const S t195 = t3 * t186 + t187 * t194;
   const S t196 = t4 * t169 + t3 * t179;
+  const S qd2 = qd[2];  // d(q3)
   const S t197 = t167 + qd2;
   const S t198 = t4 * t179 - t3 * t169;
   const S t199 = S(0.5923721462047856) * t197 + S(0.805664471353141) * t198;
@@ -965,6 +962,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t222 = S(0.805664471353141) * t209;
   const S t223 = t5 * t221 - t6 * t222;
   const S t224 = t6 * t196 + t5 * t199;
+  const S qd3 = qd[3];  // d(q4)
   const S t225 = t206 + qd3;
   const S t226 = t5 * t196 - t6 * t199;
   const S t227 = S(0.8472551110134161) * t225 + S(0.5311861979208834) * t226;
@@ -973,10 +971,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t230 = S(0.5311861979208834) * t202 - S(0.8472551110134161) * t229;
   const S t231 = t228 - t230;
   const S t232 = t216 + S(0.9673065698240312) * t223 + S(0.5426672585542128) * t231;
+  const S qd4 = qd[4];  // d(q5)
   const S t233 = t227 + qd4;
   const S t234 = S(0.5311861979208834) * t225 - S(0.8472551110134161) * t226;
   const S t235 = t8 * t234 - t7 * t224;
   const S t236 = S(0.9286646355765102) * t233 - S(0.3709204694129827) * t235;
+  const S qd5 = qd[5];  // d(q6)
   const S t237 = qd5 + t236;
   const S t238 = S(0.9286646355765102) * t235 + S(0.3709204694129827) * t233;
   const S t239 = t8 * t224 + t7 * t234;
@@ -1100,16 +1100,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(q3)
   qdot[2] = qd2;
+  const S qd3 = qd[3];  // d(q4)
   qdot[3] = qd3;
+  const S qd4 = qd[4];  // d(q5)
   qdot[4] = qd4;
+  const S qd5 = qd[5];  // d(q6)
   qdot[5] = qd5;
 }
 
@@ -1118,12 +1118,6 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = cosine[0];
@@ -1136,15 +1130,19 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t7 = sine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qd0 = qd[0];  // d(q1)
   const S t10 = qd0 * t0;
+  const S qd1 = qd[1];  // d(q2)
   const S t11 = qd1 + S(0.588171730331375) * qd0;
   const S t12 = S(0.48037489671056854) * t10 - S(0.8044781165221552) * t11;
+  const S qd2 = qd[2];  // d(q3)
   const S t13 = qd2 - t12;
   const S t14 = S(0.6506104627573298) * t10 + S(0.5939822893293754) * t11;
   const S t15 = qd0 * t1;
   const S t16 = S(0.8087360605531302) * t3;
   const S t17 = t2 * t14 - t15 * t16;
   const S t18 = S(0.805664471353141) * t13 - S(0.5923721462047856) * t17;
+  const S qd3 = qd[3];  // d(q4)
   const S t19 = qd3 + t18;
   const S t20 = S(0.805664471353141) * t17 + S(0.5923721462047856) * t13;
   const S t21 = S(0.8087360605531302) * t2;
@@ -1154,6 +1152,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t25 = t20 * t5 + t4 * t22;
   const S t26 = t24 * t6 - t7 * t25;
   const S t27 = S(0.8472551110134161) * t19 - S(0.5311861979208834) * t23;
+  const S qd4 = qd[4];  // d(q5)
   const S t28 = qd4 + t27;
   const S t29 = S(0.3709204694129827) * t26 - S(0.9286646355765102) * t28;
   const S t30 = S(0.2240934292562539) * t15 + S(0.3922369893682681) * t10;
@@ -1179,6 +1178,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t50 = t7 * t43 - t6 * t45;
   const S t51 = t50 + S(0.782) * t26;
   const S t52 = t8 * t49 + t9 * t51;
+  const S qd5 = qd[5];  // d(q6)
   const S t53 = t29 - qd5;
   const S t54 = S(0.3709204694129827) * t28 + S(0.9286646355765102) * t26;
   const S t55 = t8 * t47 + t9 * t54;

@@ -24,24 +24,12 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = q5 + S(0.9480119919953968);
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S qdd2 = qdd[2];  // dd(q3)
-  const S qdd3 = qdd[3];  // dd(q4)
-  const S qdd4 = qdd[4];  // dd(q5)
-  const S qdd5 = qdd[5];  // dd(q6)
-  const S t0 = q5 + S(0.9480119919953968);
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -55,13 +43,17 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t8 = cosine[3];
   const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd0 = qd[0];  // d(q1)
   const S t11 = qd0 * t2;
+  const S qd1 = qd[1];  // d(q2)
   const S t12 = qd1 * t11;
   const S t13 = qdd0 * t1;
   const S t14 = t12 - t13;
   const S t15 = t12 + t14;
   const S t16 = t1 * qd0;
   const S t17 = t16 * t4 + t3 * t11;
+  const S qd2 = qd[2];  // d(q3)
   const S t18 = qd1 + qd2;
   const S t19 = t17 * t18;
   const S t20 = qd1 * t16;
@@ -69,6 +61,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t22 = t20 + t21;
   const S t23 = t4 * t22 + t3 * t14 + t17 * qd2;
   const S t24 = t19 + t23;
+  const S qdd2 = qdd[2];  // dd(q3)
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t25 = qdd2 + qdd1;
   const S t26 = t3 * t16 - t11 * t4;
   const S t27 = t17 * t26;
@@ -88,6 +82,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t41 = S(0.45) * t15 - S(0.47) * t31;
   const S t42 = t6 * t40 + t5 * t41;
   const S t43 = t6 * t41 - t5 * t40;
+  const S qdd3 = qdd[3];  // dd(q4)
   const S t44 = t23 - qdd3;
   const S t45 = t18 * t5 - t17 * t6;
   const S t46 = t18 * t6 + t17 * t5;
@@ -95,6 +90,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t48 = t44 - t47;
   const S t49 = t45 * t45;
   const S t50 = t46 * t46;
+  const S qd3 = qd[3];  // d(q4)
   const S t51 = t45 * qd3 - (t25 * t6 - t29 * t5);
   const S t52 = t26 + qd3;
   const S t53 = t45 * t52;
@@ -103,8 +99,10 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t56 = t44 + t47;
   const S t57 = S(-0.18914999999999998) * t42 - S(0.517) * t43 - (S(0.11124599999999985) * t48 - (S(0.027401) * (t49 - t50) + (S(0.017198500000000005) * (t51 - t53) + S(0.061006000000000005) * (t54 - t55))) + S(0.023292749999999918) * t56);
   const S t58 = t7 * t45 + t52 * t8;
+  const S qd5 = qd[5];  // d(q6)
   const S t59 = qd5 + t58;
   const S t60 = t59 * t59;
+  const S qd4 = qd[4];  // d(q5)
   const S t61 = qd4 + t46;
   const S t62 = t7 * t52 - t45 * t8;
   const S t63 = t9 * t61 - t62 * t10;
@@ -112,6 +110,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t65 = t61 * t10 + t9 * t62;
   const S t66 = t59 * t65;
   const S t67 = t58 * qd4 - (t8 * t54 + t7 * t44);
+  const S qdd4 = qdd[4];  // dd(q5)
   const S t68 = qdd4 - t51;
   const S t69 = qd5 * t65 - (t10 * t67 - t9 * t68);
   const S t70 = t66 + t69;
@@ -122,6 +121,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t75 = S(0.012481214277465152) * (t60 - t64) - S(0.001435580683506683) * t70 - S(0.046189920356612194) * t71 + S(0.23113359773083617) * t74;
   const S t76 = t63 * t65;
   const S t77 = qd4 * t62 + (t8 * t44 - t7 * t54);
+  const S qdd5 = qdd[5];  // dd(q6)
   const S t78 = qdd5 - t77;
   const S t79 = t76 + t78;
   const S t80 = S(0.0014355806835066806) * t71 - S(0.012481214277465152) * t79 + S(0.004759079643387815) * t70;
@@ -180,12 +180,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = q5 + S(0.9480119919953968);
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S t0 = q5 + S(0.9480119919953968);
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -315,18 +315,12 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = q5 + S(0.9480119919953968);
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S t0 = q5 + S(0.9480119919953968);
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -340,7 +334,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t8 = cosine[3];
   const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S qd1 = qd[1];  // d(q2)
+  const S qd2 = qd[2];  // d(q3)
   const S t11 = qd1 + qd2;
+  const S qd0 = qd[0];  // d(q1)
   const S t12 = t1 * qd0;
   const S t13 = qd0 * t2;
   const S t14 = t12 * t3 - t13 * t4;
@@ -353,6 +350,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t21 = t13 * qd1;
   const S t22 = S(0.9) * t21 + S(0.94) * t15;
   const S t23 = t11 * t5 - t16 * t6;
+  const S qd3 = qd[3];  // d(q4)
   const S t24 = qd3 * t23 - t15 * t5;
   const S t25 = t14 + qd3;
   const S t26 = t7 * t25 - t8 * t23;
@@ -361,8 +359,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t29 = t24 + t28;
   const S t30 = t27 * t27;
   const S t31 = t11 * t6 + t16 * t5;
+  const S qd4 = qd[4];  // d(q5)
   const S t32 = qd4 + t31;
   const S t33 = t32 * t32;
+  const S qd5 = qd[5];  // d(q6)
   const S t34 = qd5 + t27;
   const S t35 = t34 * t34;
   const S t36 = t10 * t32 + t9 * t26;
@@ -445,18 +445,12 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
+  const S q5 = q[5];  // q6
+  const S t0 = q5 + S(0.9480119919953968);
   const S q1 = q[1];  // q2
   const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
-  const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S t0 = q5 + S(0.9480119919953968);
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -578,7 +572,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t85 = -t21;
   M[29] = t85;
   M[34] = t85;
+  const S qd1 = qd[1];  // d(q2)
+  const S qd2 = qd[2];  // d(q3)
   const S t86 = qd1 + qd2;
+  const S qd0 = qd[0];  // d(q1)
   const S t87 = t2 * qd0;
   const S t88 = t1 * qd0;
   const S t89 = t4 * t87 - t3 * t88;
@@ -591,6 +588,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t96 = t88 * qd1;
   const S t97 = S(0.9) * t96 + S(0.94) * t90;
   const S t98 = t5 * t86 - t6 * t91;
+  const S qd3 = qd[3];  // d(q4)
   const S t99 = qd3 * t98 - t5 * t90;
   const S t100 = t89 + qd3;
   const S t101 = t7 * t100 - t8 * t98;
@@ -599,8 +597,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t104 = t99 + t103;
   const S t105 = t102 * t102;
   const S t106 = t6 * t86 + t5 * t91;
+  const S qd4 = qd[4];  // d(q5)
   const S t107 = qd4 + t106;
   const S t108 = t107 * t107;
+  const S qd5 = qd[5];  // d(q6)
   const S t109 = qd5 + t102;
   const S t110 = t109 * t109;
   const S t111 = t10 * t107 + t9 * t101;
@@ -683,16 +683,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(q3)
   qdot[2] = qd2;
+  const S qd3 = qd[3];  // d(q4)
   qdot[3] = qd3;
+  const S qd4 = qd[4];  // d(q5)
   qdot[4] = qd4;
+  const S qd5 = qd[5];  // d(q6)
   qdot[5] = qd5;
 }
 
@@ -701,12 +701,6 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = cosine[0];
@@ -719,15 +713,19 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t7 = cosine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
   const S t10 = qd1 * t2;
   const S t11 = qd0 * t0;
   const S t12 = S(0.45) * (t10 * t4 - t5 * t11);
+  const S qd2 = qd[2];  // d(q3)
   const S t13 = qd1 + qd2;
   const S t14 = qd0 * t1;
   const S t15 = t2 * t11 + t3 * t14;
   const S t16 = t4 * t13 - t5 * t15;
   const S t17 = t12 - S(0.47) * t16;
   const S t18 = t11 * t3 - t2 * t14;
+  const S qd3 = qd[3];  // d(q4)
   const S t19 = qd3 + t18;
   const S t20 = t16 * t6 + t19 * t7;
   const S t21 = t19 * t6 - t16 * t7;
@@ -737,7 +735,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t25 = t5 * t13 + t4 * t15;
   const S t26 = t24 - S(0.47) * t25;
   const S t27 = t6 * t23 + t7 * t26;
+  const S qd4 = qd[4];  // d(q5)
   const S t28 = t25 + qd4;
+  const S qd5 = qd[5];  // d(q6)
   const S t29 = t20 + qd5;
   const S t30 = t21 * t8 - t28 * t9;
   const S t31 = t21 * t9 + t28 * t8;

@@ -24,17 +24,17 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = sine[0];
   const S t1 = cosine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd1 = qd[1];  // d(q2)
+  const S qd0 = qd[0];  // d(q1)
   const S t4 = qd1 + qd0;
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t5 = qdd0 + qdd1;
   const S t6 = S(0.08146499999999998) * t5 + S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t1) + t3 * (S(0.55) * qdd0 + S(9.81) * t0));
   tau[1] = t6;
@@ -59,16 +59,16 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
+  const S qd0 = qd[0];  // d(q1)
   const S t4 = S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t3 * t1));
   c[1] = t4;
+  const S qd1 = qd[1];  // d(q2)
   const S t5 = qd0 + qd1;
   c[0] = t4 - S(0.126225) * (t2 * (t5 * t5)) + S(8.235495) * t1;
 }
@@ -78,8 +78,6 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
@@ -90,8 +88,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t5 = S(0.126225) * t2 + S(0.08146499999999998);
   M[1] = t5;
   M[2] = t5;
+  const S qd0 = qd[0];  // d(q1)
   const S t6 = S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t2 * t1));
   c[1] = t6;
+  const S qd1 = qd[1];  // d(q2)
   const S t7 = qd0 + qd1;
   c[0] = t6 - S(0.126225) * (t3 * (t7 * t7)) + S(8.235495) * t1;
   M[3] = S(0.08146499999999998);
@@ -101,8 +101,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
 }
 
@@ -111,14 +111,14 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t2 = cosine[1];
   const S t3 = sine[1];
+  const S qd0 = qd[0];  // d(q1)
+  const S qd1 = qd[1];  // d(q2)
   const S t4 = qd1 + qd0;
   e[0] = S(0.2033225) * (qd0 * qd0) + t4 * (S(0.0407325) * t4 + S(0.126225) * (qd0 * t2));
   e[1] = S(-3.64932) * t0 - S(8.3385) * (S(0.27) * (t2 * t0 - t1 * t3) + S(0.55) * t0);

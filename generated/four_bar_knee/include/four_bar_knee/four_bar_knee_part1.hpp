@@ -29,21 +29,18 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using ::std::sin;
   using detail::sines_and_cosines;
   using ::std::sqrt;
-  const S qd0 = qd[0];  // d(hip)
-  const S qd1 = qd[1];  // d(q)
-  const S qdd0 = qdd[0];  // dd(hip)
-  const S qdd1 = qdd[1];  // dd(q)
-  const S f0 = in.wrenches[0];  // wrench(shank).fx
-  const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S f4 = in.wrenches[4];  // wrench(shank).ty
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
+  const S qd1 = qd[1];  // d(q)
+  const S qd0 = qd[0];  // d(hip)
   const S t4 = qd0 * (S(0.064) * qd1);
   const S t5 = qd0 * qd0;
+  const S qdd0 = qdd[0];  // dd(hip)
+  const S qdd1 = qdd[1];  // dd(q)
   const S t6 = qdd0 - qdd1;
   const S t7 = qd1 * qd1;
   const S t8 = t5 + t7;
@@ -100,7 +97,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t59 = t51 * t54 + t30 * t53;
   const S t60 = qdd0 + (t7 * (t30 * (t10 - S(0.034) * (t22 * t48 - t49 * t50)) - t58) - qdd1 * t59);
   const S t61 = t0 * t27 - t1 * t28;
+  const S f2 = in.wrenches[2];  // wrench(shank).fz
   const S t62 = t27 * t1 + t0 * t28;
+  const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S t63 = f2 * t61 + f0 * t62;
   const S t64 = S(0.6463220249999222) * t60 + t63;
   const S t65 = qd0 - qd1 * t59;
@@ -110,6 +109,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t69 = t4 * t3 - (S(0.41) * qdd0 - S(0.012) * t5 + S(9.81) * t1 + S(0.032) * (t3 * t8 - t2 * t6));
   const S t70 = S(3.4) * t69 - (t28 * t64 + t27 * t67);
   const S t71 = S(0.032) * (t3 * t68 - t2 * t70);
+  const S f4 = in.wrenches[4];  // wrench(shank).ty
   const S t72 = S(0.1738624) * t60 - S(0.6463220249999222) * (t28 * t69 + t9 * t27) - (f4 - (S(1.0408340855860843e-17) * t66 + S(0.19009471323527125) * t63));
   tau[0] = S(0.012) * t68 - S(0.41) * t70 - (t71 - t72) + (S(0.3563952000000001) * qdd0 - (S(0.282528) * t0 - S(12.71376) * t1));
   tau[1] = t71 - t59 * t72;
@@ -172,11 +172,6 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using ::std::sin;
   using detail::sines_and_cosines;
   using ::std::sqrt;
-  const S qd0 = qd[0];  // d(hip)
-  const S qd1 = qd[1];  // d(q)
-  const S f0 = in.wrenches[0];  // wrench(shank).fx
-  const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S f4 = in.wrenches[4];  // wrench(shank).ty
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
@@ -222,9 +217,13 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t40 = t11 + S(0.034) * t39;
   const S t41 = t18 * t37;
   const S t42 = t36 * t38 + t40 * t41;
+  const S qd1 = qd[1];  // d(q)
+  const S qd0 = qd[0];  // d(hip)
   const S t43 = qd0 - qd1 * t42;
   const S t44 = t0 * t21 - t1 * t22;
+  const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S t45 = t1 * t21 + t0 * t22;
+  const S f2 = in.wrenches[2];  // wrench(shank).fz
   const S t46 = f0 * t44 - f2 * t45;
   const S t47 = t43 * (S(0.6463220249999222) * t43) + t46;
   const S t48 = qd1 * qd1;
@@ -249,6 +248,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t67 = S(0.41) * t63 + (S(9.81) * t0 + t2 * t64);
   const S t68 = S(3.4) * t67 - (t21 * t62 - t22 * t47);
   const S t69 = S(0.032) * (t3 * t68 + t2 * t66);
+  const S f4 = in.wrenches[4];  // wrench(shank).ty
   const S t70 = S(0.1738624) * t60 - S(0.6463220249999222) * (t22 * t65 + t21 * t67) - (f4 - (S(1.0408340855860843e-17) * t46 + S(0.19009471323527125) * t61));
   c[0] = S(0.41) * t66 + S(0.012) * t68 - (t69 - t70) - (S(0.282528) * t0 - S(12.71376) * t1);
   c[1] = t69 - t42 * t70;
@@ -264,11 +264,6 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::sin;
   using detail::sines_and_cosines;
   using ::std::sqrt;
-  const S qd0 = qd[0];  // d(hip)
-  const S qd1 = qd[1];  // d(q)
-  const S f0 = in.wrenches[0];  // wrench(shank).fx
-  const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S f4 = in.wrenches[4];  // wrench(shank).ty
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
@@ -324,9 +319,13 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[2] = t48;
   const S t49 = t27 * t47;
   M[3] = t49 + t49 + S(0.1738624) * (t47 * t47) + S(0.0034816);
+  const S qd1 = qd[1];  // d(q)
+  const S qd0 = qd[0];  // d(hip)
   const S t51 = qd0 - t47 * qd1;
   const S t52 = t21 * t0 - t22 * t1;
+  const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S t53 = t21 * t1 + t22 * t0;
+  const S f2 = in.wrenches[2];  // wrench(shank).fz
   const S t54 = f0 * t52 - f2 * t53;
   const S t55 = S(0.6463220249999222) * (t51 * t51) + t54;
   const S t56 = qd1 * qd1;
@@ -351,6 +350,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t75 = S(0.41) * t71 + (S(9.81) * t0 + t2 * t72);
   const S t76 = S(3.4) * t75 - (t21 * t70 - t22 * t55);
   const S t77 = S(0.032) * (t3 * t76 + t2 * t74);
+  const S f4 = in.wrenches[4];  // wrench(shank).ty
   const S t78 = S(0.1738624) * t68 - S(0.6463220249999222) * (t22 * t73 + t21 * t75) - (f4 - (S(1.0408340855860843e-17) * t54 + S(0.19009471323527125) * t69));
   c[0] = S(0.41) * t74 + S(0.012) * t76 - (t77 - t78) - (S(0.282528) * t0 - S(12.71376) * t1);
   c[1] = t77 - t47 * t78;
@@ -360,8 +360,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(hip)
-  const S qd1 = qd[1];  // d(q)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q)
   qdot[1] = qd1;
 }
 
@@ -375,14 +375,13 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::sin;
   using detail::sines_and_cosines;
   using ::std::sqrt;
-  const S qd0 = qd[0];  // d(hip)
-  const S qd1 = qd[1];  // d(q)
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
+  const S qd0 = qd[0];  // d(hip)
   const S t4 = S(0.032) * t2;
   const S t5 = S(0.001536) * t3;
   const S t6 = S(0.0016) - t5;
@@ -404,6 +403,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t22 = sqrt(t21);
   const S t23 = S(1.0) / t22;
   const S t24 = t18 * t23;
+  const S qd1 = qd[1];  // d(q)
   const S t25 = qd0 - qd1;
   const S t26 = S(0.41) * qd0 - t4 * t25;
   const S t27 = t20 * t23;

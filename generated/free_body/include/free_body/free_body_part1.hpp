@@ -23,46 +23,42 @@ namespace alembert::mechanisms::free_body {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
-  const S q3 = q[3];  // turn.x
   const S q4 = q[4];  // turn.y
+  const S q3 = q[3];  // turn.x
+  const S t0 = q4 * q3;
   const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
-  const S qd3 = qd[3];  // d(turn).x
-  const S qd4 = qd[4];  // d(turn).y
-  const S qd5 = qd[5];  // d(turn).z
-  const S qdd0 = qdd[0];  // dd(x)
-  const S qdd1 = qdd[1];  // dd(y)
-  const S qdd2 = qdd[2];  // dd(z)
-  const S qdd3 = qdd[3];  // dd(turn).x
-  const S qdd4 = qdd[4];  // dd(turn).y
-  const S qdd5 = qdd[5];  // dd(turn).z
-  const S f0 = in.wrenches[0];  // wrench(body).fx
-  const S f1 = in.wrenches[1];  // wrench(body).fy
-  const S f2 = in.wrenches[2];  // wrench(body).fz
-  const S f3 = in.wrenches[3];  // wrench(body).tx
-  const S f4 = in.wrenches[4];  // wrench(body).ty
-  const S f5 = in.wrenches[5];  // wrench(body).tz
-  const S t0 = q4 * q3;
   const S t1 = q5 * q6;
   const S t2 = t0 - t1;
   const S t3 = q4 * q5;
   const S t4 = q3 * q6;
   const S t5 = t3 + t4;
+  const S qdd2 = qdd[2];  // dd(z)
   const S t6 = qdd2 + S(9.81);
   const S t7 = t5 * t6;
+  const S qdd0 = qdd[0];  // dd(x)
   const S t8 = t2 * qdd0;
   const S t9 = q3 * q3;
   const S t10 = q5 * q5;
   const S t11 = t9 + t10;
   const S t12 = S(1.0) - (t11 + t11);
+  const S qdd1 = qdd[1];  // dd(y)
   const S t13 = t7 + t7 + (t8 + t8 + qdd1 * t12);
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd3 = qd[3];  // d(turn).x
   const S t14 = qd4 * qd3;
+  const S qdd5 = qdd[5];  // dd(turn).z
   const S t15 = qdd5 + t14;
+  const S qd5 = qd[5];  // d(turn).z
   const S t16 = qd5 * qd5;
   const S t17 = qd3 * qd3;
   const S t18 = qd4 * qd5;
+  const S qdd3 = qdd[3];  // dd(turn).x
   const S t19 = qdd3 - t18;
+  const S f0 = in.wrenches[0];  // wrench(body).fx
   const S t20 = t2 * f0;
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f2 = in.wrenches[2];  // wrench(body).fz
   const S t21 = t5 * f2;
   const S t22 = t20 + t20 + t12 * f1 + (t21 + t21);
   const S t23 = S(3.7) * t13 + (S(0.185) * t15 + S(0.111) * (t16 + t17) - S(0.296) * t19) - t22;
@@ -80,6 +76,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t35 = qdd5 - t14;
   const S t36 = qd4 * qd4;
   const S t37 = qd3 * qd5;
+  const S qdd4 = qdd[4];  // dd(turn).y
   const S t38 = qdd4 + t37;
   const S t39 = f1 * t28;
   const S t40 = f2 * t32;
@@ -106,8 +103,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t61 = t32 * t42;
   const S t62 = t5 * t23;
   tau[2] = t45 * t55 + (t61 + t61 + (t62 + t62));
+  const S f5 = in.wrenches[5];  // wrench(body).tz
   const S t64 = t32 * f5;
+  const S f4 = in.wrenches[4];  // wrench(body).ty
   const S t65 = t28 * f4;
+  const S f3 = in.wrenches[3];  // wrench(body).tx
   const S t66 = S(0.296) * t13 + S(0.111) * t49 - (S(0.10368) * t19 + (S(0.23333) * t51 + (S(0.02655) * t50 - S(0.0488) * t15 - S(0.02488) * (t16 - t36))));
   tau[3] = S(0.08) * t22 + S(0.03) * t54 - (t64 + t64 + (t65 + t65 + t27 * f3)) - t66;
   const S t68 = t2 * f3;
@@ -123,11 +123,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 // mass_matrix: 27 multiplications, 24 additions (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
-  const S q3 = q[3];  // turn.x
-  const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
+  const S q5 = q[5];  // turn.z
   const S t0 = q6 * q5;
+  const S q4 = q[4];  // turn.y
+  const S q3 = q[3];  // turn.x
   const S t1 = q4 * q3;
   const S t2 = t0 - t1;
   const S t3 = q6 * q4;
@@ -199,33 +199,30 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
-  const S q3 = q[3];  // turn.x
-  const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
-  const S qd3 = qd[3];  // d(turn).x
-  const S qd4 = qd[4];  // d(turn).y
-  const S qd5 = qd[5];  // d(turn).z
-  const S f0 = in.wrenches[0];  // wrench(body).fx
-  const S f1 = in.wrenches[1];  // wrench(body).fy
-  const S f2 = in.wrenches[2];  // wrench(body).fz
-  const S f3 = in.wrenches[3];  // wrench(body).tx
-  const S f4 = in.wrenches[4];  // wrench(body).ty
-  const S f5 = in.wrenches[5];  // wrench(body).tz
+  const S q5 = q[5];  // turn.z
   const S t0 = q6 * q5;
+  const S q4 = q[4];  // turn.y
+  const S q3 = q[3];  // turn.x
   const S t1 = q4 * q3;
   const S t2 = t0 - t1;
   const S t3 = q6 * q3;
   const S t4 = q4 * q5;
   const S t5 = t3 + t4;
+  const S f2 = in.wrenches[2];  // wrench(body).fz
   const S t6 = f2 * t5;
   const S t7 = q3 * q3;
   const S t8 = q5 * q5;
   const S t9 = t7 + t8;
   const S t10 = S(1.0) - (t9 + t9);
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f0 = in.wrenches[0];  // wrench(body).fx
   const S t11 = f0 * t2;
   const S t12 = t6 + t6 + (f1 * t10 - (t11 + t11));
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
   const S t13 = qd4 * qd5;
+  const S qd3 = qd[3];  // d(turn).x
   const S t14 = qd3 * qd3;
   const S t15 = qd5 * qd5;
   const S t16 = qd4 * qd3;
@@ -260,8 +257,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t45 = t5 * t17;
   const S t46 = t26 * t31;
   c[2] = S(36.297) - (t37 * t39 + (t45 + t45 - (t46 + t46)));
+  const S f5 = in.wrenches[5];  // wrench(body).tz
   const S t48 = t26 * f5;
+  const S f4 = in.wrenches[4];  // wrench(body).ty
   const S t49 = t28 * f4;
+  const S f3 = in.wrenches[3];  // wrench(body).tx
   const S t50 = S(0.12965) * t13 + (S(0.02488) * (t22 - t15) - (S(0.0488) * t16 + S(0.02655) * t23)) - (S(1.08891) * t37 + S(5.80752) * t5);
   c[3] = S(0.03) * t38 + S(0.08) * t12 + (t48 + t48 - (t49 + t49 + t21 * f3)) + t50;
   const S t52 = t2 * f3;
@@ -278,20 +278,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
-  const S q3 = q[3];  // turn.x
-  const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
-  const S qd3 = qd[3];  // d(turn).x
-  const S qd4 = qd[4];  // d(turn).y
-  const S qd5 = qd[5];  // d(turn).z
-  const S f0 = in.wrenches[0];  // wrench(body).fx
-  const S f1 = in.wrenches[1];  // wrench(body).fy
-  const S f2 = in.wrenches[2];  // wrench(body).fz
-  const S f3 = in.wrenches[3];  // wrench(body).tx
-  const S f4 = in.wrenches[4];  // wrench(body).ty
-  const S f5 = in.wrenches[5];  // wrench(body).tz
+  const S q5 = q[5];  // turn.z
   const S t0 = q6 * q5;
+  const S q4 = q[4];  // turn.y
+  const S q3 = q[3];  // turn.x
   const S t1 = q4 * q3;
   const S t2 = t0 - t1;
   const S t3 = q6 * q4;
@@ -339,10 +330,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t29 = S(0.37) * t25 - S(0.222) * t27;
   M[17] = t29;
   M[32] = t29;
+  const S f2 = in.wrenches[2];  // wrench(body).fz
   const S t30 = t25 * f2;
+  const S f1 = in.wrenches[1];  // wrench(body).fy
+  const S f0 = in.wrenches[0];  // wrench(body).fx
   const S t31 = t2 * f0;
   const S t32 = t30 + t30 + (t18 * f1 - (t31 + t31));
+  const S qd4 = qd[4];  // d(turn).y
+  const S qd5 = qd[5];  // d(turn).z
   const S t33 = qd4 * qd5;
+  const S qd3 = qd[3];  // d(turn).x
   const S t34 = qd3 * qd3;
   const S t35 = qd5 * qd5;
   const S t36 = qd4 * qd3;
@@ -366,8 +363,11 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t54 = t25 * t37;
   const S t55 = t27 * t44;
   c[2] = S(36.297) - (t24 * t48 + (t54 + t54 - (t55 + t55)));
+  const S f5 = in.wrenches[5];  // wrench(body).tz
   const S t57 = t27 * f5;
+  const S f4 = in.wrenches[4];  // wrench(body).ty
   const S t58 = t20 * f4;
+  const S f3 = in.wrenches[3];  // wrench(body).tx
   const S t59 = S(0.12965) * t33 + (S(0.02488) * (t39 - t35) - (S(0.0488) * t36 + S(0.02655) * t40)) - (S(1.08891) * t24 + S(5.80752) * t25);
   c[3] = S(0.03) * t47 + S(0.08) * t32 + (t57 + t57 - (t58 + t58 + t10 * f3)) + t59;
   const S t61 = t2 * f3;
@@ -401,22 +401,22 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 // coordinate_rates: 16 multiplications, 8 additions (reduced formulation).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
-  const S q3 = q[3];  // turn.x
   const S q4 = q[4];  // turn.y
+  const S qd5 = qd[5];  // d(turn).z
+  const S qd4 = qd[4];  // d(turn).y
   const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
-  const S qd0 = qd[0];  // d(x)
-  const S qd1 = qd[1];  // d(y)
-  const S qd2 = qd[2];  // d(z)
   const S qd3 = qd[3];  // d(turn).x
-  const S qd4 = qd[4];  // d(turn).y
-  const S qd5 = qd[5];  // d(turn).z
   qdot[3] = S(0.5) * (q4 * qd5 - (qd4 * q5 - q6 * qd3));
+  const S q3 = q[3];  // turn.x
   qdot[4] = S(0.5) * (q5 * qd3 - (qd5 * q3 - qd4 * q6));
   qdot[5] = S(-0.5) * (qd3 * q4 - (q6 * qd5 + qd4 * q3));
   qdot[6] = S(-0.5) * (qd4 * q4 + (q5 * qd5 + qd3 * q3));
+  const S qd0 = qd[0];  // d(x)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(y)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(z)
   qdot[2] = qd2;
 }
 
@@ -424,28 +424,27 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
-  const S q2 = q[2];  // z
-  const S q3 = q[3];  // turn.x
-  const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
-  const S q6 = q[6];  // turn.w
-  const S qd0 = qd[0];  // d(x)
-  const S qd1 = qd[1];  // d(y)
-  const S qd2 = qd[2];  // d(z)
   const S qd3 = qd[3];  // d(turn).x
   const S qd4 = qd[4];  // d(turn).y
   const S qd5 = qd[5];  // d(turn).z
   const S t0 = qd5 * (S(0.43258) * qd5 - (S(0.0488) * qd3 - S(0.02488) * qd4));
+  const S q4 = q[4];  // turn.y
+  const S q6 = q[6];  // turn.w
   const S t1 = q4 * q6;
+  const S q3 = q[3];  // turn.x
+  const S q5 = q[5];  // turn.z
   const S t2 = q3 * q5;
+  const S qd0 = qd[0];  // d(x)
   const S t3 = qd0 * (t1 + t2);
   const S t4 = q6 * q3;
   const S t5 = q4 * q5;
+  const S qd1 = qd[1];  // d(y)
   const S t6 = qd1 * (t4 - t5);
   const S t7 = q4 * q4;
   const S t8 = q3 * q3;
   const S t9 = t7 + t8;
   const S t10 = S(1.0) - (t9 + t9);
+  const S qd2 = qd[2];  // d(z)
   const S t11 = t3 + t3 - (t6 + t6) + qd2 * t10;
   const S t12 = q6 * q5;
   const S t13 = q4 * q3;
@@ -463,24 +462,22 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t25 = t19 * (S(0.296) * qd4 + S(0.111) * qd5) + t24 * (S(0.296) * qd3 - S(0.185) * qd5) - t11 * (S(0.185) * qd4 + S(0.111) * qd3);
   const S t26 = S(1.85) * (t11 * t11 + (t19 * t19 + t24 * t24)) + t25;
   e[0] = S(0.5) * (qd4 * (S(0.02655) * qd3 + S(0.30293) * qd4 + S(0.02488) * qd5) + qd3 * (S(0.33701) * qd3 + S(0.02655) * qd4 - S(0.0488) * qd5) + t0) + t26;
+  const S q2 = q[2];  // z
   e[1] = S(36.297) * (q2 - (S(0.06) * t22 + S(0.1) * t17 - S(0.08) * t10));
 }
 
 // body_poses: 9 multiplications, 21 additions (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  const S q0 = q[0];  // x
-  const S q1 = q[1];  // y
-  const S q2 = q[2];  // z
-  const S q3 = q[3];  // turn.x
   const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
-  const S q6 = q[6];  // turn.w
   const S t0 = q4 * q4;
+  const S q5 = q[5];  // turn.z
   const S t1 = q5 * q5;
   const S t2 = t0 + t1;
   W[0] = S(1.0) - (t2 + t2);
+  const S q3 = q[3];  // turn.x
   const S t4 = q4 * q3;
+  const S q6 = q[6];  // turn.w
   const S t5 = q5 * q6;
   const S t6 = t4 - t5;
   W[1] = t6 + t6;
@@ -503,27 +500,27 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[9] = t23 + t23;
   const S t25 = t0 + t14;
   W[10] = S(1.0) - (t25 + t25);
+  const S q0 = q[0];  // x
   W[3] = q0;
+  const S q1 = q[1];  // y
   W[7] = q1;
+  const S q2 = q[2];  // z
   W[11] = q2;
 }
 
 // frame_poses: 15 multiplications, 27 additions (reduced formulation).
 template <class S>
 void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
-  const S q0 = q[0];  // x
-  const S q1 = q[1];  // y
-  const S q2 = q[2];  // z
-  const S q3 = q[3];  // turn.x
   const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
-  const S q6 = q[6];  // turn.w
   const S t0 = q4 * q4;
+  const S q5 = q[5];  // turn.z
   const S t1 = q5 * q5;
   const S t2 = t0 + t1;
   const S t3 = S(1.0) - (t2 + t2);
   F[0] = t3;
+  const S q3 = q[3];  // turn.x
   const S t4 = q4 * q3;
+  const S q6 = q[6];  // turn.w
   const S t5 = q5 * q6;
   const S t6 = t4 - t5;
   F[1] = t6 + t6;
@@ -531,6 +528,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t9 = q5 * q3;
   const S t10 = t8 + t9;
   F[2] = t10 + t10;
+  const S q0 = q[0];  // x
   F[3] = q0 + (S(0.4) * t3 + S(0.2) * t10);
   const S t13 = t5 + t4;
   F[4] = t13 + t13;
@@ -541,6 +539,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t19 = q6 * q3;
   const S t20 = t18 - t19;
   F[6] = t20 + t20;
+  const S q1 = q[1];  // y
   F[7] = q1 - (S(-0.2) * t20 - S(0.8) * t13);
   const S t23 = t9 - t8;
   F[8] = t23 + t23;
@@ -549,6 +548,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t27 = t0 + t15;
   const S t28 = S(1.0) - (t27 + t27);
   F[10] = t28;
+  const S q2 = q[2];  // z
   F[11] = q2 - (S(-0.8) * t23 - S(0.1) * t28);
 }
 
@@ -556,10 +556,10 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
   const S q3 = q[3];  // turn.x
-  const S q4 = q[4];  // turn.y
-  const S q5 = q[5];  // turn.z
   const S q6 = q[6];  // turn.w
   const S t0 = q3 * q6;
+  const S q4 = q[4];  // turn.y
+  const S q5 = q[5];  // turn.z
   const S t1 = q4 * q5;
   const S t2 = t0 - t1;
   const S t3 = t0 + t1;

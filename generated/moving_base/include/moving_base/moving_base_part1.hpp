@@ -24,15 +24,11 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
+  const S q1 = q[1];  // q2
   const S t1 = q1 + S(0.09495170634275626);
+  const S q0 = q[0];  // q1
   const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -44,11 +40,14 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t7 = cosine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qdd0 = qdd[0];  // dd(q1)
   const S t10 = S(0.2) * time + S(0.4);
   const S t11 = t10 * t3;
+  const S qd0 = qd[0];  // d(q1)
   const S t12 = S(0.2) * t2 - t11 * qd0;
   const S t13 = t2 * t10;
   const S t14 = t13 * t8 - t9 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S t15 = qd1 - (t11 - qd1);
   const S t16 = qdd0 * t8 + t9 * t12 + t14 * t15;
   const S t17 = t8 * qd0 + t13 * t9;
@@ -64,6 +63,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = t24 - (S(0.1956) * t23 - (S(0.19935999999999998) * qdd0 - (S(0.0020799999999999924) * (t25 - t13 * t13) + S(8.000000000000003e-05) * t3)) - (S(0.45799999999999996) * t22 + S(0.007999999999999981) * t26));
   const S t28 = t13 * qd0;
   const S t29 = t28 + S(0.2) * t3;
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t30 = S(0.10547511554864493) * (t9 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t8 * (S(0.5) * (t28 + t29) - t19 * t5));
   tau[1] = S(0.0012006741573033712) * (t14 * t14 - t17 * t17) + S(0.03325) * (qdd1 - t29) - t14 * (S(0.031564157303370796) * t17) - t30;
 }
@@ -88,13 +88,11 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S time = in.t;  // t
   const S t0 = q1 + S(0.09495170634275626);
+  const S time = in.t;  // t
   const S t1 = time * (S(0.1) * time + S(0.4));
+  const S q0 = q[0];  // q1
   const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -116,8 +114,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t17 = t2 * t15;
   const S t18 = t16 * t17;
   const S t19 = t16 * t16;
+  const S qd0 = qd[0];  // d(q1)
   const S t20 = S(0.2) * t2 - qd0 * t16;
   const S t21 = t5 * qd0 + t4 * t17;
+  const S qd1 = qd[1];  // d(q2)
   const S t22 = qd1 - (t16 - qd1);
   const S t23 = t5 * t20 - t21 * t22;
   const S t24 = t5 * t17 - t4 * qd0;
@@ -135,13 +135,11 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S time = in.t;  // t
   const S t0 = q1 + S(0.09495170634275626);
+  const S time = in.t;  // t
   const S t1 = time * (S(0.1) * time + S(0.4));
+  const S q0 = q[0];  // q1
   const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -164,8 +162,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t18 = t2 * t16;
   const S t19 = t17 * t18;
   const S t20 = t17 * t17;
+  const S qd0 = qd[0];  // d(q1)
   const S t21 = S(0.2) * t2 - qd0 * t17;
   const S t22 = t4 * qd0 + t5 * t18;
+  const S qd1 = qd[1];  // d(q2)
   const S t23 = qd1 - (t17 - qd1);
   const S t24 = t4 * t21 - t22 * t23;
   const S t25 = t4 * t18 - t5 * qd0;
@@ -185,8 +185,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
 }
 
@@ -195,13 +195,11 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
   const S t1 = S(6.8) * time;
+  const S q0 = q[0];  // q1
+  const S q1 = q[1];  // q2
   const S angle[] = {q0, q1, S(3.4) * time, t0, t1};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
@@ -224,11 +222,13 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t18 = t2 * t16 - t3 * t17;
   const S t19 = t4 * t15 + t5 * t18;
   const S t20 = t2 * t17 + t16 * t3;
+  const S qd0 = qd[0];  // d(q1)
   const S t21 = t20 - S(0.5) * qd0;
   const S t22 = t15 * t5 - t4 * t18;
   const S t23 = t13 * t3;
   const S t24 = t5 * qd0 + t4 * t23;
   const S t25 = t5 * t23 - t4 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S t26 = t14 - qd1;
   const S t27 = t14 * (S(0.00208) * t23 - (S(0.07308) * t14 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t14 - S(0.07416) * qd0) + t23 * (S(0.00208) * t14 - S(0.00228) * t23);
   const S t28 = qd0 * (S(0.008) * t18 + S(0.208) * t20);
@@ -244,10 +244,10 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
+  const S q0 = q[0];  // q1
+  const S q1 = q[1];  // q2
   const S angle[] = {q0, q1, t0, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);

@@ -25,8 +25,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using ::std::sin;
   const S q0 = q[0];  // q
-  const S qdd0 = qdd[0];  // dd(q)
   const S t0 = sin(q0);
+  const S qdd0 = qdd[0];  // dd(q)
   tau[0] = S(0.30582) * qdd0 + S(5.35626) * t0;
 }
 
@@ -70,8 +70,8 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
             [[maybe_unused]] S* e) {
   using ::std::cos;
   const S q0 = q[0];  // q
-  const S qd0 = qd[0];  // d(q)
   const S t0 = cos(q0);
+  const S qd0 = qd[0];  // d(q)
   e[0] = S(0.15291) * (qd0 * qd0);
   e[1] = S(-5.35626) * t0;
 }

@@ -24,18 +24,6 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S qdd2 = qdd[2];  // dd(q3)
-  const S qdd3 = qdd[3];  // dd(q4)
-  const S qdd4 = qdd[4];  // dd(q5)
-  const S qdd5 = qdd[5];  // dd(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = sine[0];
@@ -48,7 +36,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t7 = cosine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd2 = qd[2];  // d(q3)
+  const S qd1 = qd[1];  // d(q2)
   const S t10 = qd2 + qd1;
+  const S qd0 = qd[0];  // d(q1)
   const S t11 = qd0 * t1;
   const S t12 = t0 * qd0;
   const S t13 = t11 * t3 + t2 * t12;
@@ -63,18 +55,25 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t22 = t14 + t21;
   const S t23 = t10 * t4 - t13 * t5;
   const S t24 = t2 * t11 - t3 * t12;
+  const S qd3 = qd[3];  // d(q4)
   const S t25 = qd3 + t24;
+  const S qdd2 = qdd[2];  // dd(q3)
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t26 = qdd2 + qdd1;
   const S t27 = t3 * t20 - t2 * t17 - qd2 * t24;
   const S t28 = t23 * qd3 - (t5 * t26 - t4 * t27);
+  const S qdd4 = qdd[4];  // dd(q5)
   const S t29 = t28 - qdd4;
   const S t30 = t23 * t6 + t25 * t7;
+  const S qd4 = qd[4];  // d(q5)
   const S t31 = t10 * t5 + t13 * t4;
   const S t32 = qd3 * t31 + (t4 * t26 + t5 * t27);
+  const S qdd3 = qdd[3];  // dd(q4)
   const S t33 = t21 - qdd3;
   const S t34 = t30 * qd4 - (t7 * t32 + t6 * t33);
   const S t35 = t25 * t6 - t23 * t7;
   const S t36 = qd4 + t31;
+  const S qd5 = qd[5];  // d(q6)
   const S t37 = qd5 + (t30 + qd5);
   const S t38 = t29 * t8 - (t9 * t34 + (t35 * t8 - t9 * t36) * t37);
   const S t39 = t8 * t34 + (t29 * t9 - t37 * (t35 * t9 + t8 * t36));
@@ -106,6 +105,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[4] = t64;
   const S t65 = S(0.0006499999999999839) * (t23 * t25 + t28) - t64;
   const S t66 = t35 * qd4 + (t7 * t33 - t6 * t32);
+  const S qdd5 = qdd[5];  // dd(q6)
   const S t67 = S(-3.9999999999999996e-05) * (t66 - qdd5);
   tau[5] = t67;
   const S t68 = S(0.00020000000000000004) * (t35 * t36 + t66) - t67;
@@ -246,12 +246,6 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = cosine[0];
@@ -264,8 +258,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t7 = sine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qd0 = qd[0];  // d(q1)
   const S t10 = qd0 * qd0;
   const S t11 = t0 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S t12 = t11 * qd1;
   const S t13 = qd0 * t1;
   const S t14 = t13 * qd1;
@@ -279,11 +275,14 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t22 = S(9.81) * t1 + S(0.4318) * (t16 + t17);
   const S t23 = S(0.0203) * t21 + (t3 * t18 - t2 * t22);
   const S t24 = t19 * t19;
+  const S qd2 = qd[2];  // d(q3)
   const S t25 = qd1 + qd2;
   const S t26 = t25 * t25;
   const S t27 = t23 - S(0.4331) * (t24 + t26);
   const S t28 = t25 * t4 + t19 * t5;
+  const S qd4 = qd[4];  // d(q5)
   const S t29 = qd4 + t28;
+  const S qd3 = qd[3];  // d(q4)
   const S t30 = t20 + qd3;
   const S t31 = t25 * t5 - t19 * t4;
   const S t32 = t7 * t30 - t6 * t31;
@@ -314,6 +313,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t57 = S(-3.9999999999999996e-05) * t56;
   c[5] = t57;
   const S t58 = S(0.00020000000000000004) * (t29 * t32 + t56) - t57;
+  const S qd5 = qd[5];  // d(q6)
   const S t59 = qd5 + (t36 + qd5);
   const S t60 = t46 * t8 + (t35 * t9 - (t32 * t9 + t29 * t8) * t59);
   const S t61 = t35 * t8 - (t46 * t9 + t59 * (t32 * t8 - t29 * t9));
@@ -343,12 +343,6 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = sine[0];
@@ -440,13 +434,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[17] = t60;
   M[31] = t60;
   M[32] = t60;
+  const S qd1 = qd[1];  // d(q2)
   const S t61 = qd1 * qd1;
+  const S qd0 = qd[0];  // d(q1)
   const S t62 = t1 * qd0;
   const S t63 = t62 * t62;
   const S t64 = S(9.81) * t0 + S(0.4318) * (t61 + t63);
   const S t65 = t0 * qd0;
   const S t66 = t65 * t62;
   const S t67 = S(0.4318) * t66 - S(9.81) * t1;
+  const S qd2 = qd[2];  // d(q3)
   const S t68 = qd1 + qd2;
   const S t69 = t68 * t68;
   const S t70 = t3 * t62 - t2 * t65;
@@ -455,10 +452,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t73 = t2 * t62 + t3 * t65;
   const S t74 = t70 * t73;
   const S t75 = t72 - S(0.4331) * t74;
+  const S qd3 = qd[3];  // d(q4)
   const S t76 = t70 + qd3;
   const S t77 = t5 * t73 - t4 * t68;
   const S t78 = t6 * t76 + t7 * t77;
   const S t79 = t5 * t68 + t4 * t73;
+  const S qd4 = qd[4];  // d(q5)
   const S t80 = qd4 + t79;
   const S t81 = t78 * t78 + t80 * t80;
   const S t82 = t70 * t68;
@@ -489,6 +488,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t106 = S(0.1501) * t104 + S(0.8636) * t105;
   const S t107 = S(0.0406) * t88 - t106;
   const S t108 = S(0.8662) * t82 + t107;
+  const S qd5 = qd[5];  // d(q6)
   const S t109 = qd5 + (t84 + qd5);
   const S t110 = t109 * (t78 * t9 + t80 * t8) + t83 * t9 - t90 * t8;
   const S t111 = t83 * t8 + (t90 * t9 - t109 * (t80 * t9 - t78 * t8));
@@ -523,16 +523,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(q3)
   qdot[2] = qd2;
+  const S qd3 = qd[3];  // d(q4)
   qdot[3] = qd3;
+  const S qd4 = qd[4];  // d(q5)
   qdot[4] = qd4;
+  const S qd5 = qd[5];  // d(q6)
   qdot[5] = qd5;
 }
 
@@ -541,12 +541,6 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
   const S t0 = cosine[0];
@@ -559,7 +553,10 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t7 = cosine[3];
   const S t8 = cosine[4];
   const S t9 = sine[4];
+  const S qd2 = qd[2];  // d(q3)
+  const S qd1 = qd[1];  // d(q2)
   const S t10 = qd2 + qd1;
+  const S qd0 = qd[0];  // d(q1)
   const S t11 = qd0 * t0;
   const S t12 = t11 * t3;
   const S t13 = qd0 * t1;
@@ -579,13 +576,16 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t27 = t10 * t4 + t5 * t14;
   const S t28 = t26 + S(0.4331) * t27;
   const S t29 = t6 * t25 - t28 * t7;
+  const S qd3 = qd[3];  // d(q4)
   const S t30 = t17 + qd3;
   const S t31 = t6 * t30 - t15 * t7;
+  const S qd4 = qd[4];  // d(q5)
   const S t32 = t27 + qd4;
   const S t33 = t31 * t8 - t32 * t9;
   const S t34 = t31 * t9 + t32 * t8;
   const S t35 = t6 * t28 + t25 * t7;
   const S t36 = t15 * t6 + t7 * t30;
+  const S qd5 = qd[5];  // d(q6)
   const S t37 = t36 + qd5;
   const S t38 = qd1 * (S(0.620084) * qd1 + (S(0.269178) * t13 + S(0.023751) * t11));
   const S t39 = t10 * (S(0.08952) * t10 + S(0.0266784) * t17) + (S(0.119780928) * (t14 * t14) + t17 * (S(0.042760928) * t17 + S(0.0266784) * t10));

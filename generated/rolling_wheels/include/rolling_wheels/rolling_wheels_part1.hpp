@@ -25,15 +25,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S f0 = in.wrenches[0];  // wrench(wheel).fx
-  const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t0 = S(4.0) * q0;
+  const S q1 = q[1];  // q2
   const S t1 = S(3.0833333333333335) * q1 + S(0.982793723247329);
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
@@ -46,17 +39,23 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t7 = sine[2];
   const S t8 = cosine[3];
   const S t9 = sine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t10 = qd0 * qd0;
+  const S qdd0 = qdd[0];  // dd(q1)
   const S t11 = t2 * t10 + qdd0 * t3;
   const S t12 = qdd0 * t2 - t10 * t3 + S(9.81);
   const S t13 = t7 * t11 + t6 * t12;
+  const S qd1 = qd[1];  // d(q2)
   const S t14 = S(5.92) * t10 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t15 = S(1.48) * qdd0 + S(0.37) * qdd1;
   const S t16 = t13 - t4 * t14 + t5 * t15;
   const S t17 = S(3.0833333333333335) * qdd1 + S(4.0) * qdd0;
   const S t18 = S(3.0833333333333335) * qd1 + S(4.0) * qd0;
   const S t19 = t18 * t18;
   const S t20 = S(0.21) * t16 + S(0.0015143315356948757) * (t8 * t17 - t19 * t9);
+  const S f0 = in.wrenches[0];  // wrench(wheel).fx
+  const S f1 = in.wrenches[1];  // wrench(wheel).fy
   const S t21 = f0 * t7 - t6 * f1;
   const S t22 = t20 + (t21 + (S(0.312) * t10 + S(0.12) * qdd0));
   const S t23 = t7 * t12 - t6 * t11;
@@ -64,6 +63,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t25 = S(0.21) * t24 - S(0.0015143315356948757) * (t19 * t8 + t17 * t9);
   const S t26 = f0 * t6 + f1 * t7;
   const S t27 = t25 - (t26 + (S(0.48) * t10 - S(0.078) * qdd0));
+  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t28 = S(0.37) * (t4 * t25 - t5 * t20);
   const S t29 = S(0.0015109200000000002) * t17 - S(0.0015143315356948757) * (t24 * t9 - t8 * t16);
   const S t30 = S(4.0) * (f5 + (S(0.013) * t26 - S(0.02) * t21) - (S(0.267414) * qdd0 + (S(0.03) * t13 + S(0.0195) * t23)) + (t28 - t29));
@@ -75,9 +75,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
   const S t0 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S q0 = q[0];  // q1
   const S t1 = S(4.0) * q0;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
@@ -110,13 +110,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S f0 = in.wrenches[0];  // wrench(wheel).fx
-  const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t0 = S(4.0) * q0;
+  const S q1 = q[1];  // q2
   const S t1 = S(3.0833333333333335) * q1 + S(0.982793723247329);
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
@@ -129,9 +124,13 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t7 = sine[2];
   const S t8 = cosine[3];
   const S t9 = sine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t10 = qd0 * qd0;
   const S t11 = t3 * t10;
+  const S f0 = in.wrenches[0];  // wrench(wheel).fx
+  const S f1 = in.wrenches[1];  // wrench(wheel).fy
   const S t12 = t6 * f0 + f1 * t7;
+  const S qd1 = qd[1];  // d(q2)
   const S t13 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
   const S t14 = S(0.0015143315356948757) * (t13 * t13);
   const S t15 = S(9.81) - t2 * t10;
@@ -145,6 +144,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t23 = t17 * t5 - t22;
   const S t24 = t14 * t9 + S(0.21) * t23;
   const S t25 = S(0.312) * t10 - t21 - t24;
+  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t26 = S(0.37) * (t4 * t24 - t19 * t5);
   const S t27 = t8 * t23 - t18 * t9;
   const S t28 = S(4.0) * (f5 + (S(0.013) * t12 + S(0.02) * t21) + (S(0.0195) * t16 - S(0.03) * t22) + (t26 + S(0.0015143315356948757) * t27));
@@ -157,14 +157,9 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S f0 = in.wrenches[0];  // wrench(wheel).fx
-  const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t0 = S(3.0833333333333335) * q1 + S(0.982793723247329);
+  const S q0 = q[0];  // q1
   const S t1 = S(4.0) * q0;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
@@ -189,8 +184,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[1] = t18;
   M[2] = t18;
   M[3] = S(2.2816666666666667) * t16 + S(0.0431132325);
+  const S qd0 = qd[0];  // d(q1)
   const S t20 = qd0 * qd0;
   const S t21 = S(9.81) - t2 * t20;
+  const S qd1 = qd[1];  // d(q2)
   const S t22 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
   const S t23 = t22 * t22;
   const S t24 = t3 * t20;
@@ -198,6 +195,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t26 = S(5.92) * t20 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
   const S t27 = t25 + t4 * t26;
   const S t28 = t10 * t23 + S(0.21) * t27;
+  const S f0 = in.wrenches[0];  // wrench(wheel).fx
+  const S f1 = in.wrenches[1];  // wrench(wheel).fy
   const S t29 = t9 * f0 + t8 * f1;
   const S t30 = t28 + (t29 + S(0.48) * t20);
   const S t31 = t8 * t24 + t9 * t21;
@@ -205,6 +204,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t33 = t12 * t23 - S(0.21) * t32;
   const S t34 = t9 * f1 - t8 * f0;
   const S t35 = t33 + (t34 - S(0.312) * t20);
+  const S f5 = in.wrenches[5];  // wrench(wheel).tz
   const S t36 = t6 * t32 + t7 * t27;
   const S t37 = S(0.37) * (t4 * t33 - t5 * t28);
   const S t38 = S(4.0) * (f5 + (S(0.013) * t29 + S(0.02) * t34) + (S(0.0195) * t25 - S(0.03) * t31) - (S(0.0015143315356948757) * t36 - t37));
@@ -216,8 +216,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
 }
 
@@ -227,10 +227,8 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   const S t0 = S(4.0) * q0;
+  const S q1 = q[1];  // q2
   const S t1 = S(3.0833333333333335) * q1;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];
@@ -243,9 +241,11 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t7 = sine[2];
   const S t8 = sine[3];
   const S t9 = cosine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t10 = qd0 * t2;
   const S t11 = qd0 * t3;
   const S t12 = t6 * t10 + t7 * t11;
+  const S qd1 = qd[1];  // d(q2)
   const S t13 = S(0.37) * qd1 + S(1.48) * qd0;
   const S t14 = t12 + t4 * t13;
   const S t15 = t10 * t7 - t6 * t11;
@@ -264,8 +264,8 @@ template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
-  const S q1 = q[1];  // q2
   const S t0 = S(4.0) * q0;
+  const S q1 = q[1];  // q2
   const S t1 = S(3.0833333333333335) * q1;
   const S angle[] = {q0, q1, t0, t1};
   S sine[4], cosine[4];

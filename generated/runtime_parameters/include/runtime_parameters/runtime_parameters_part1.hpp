@@ -26,25 +26,25 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S p0 = in.parameters[0];  // g
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S p2 = in.parameters[2];  // l
+  const S p1 = in.parameters[1];  // m
   const S t2 = p2 * p1;
+  const S qd1 = qd[1];  // d(q2)
+  const S qd0 = qd[0];  // d(q1)
   const S t3 = t0 * qd0;
   const S t4 = t0 * qdd0;
+  const S p0 = in.parameters[0];  // g
   const S t5 = qd0 * t1;
   const S t6 = t3 * t5;
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t7 = qdd0 * t1;
   const S t8 = S(0.3) * t7 + t0 * p0;
   const S t9 = t0 * (t2 * (qd1 * qd1 + t3 * t3) - p1 * (S(0.3) * t4 - p0 * t1)) - t1 * (t2 * (qdd1 - t6) + p1 * t8);
   const S t10 = qd1 * t5;
+  const S p3 = in.parameters[3];  // I
   const S t11 = p3 + p2 * t2;
   const S t12 = S(0.025) * p3;
   const S t13 = t11 - t12;
@@ -59,12 +59,12 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
   const S t2 = p1 * p2;
+  const S p3 = in.parameters[3];  // I
   const S t3 = p3 + p2 * t2;
   M[3] = t3;
   M[0] = t0 * (t0 * t3) + p3 * (t1 * (S(0.025) * t1)) + S(0.09) * p1 + S(0.01376);
@@ -80,21 +80,21 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S p0 = in.parameters[0];  // g
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
+  const S p2 = in.parameters[2];  // l
+  const S p1 = in.parameters[1];  // m
   const S t2 = p2 * p1;
+  const S qd0 = qd[0];  // d(q1)
   const S t3 = qd0 * t1;
+  const S p3 = in.parameters[3];  // I
   const S t4 = p3 + p2 * t2;
   const S t5 = S(0.025) * p3;
   const S t6 = t4 - t5;
+  const S qd1 = qd[1];  // d(q2)
   const S t7 = t0 * qd0;
   const S t8 = t3 * t7;
+  const S p0 = in.parameters[0];  // g
   const S t9 = t0 * p0;
   const S t10 = S(0.3) * (t1 * (t2 * t8 - p1 * t9) + t0 * (t2 * (qd1 * qd1 + t7 * t7) + p1 * (t1 * p0)));
   c[0] = t0 * (t2 * (qd0 * (S(0.3) * qd0)) + qd1 * (t3 * (t4 + t6))) - qd1 * (t1 * (t5 * t7)) - t10;
@@ -108,15 +108,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S p0 = in.parameters[0];  // g
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S p3 = in.parameters[3];  // I
   const S t0 = sin(q1);
   const S t1 = cos(q1);
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
   const S t2 = p1 * p2;
+  const S p3 = in.parameters[3];  // I
   const S t3 = p3 + p2 * t2;
   M[3] = t3;
   const S t4 = S(0.025) * p3;
@@ -126,10 +123,13 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t8 = t1 * t7;
   M[1] = t8;
   M[2] = t8;
+  const S qd0 = qd[0];  // d(q1)
   const S t9 = t1 * qd0;
   const S t10 = t3 - t4;
+  const S qd1 = qd[1];  // d(q2)
   const S t11 = t0 * qd0;
   const S t12 = t9 * t11;
+  const S p0 = in.parameters[0];  // g
   const S t13 = t0 * p0;
   const S t14 = S(0.3) * (t1 * (t2 * t12 - p1 * t13) + t0 * (t2 * (qd1 * qd1 + t11 * t11) + p1 * (t1 * p0)));
   c[0] = t0 * (qd0 * (t7 * qd0) + qd1 * (t9 * (t3 + t10))) - qd1 * (t5 * t11) - t14;
@@ -140,8 +140,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
 }
 
@@ -152,20 +152,20 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S p0 = in.parameters[0];  // g
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S p3 = in.parameters[3];  // I
   const S t0 = cos(q1);
   const S t1 = sin(q1);
+  const S qd0 = qd[0];  // d(q1)
   const S t2 = qd0 * t0;
+  const S p3 = in.parameters[3];  // I
+  const S p1 = in.parameters[1];  // m
+  const S p2 = in.parameters[2];  // l
   const S t3 = p1 * p2;
   const S t4 = qd0 * t1;
+  const S qd1 = qd[1];  // d(q2)
   const S t5 = qd0 * qd0;
   const S t6 = S(0.00688) * t5 + p1 * (S(0.045) * t5 + t2 * (p2 * (S(0.3) * qd1)));
   e[0] = S(0.5) * (t2 * (t2 * (S(0.025) * p3)) + (p3 + p2 * t3) * (t4 * t4 + qd1 * qd1)) + t6;
+  const S p0 = in.parameters[0];  // g
   e[1] = -(t0 * (t3 * p0));
 }
 

@@ -23,32 +23,26 @@ namespace alembert::mechanisms::spherical_pendulum {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
-  const S q0 = q[0];  // turn.x
-  const S q1 = q[1];  // turn.y
-  const S q2 = q[2];  // turn.z
-  const S q3 = q[3];  // turn.w
-  const S qd0 = qd[0];  // d(turn).x
-  const S qd1 = qd[1];  // d(turn).y
   const S qd2 = qd[2];  // d(turn).z
-  const S qdd0 = qdd[0];  // dd(turn).x
-  const S qdd1 = qdd[1];  // dd(turn).y
-  const S qdd2 = qdd[2];  // dd(turn).z
-  const S f0 = in.wrenches[0];  // wrench(bob).fx
-  const S f1 = in.wrenches[1];  // wrench(bob).fy
-  const S f2 = in.wrenches[2];  // wrench(bob).fz
-  const S f3 = in.wrenches[3];  // wrench(bob).tx
-  const S f4 = in.wrenches[4];  // wrench(bob).ty
-  const S f5 = in.wrenches[5];  // wrench(bob).tz
+  const S qd1 = qd[1];  // d(turn).y
   const S t0 = qd2 * qd1;
+  const S qdd0 = qdd[0];  // dd(turn).x
   const S t1 = qdd0 + t0;
   const S t2 = qd2 * qd2;
   const S t3 = qd1 * qd1;
+  const S qd0 = qd[0];  // d(turn).x
   const S t4 = qd1 * qd0;
+  const S qdd2 = qdd[2];  // dd(turn).z
   const S t5 = qdd2 + t4;
   const S t6 = qd2 * qd0;
+  const S qdd1 = qdd[1];  // dd(turn).y
   const S t7 = qdd1 - t6;
   const S t8 = qdd0 - t0;
+  const S q0 = q[0];  // turn.x
+  const S q3 = q[3];  // turn.w
   const S t9 = q0 * q3;
+  const S q1 = q[1];  // turn.y
+  const S q2 = q[2];  // turn.z
   const S t10 = q1 * q2;
   const S t11 = t9 + t10;
   const S t12 = q1 * q1;
@@ -58,18 +52,24 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t16 = q3 * q1;
   const S t17 = q0 * q2;
   const S t18 = t16 - t17;
+  const S f5 = in.wrenches[5];  // wrench(bob).tz
   const S t19 = f5 * t18;
   const S t20 = q3 * q2;
   const S t21 = q0 * q1;
   const S t22 = t20 + t21;
+  const S f4 = in.wrenches[4];  // wrench(bob).ty
   const S t23 = f4 * t22;
   const S t24 = q2 * q2;
   const S t25 = t12 + t24;
   const S t26 = S(1.0) - (t25 + t25);
+  const S f3 = in.wrenches[3];  // wrench(bob).tx
   const S t27 = t9 - t10;
+  const S f1 = in.wrenches[1];  // wrench(bob).fy
   const S t28 = f1 * t27;
   const S t29 = t16 + t17;
+  const S f0 = in.wrenches[0];  // wrench(bob).fx
   const S t30 = f0 * t29;
+  const S f2 = in.wrenches[2];  // wrench(bob).fz
   const S t31 = t28 + t28 - (t30 + t30) - t15 * f2;
   const S t32 = t20 - t21;
   const S t33 = f0 * t32;
@@ -113,40 +113,37 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
-  const S q0 = q[0];  // turn.x
   const S q1 = q[1];  // turn.y
-  const S q2 = q[2];  // turn.z
   const S q3 = q[3];  // turn.w
-  const S qd0 = qd[0];  // d(turn).x
-  const S qd1 = qd[1];  // d(turn).y
-  const S qd2 = qd[2];  // d(turn).z
-  const S f0 = in.wrenches[0];  // wrench(bob).fx
-  const S f1 = in.wrenches[1];  // wrench(bob).fy
-  const S f2 = in.wrenches[2];  // wrench(bob).fz
-  const S f3 = in.wrenches[3];  // wrench(bob).tx
-  const S f4 = in.wrenches[4];  // wrench(bob).ty
-  const S f5 = in.wrenches[5];  // wrench(bob).tz
   const S t0 = q1 * q3;
+  const S q0 = q[0];  // turn.x
+  const S q2 = q[2];  // turn.z
   const S t1 = q0 * q2;
   const S t2 = t0 - t1;
+  const S f5 = in.wrenches[5];  // wrench(bob).tz
   const S t3 = f5 * t2;
   const S t4 = q3 * q2;
   const S t5 = q1 * q0;
   const S t6 = t4 + t5;
+  const S f4 = in.wrenches[4];  // wrench(bob).ty
   const S t7 = f4 * t6;
   const S t8 = q1 * q1;
   const S t9 = q2 * q2;
   const S t10 = t8 + t9;
   const S t11 = S(1.0) - (t10 + t10);
+  const S f3 = in.wrenches[3];  // wrench(bob).tx
   const S t12 = q3 * q0;
   const S t13 = q1 * q2;
   const S t14 = t12 - t13;
+  const S f1 = in.wrenches[1];  // wrench(bob).fy
   const S t15 = f1 * t14;
   const S t16 = t0 + t1;
+  const S f0 = in.wrenches[0];  // wrench(bob).fx
   const S t17 = f0 * t16;
   const S t18 = q0 * q0;
   const S t19 = t8 + t18;
   const S t20 = S(1.0) - (t19 + t19);
+  const S f2 = in.wrenches[2];  // wrench(bob).fz
   const S t21 = t15 + t15 - (t17 + t17) - f2 * t20;
   const S t22 = t4 - t5;
   const S t23 = f0 * t22;
@@ -155,9 +152,12 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t26 = t12 + t13;
   const S t27 = f2 * t26;
   const S t28 = t23 + t23 - f1 * t25 - (t27 + t27);
+  const S qd2 = qd[2];  // d(turn).z
+  const S qd1 = qd[1];  // d(turn).y
   const S t29 = qd2 * qd1;
   const S t30 = qd2 * qd2;
   const S t31 = qd1 * qd1;
+  const S qd0 = qd[0];  // d(turn).x
   const S t32 = qd2 * qd0;
   const S t33 = qd1 * qd0;
   const S t34 = S(0.3601131) * t29 - (S(0.010807) * (t30 - t31) - (S(0.0010268) * t32 - S(0.006304) * t33)) - (S(11.12454) * t26 - S(0.185409) * t20);
@@ -180,40 +180,37 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
-  const S q0 = q[0];  // turn.x
   const S q1 = q[1];  // turn.y
-  const S q2 = q[2];  // turn.z
   const S q3 = q[3];  // turn.w
-  const S qd0 = qd[0];  // d(turn).x
-  const S qd1 = qd[1];  // d(turn).y
-  const S qd2 = qd[2];  // d(turn).z
-  const S f0 = in.wrenches[0];  // wrench(bob).fx
-  const S f1 = in.wrenches[1];  // wrench(bob).fy
-  const S f2 = in.wrenches[2];  // wrench(bob).fz
-  const S f3 = in.wrenches[3];  // wrench(bob).tx
-  const S f4 = in.wrenches[4];  // wrench(bob).ty
-  const S f5 = in.wrenches[5];  // wrench(bob).tz
   const S t0 = q1 * q3;
+  const S q0 = q[0];  // turn.x
+  const S q2 = q[2];  // turn.z
   const S t1 = q0 * q2;
   const S t2 = t0 - t1;
+  const S f5 = in.wrenches[5];  // wrench(bob).tz
   const S t3 = f5 * t2;
   const S t4 = q3 * q2;
   const S t5 = q1 * q0;
   const S t6 = t4 + t5;
+  const S f4 = in.wrenches[4];  // wrench(bob).ty
   const S t7 = f4 * t6;
   const S t8 = q1 * q1;
   const S t9 = q2 * q2;
   const S t10 = t8 + t9;
   const S t11 = S(1.0) - (t10 + t10);
+  const S f3 = in.wrenches[3];  // wrench(bob).tx
   const S t12 = q3 * q0;
   const S t13 = q1 * q2;
   const S t14 = t12 - t13;
+  const S f1 = in.wrenches[1];  // wrench(bob).fy
   const S t15 = f1 * t14;
   const S t16 = t0 + t1;
+  const S f0 = in.wrenches[0];  // wrench(bob).fx
   const S t17 = f0 * t16;
   const S t18 = q0 * q0;
   const S t19 = t8 + t18;
   const S t20 = S(1.0) - (t19 + t19);
+  const S f2 = in.wrenches[2];  // wrench(bob).fz
   const S t21 = t15 + t15 - (t17 + t17) - f2 * t20;
   const S t22 = t4 - t5;
   const S t23 = f0 * t22;
@@ -222,9 +219,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t26 = t12 + t13;
   const S t27 = f2 * t26;
   const S t28 = t23 + t23 - f1 * t25 - (t27 + t27);
+  const S qd2 = qd[2];  // d(turn).z
+  const S qd1 = qd[1];  // d(turn).y
   const S t29 = qd2 * qd1;
   const S t30 = qd2 * qd2;
   const S t31 = qd1 * qd1;
+  const S qd0 = qd[0];  // d(turn).x
   const S t32 = qd2 * qd0;
   const S t33 = qd1 * qd0;
   const S t34 = S(0.3601131) * t29 - (S(0.010807) * (t30 - t31) - (S(0.0010268) * t32 - S(0.006304) * t33)) - (S(11.12454) * t26 - S(0.185409) * t20);
@@ -255,14 +255,14 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 // coordinate_rates: 16 multiplications, 8 additions (reduced formulation).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
-  const S q0 = q[0];  // turn.x
   const S q1 = q[1];  // turn.y
+  const S qd2 = qd[2];  // d(turn).z
+  const S qd1 = qd[1];  // d(turn).y
   const S q2 = q[2];  // turn.z
   const S q3 = q[3];  // turn.w
   const S qd0 = qd[0];  // d(turn).x
-  const S qd1 = qd[1];  // d(turn).y
-  const S qd2 = qd[2];  // d(turn).z
   qdot[0] = S(0.5) * (q1 * qd2 - (qd1 * q2 - q3 * qd0));
+  const S q0 = q[0];  // turn.x
   qdot[1] = S(0.5) * (q2 * qd0 - (qd2 * q0 - qd1 * q3));
   qdot[2] = S(-0.5) * (qd0 * q1 - (q3 * qd2 + qd1 * q0));
   qdot[3] = S(-0.5) * (qd1 * q1 + (q2 * qd2 + qd0 * q0));
@@ -272,31 +272,31 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
-  const S q0 = q[0];  // turn.x
-  const S q1 = q[1];  // turn.y
-  const S q2 = q[2];  // turn.z
-  const S q3 = q[3];  // turn.w
+  const S qd2 = qd[2];  // d(turn).z
   const S qd0 = qd[0];  // d(turn).x
   const S qd1 = qd[1];  // d(turn).y
-  const S qd2 = qd[2];  // d(turn).z
   const S t0 = qd2 * (S(0.0099265) * qd2 - (S(0.010807) * qd1 - S(0.006304) * qd0));
   e[0] = S(-0.5) * (qd1 * (S(0.010807) * qd2 - (S(0.0010268) * qd0 + S(0.3700396) * qd1)) - qd0 * (S(0.006304) * qd2 + (S(0.3689069) * qd0 + S(0.0010268) * qd1)) - t0);
+  const S q1 = q[1];  // turn.y
+  const S q0 = q[0];  // turn.x
   const S t2 = q1 * q1 + q0 * q0;
+  const S q3 = q[3];  // turn.w
+  const S q2 = q[2];  // turn.z
   e[1] = S(-8.829) * (S(0.63) * (S(1.0) - (t2 + t2)) + (S(0.042) * (q0 * q3 + q1 * q2) + S(0.024) * (q1 * q3 - q0 * q2)));
 }
 
 // body_poses: 9 multiplications, 21 additions (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
-  const S q0 = q[0];  // turn.x
   const S q1 = q[1];  // turn.y
-  const S q2 = q[2];  // turn.z
-  const S q3 = q[3];  // turn.w
   const S t0 = q1 * q1;
+  const S q2 = q[2];  // turn.z
   const S t1 = q2 * q2;
   const S t2 = t0 + t1;
   W[0] = S(1.0) - (t2 + t2);
+  const S q0 = q[0];  // turn.x
   const S t4 = q1 * q0;
+  const S q3 = q[3];  // turn.w
   const S t5 = q2 * q3;
   const S t6 = t4 - t5;
   W[1] = t6 + t6;

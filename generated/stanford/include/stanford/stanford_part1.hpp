@@ -25,22 +25,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S qdd1 = qdd[1];  // dd(q2)
-  const S qdd2 = qdd[2];  // dd(q3)
-  const S qdd3 = qdd[3];  // dd(q4)
-  const S qdd4 = qdd[4];  // dd(q5)
-  const S qdd5 = qdd[5];  // dd(q6)
   const S angle[] = {q1, q3, q4, q5};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -52,23 +39,31 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t5 = sine[2];
   const S t6 = sine[3];
   const S t7 = cosine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t8 = t0 * qd0;
   const S t9 = qd0 * t1;
   const S t10 = t8 * t9;
+  const S qdd1 = qdd[1];  // dd(q2)
   const S t11 = qdd1 - t10;
+  const S qd1 = qd[1];  // d(q2)
   const S t12 = t9 * qd1;
+  const S qdd0 = qdd[0];  // dd(q1)
   const S t13 = t0 * qdd0;
   const S t14 = t12 - t13;
   const S t15 = t8 * qd1;
   const S t16 = t1 * qdd0;
   const S t17 = t15 + t16;
   const S t18 = t9 * t2 - qd1 * t3;
+  const S qd3 = qd[3];  // d(q4)
   const S t19 = qdd1 * t2 + t3 * t17 + qd3 * t18;
+  const S qdd3 = qdd[3];  // dd(q4)
   const S t20 = t14 - qdd3;
   const S t21 = qd1 * t2 + t9 * t3;
   const S t22 = t8 + qd3;
   const S t23 = t4 * t21 + t5 * t22;
+  const S qd4 = qd[4];  // d(q5)
   const S t24 = t5 * t19 + t4 * t20 + qd4 * t23;
+  const S qdd5 = qdd[5];  // dd(q6)
   const S t25 = S(0.00030000000000000165) * (qdd5 - t24);
   tau[5] = t25;
   const S t26 = t18 - qd4;
@@ -76,13 +71,17 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t28 = t5 * t21 - t4 * t22;
   const S t29 = qd4 * t28 - (t4 * t19 - t5 * t20);
   const S t30 = t29 - t26 * t28;
+  const S qd2 = qd[2];  // d(q3)
   const S t31 = t9 * qd2;
   const S t32 = t15 + t17;
+  const S q2 = q[2];  // q3
   const S t33 = t31 + t31 + (q2 * t32 - S(0.154) * (qd0 * qd0));
   const S t34 = qd1 * qd2;
   const S t35 = t34 + t34 - (S(9.81) * t1 + S(0.154) * t13 - t11 * q2);
   const S t36 = qdd1 * t3 - t2 * t17 + qd3 * t21;
+  const S qdd4 = qdd[4];  // dd(q5)
   const S t37 = qdd4 + t36;
+  const S qd5 = qd[5];  // d(q6)
   const S t38 = qd5 + (qd5 - t28);
   const S t39 = t6 * t29 - (t7 * t37 + (t23 * t7 + t26 * t6) * t38);
   const S t40 = t7 * t29 + (t6 * t37 + t38 * (t23 * t6 - t26 * t7));
@@ -102,6 +101,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t53 = t2 * t47 - t3 * t52 - (S(6.470000000000001) * t35 - S(1.71582) * t11);
   const S t54 = qd1 * qd1;
   const S t55 = t54 + t9 * t9;
+  const S qdd2 = qdd[2];  // dd(q3)
   const S t56 = qdd2 - (S(0.154) * t16 - S(9.81) * t0 + q2 * t55);
   const S t57 = t19 + t18 * t22;
   const S t58 = S(1.71582) * t55 + S(6.470000000000001) * t56 - S(0.0696) * (t5 * t50 + t4 * t51) - S(0.009720000000000005) * t57;
@@ -121,7 +121,6 @@ template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S angle[] = {q1, q3, q4};
@@ -145,6 +144,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t13 = t2 * t12 - S(0.009720000000000005) * t3;
   M[8] = t13;
   M[13] = t13;
+  const S q2 = q[2];  // q3
   const S t14 = S(0.00052488) * t3 - t2 * t11 + q2 * t13;
   const S t15 = t1 * t14;
   const S t16 = S(0.0696) * t5;
@@ -204,16 +204,9 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   const S angle[] = {q1, q3, q4, q5};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -225,14 +218,19 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t5 = sine[2];
   const S t6 = sine[3];
   const S t7 = cosine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t8 = t0 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S t9 = t8 * qd1;
   const S t10 = qd1 * qd1;
   const S t11 = qd0 * t1;
+  const S qd2 = qd[2];  // d(q3)
   const S t12 = t11 * qd2;
+  const S q2 = q[2];  // q3
   const S t13 = t9 * q2;
   const S t14 = t12 + t12 - (S(0.154) * (qd0 * qd0) - (t13 + t13));
   const S t15 = qd1 * t2 + t11 * t3;
+  const S qd3 = qd[3];  // d(q4)
   const S t16 = t2 * t9 - t15 * qd3;
   const S t17 = t8 + qd3;
   const S t18 = t15 * t17;
@@ -241,8 +239,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t21 = t15 * t20;
   const S t22 = t19 + t21;
   const S t23 = t4 * t15 + t5 * t17;
+  const S qd4 = qd[4];  // d(q5)
   const S t24 = qd4 - t20;
   const S t25 = t15 * t5 - t4 * t17;
+  const S qd5 = qd[5];  // d(q6)
   const S t26 = qd5 - (t25 - qd5);
   const S t27 = t3 * t9 + qd3 * t20;
   const S t28 = t19 * t5 - t4 * t27 + qd4 * t25;
@@ -287,16 +287,9 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   const S angle[] = {q1, q3, q4, q5};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -320,6 +313,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t15 = t2 * t14 - S(0.009720000000000005) * t3;
   M[8] = t15;
   M[13] = t15;
+  const S q2 = q[2];  // q3
   const S t16 = S(0.00052488) * t3 - t2 * t13 + q2 * t15;
   const S t17 = t1 * t16;
   const S t18 = S(0.0696) * t5;
@@ -360,14 +354,18 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t36 = -(t3 * t32);
   M[11] = t36;
   M[31] = t36;
+  const S qd0 = qd[0];  // d(q1)
   const S t37 = t1 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S t38 = qd1 * t37;
   const S t39 = qd1 * qd1;
   const S t40 = t0 * qd0;
+  const S qd2 = qd[2];  // d(q3)
   const S t41 = t40 * qd2;
   const S t42 = q2 * t38;
   const S t43 = t41 + t41 - (S(0.154) * (qd0 * qd0) - (t42 + t42));
   const S t44 = t3 * t40 - t2 * qd1;
+  const S qd3 = qd[3];  // d(q4)
   const S t45 = qd3 * t44 + t2 * t38;
   const S t46 = t37 + qd3;
   const S t47 = t45 + t46 * t44;
@@ -376,6 +374,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t50 = q2 * t49 - S(9.81) * t1;
   const S t51 = t3 * qd1 + t2 * t40;
   const S t52 = t4 * t51 - t5 * t46;
+  const S qd4 = qd[4];  // d(q5)
   const S t53 = qd4 - t44;
   const S t54 = qd1 * t40;
   const S t55 = t52 * qd4 + (t4 * t54 - t5 * t45);
@@ -385,6 +384,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t59 = t57 + t57 - (q2 * t58 + S(9.81) * t0);
   const S t60 = t3 * t38 - t51 * qd3;
   const S t61 = t5 * t51 + t4 * t46;
+  const S qd5 = qd[5];  // d(q6)
   const S t62 = qd5 - (t52 - qd5);
   const S t63 = t60 * t7 - (t55 * t6 + (t61 * t7 + t53 * t6) * t62);
   const S t64 = t60 * t6 + t55 * t7 - t62 * (t61 * t6 - t53 * t7);
@@ -431,16 +431,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(q2)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(q3)
   qdot[2] = qd2;
+  const S qd3 = qd[3];  // d(q4)
   qdot[3] = qd3;
+  const S qd4 = qd[4];  // d(q5)
   qdot[4] = qd4;
+  const S qd5 = qd[5];  // d(q6)
   qdot[5] = qd5;
 }
 
@@ -450,16 +450,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S q5 = q[5];  // q6
-  const S qd0 = qd[0];  // d(q1)
-  const S qd1 = qd[1];  // d(q2)
-  const S qd2 = qd[2];  // d(q3)
-  const S qd3 = qd[3];  // d(q4)
-  const S qd4 = qd[4];  // d(q5)
-  const S qd5 = qd[5];  // d(q6)
   const S angle[] = {q1, q3, q4, q5};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -471,21 +464,28 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t5 = sine[2];
   const S t6 = cosine[3];
   const S t7 = sine[3];
+  const S qd0 = qd[0];  // d(q1)
   const S t8 = qd0 * t0;
+  const S q2 = q[2];  // q3
   const S t9 = q2 * t8;
+  const S qd1 = qd[1];  // d(q2)
   const S t10 = qd0 * t1;
   const S t11 = q2 * qd1 - S(0.154) * t10;
   const S t12 = t9 * t2 - t3 * t11;
+  const S qd3 = qd[3];  // d(q4)
   const S t13 = t10 + qd3;
   const S t14 = t8 * t2 - t3 * qd1;
   const S t15 = t2 * qd1 + t8 * t3;
+  const S qd2 = qd[2];  // d(q3)
   const S t16 = qd2 - S(0.154) * t8;
   const S t17 = t2 * t11 + t9 * t3;
+  const S qd4 = qd[4];  // d(q5)
   const S t18 = qd4 - t14;
   const S t19 = t4 * t15 + t5 * t13;
   const S t20 = t19 * t6 - t18 * t7;
   const S t21 = t19 * t7 + t18 * t6;
   const S t22 = t5 * t15 - t4 * t13;
+  const S qd5 = qd[5];  // d(q6)
   const S t23 = qd5 - t22;
   const S t24 = t13 * (S(0.00052488) * t14 - S(0.00108748) * t13) + (t14 * (S(0.00052488) * t13 - S(0.00494928) * t14) - S(0.00523676) * (t15 * t15));
   const S t25 = t8 * t8;
@@ -506,7 +506,6 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using detail::sines_and_cosines;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S q2 = q[2];  // q3
   const S q3 = q[3];  // q4
   const S q4 = q[4];  // q5
   const S q5 = q[5];  // q6
@@ -555,6 +554,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[20] = t19;
   W[33] = t19;
   W[21] = -t2;
+  const S q2 = q[2];  // q3
   const S t21 = t14 + t12 * q2;
   W[27] = t21;
   W[39] = t21;

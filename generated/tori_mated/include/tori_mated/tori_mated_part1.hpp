@@ -24,21 +24,11 @@ template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v1
   const S q2 = q[2];  // u2
+  const S t0 = S(2.5535900500422257) - q2;
+  const S q1 = q[1];  // v1
   const S q3 = q[3];  // v2
   const S q4 = q[4];  // turn
-  const S qd0 = qd[0];  // d(u1)
-  const S qd1 = qd[1];  // d(v1)
-  const S qd2 = qd[2];  // d(u2)
-  const S qd3 = qd[3];  // d(v2)
-  const S qd4 = qd[4];  // d(turn)
-  const S qdd0 = qdd[0];  // dd(u1)
-  const S qdd1 = qdd[1];  // dd(v1)
-  const S qdd2 = qdd[2];  // dd(u2)
-  const S qdd3 = qdd[3];  // dd(v2)
-  const S qdd4 = qdd[4];  // dd(turn)
-  const S t0 = S(2.5535900500422257) - q2;
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -50,19 +40,26 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t6 = sine[2];
   const S t7 = sine[3];
   const S t8 = cosine[3];
+  const S qd0 = qd[0];  // d(u1)
   const S t9 = qd0 * t1;
+  const S qd1 = qd[1];  // d(v1)
   const S t10 = t9 * qd1;
+  const S qdd0 = qdd[0];  // dd(u1)
   const S t11 = t10 - qdd0 * t2;
   const S t12 = qdd0 - S(0.52) * (t10 + t11);
   const S t13 = qd0 * t2;
+  const S qdd1 = qdd[1];  // dd(v1)
   const S t14 = qd0 * qd0;
   const S t15 = S(0.52) * (qdd1 + t9 * t13) + (t1 * t14 + S(9.81) * t2);
+  const S qdd4 = qdd[4];  // dd(turn)
   const S t16 = qdd4 + (qdd0 * t1 + qd1 * t13);
   const S t17 = t6 * t13 - t5 * qd1;
+  const S qd4 = qd[4];  // d(turn)
   const S t18 = t5 * t11 - t6 * qdd1 + qd4 * t17;
   const S t19 = t9 + qd4;
   const S t20 = t5 * t13 + qd1 * t6;
   const S t21 = t4 * t19 - t3 * t20;
+  const S qd3 = qd[3];  // d(v2)
   const S t22 = t3 * t16 - t4 * t18 + t21 * qd3;
   const S t23 = t17 + qd3;
   const S t24 = t5 * t12 + t6 * t15 + S(0.7) * (t22 + t21 * t23);
@@ -71,11 +68,13 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t27 = t4 * t20 + t3 * t19;
   const S t28 = t4 * t25 - t3 * t26 - S(0.7) * (t27 * t27 + t23 * t23);
   const S t29 = t7 * t24 - t8 * t28;
+  const S qd2 = qd[2];  // d(u2)
   const S t30 = t27 + qd2;
   const S t31 = t30 * t30;
   const S t32 = t7 * t21 + t23 * t8;
   const S t33 = t32 * t32;
   const S t34 = qd3 * t27 - (t3 * t18 + t16 * t4);
+  const S qdd3 = qdd[3];  // dd(v2)
   const S t35 = qdd3 + (qd4 * t20 - (t5 * qdd1 + t11 * t6));
   const S t36 = t7 * t23 - t21 * t8;
   const S t37 = t7 * t34 - t8 * t35 - qd2 * t36;
@@ -85,6 +84,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t41 = t30 * t32;
   const S t42 = qd2 * t32 - (t8 * t34 + t7 * t35);
   const S t43 = t41 - t42;
+  const S qdd2 = qdd[2];  // dd(u2)
   const S t44 = t22 + qdd2;
   const S t45 = t32 * t36;
   const S t46 = t44 - t45;
@@ -118,11 +118,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v1
   const S q2 = q[2];  // u2
+  const S t0 = S(2.5535900500422257) - q2;
+  const S q1 = q[1];  // v1
   const S q3 = q[3];  // v2
   const S q4 = q[4];  // turn
-  const S t0 = S(2.5535900500422257) - q2;
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -210,16 +210,11 @@ template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v1
   const S q2 = q[2];  // u2
+  const S t0 = S(2.5535900500422257) - q2;
+  const S q1 = q[1];  // v1
   const S q3 = q[3];  // v2
   const S q4 = q[4];  // turn
-  const S qd0 = qd[0];  // d(u1)
-  const S qd1 = qd[1];  // d(v1)
-  const S qd2 = qd[2];  // d(u2)
-  const S qd3 = qd[3];  // d(v2)
-  const S qd4 = qd[4];  // d(turn)
-  const S t0 = S(2.5535900500422257) - q2;
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -231,9 +226,12 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t6 = cosine[2];
   const S t7 = cosine[3];
   const S t8 = sine[3];
+  const S qd1 = qd[1];  // d(v1)
+  const S qd0 = qd[0];  // d(u1)
   const S t9 = qd0 * t1;
   const S t10 = t5 * qd1 + t9 * t6;
   const S t11 = qd0 * t2;
+  const S qd4 = qd[4];  // d(turn)
   const S t12 = qd4 + t11;
   const S t13 = t4 * t10 - t3 * t12;
   const S t14 = t3 * t10 + t4 * t12;
@@ -246,8 +244,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t21 = t1 * t18 - S(9.81) * t2 + S(0.52) * (qd1 * qd1 + t9 * t9);
   const S t22 = S(0.7) * (t13 * t14 - t17) - (t3 * t20 - t4 * t21);
   const S t23 = t5 * t9 - qd1 * t6;
+  const S qd3 = qd[3];  // d(v2)
   const S t24 = qd3 + t23;
   const S t25 = t13 * t7 + t8 * t24;
+  const S qd2 = qd[2];  // d(u2)
   const S t26 = t14 + qd2;
   const S t27 = t25 * t26;
   const S t28 = qd1 * t9;
@@ -299,16 +299,11 @@ template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using detail::sines_and_cosines;
-  const S q1 = q[1];  // v1
   const S q2 = q[2];  // u2
+  const S t0 = S(2.5535900500422257) - q2;
+  const S q1 = q[1];  // v1
   const S q3 = q[3];  // v2
   const S q4 = q[4];  // turn
-  const S qd0 = qd[0];  // d(u1)
-  const S qd1 = qd[1];  // d(v1)
-  const S qd2 = qd[2];  // d(u2)
-  const S qd3 = qd[3];  // d(v2)
-  const S qd4 = qd[4];  // d(turn)
-  const S t0 = S(2.5535900500422257) - q2;
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
@@ -388,9 +383,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t54 = -(t6 * (t48 + S(0.52) * t27) + t5 * t21);
   M[8] = t54;
   M[16] = t54;
+  const S qd1 = qd[1];  // d(v1)
+  const S qd0 = qd[0];  // d(u1)
   const S t55 = t1 * qd0;
   const S t56 = t5 * qd1 + t6 * t55;
   const S t57 = t2 * qd0;
+  const S qd4 = qd[4];  // d(turn)
   const S t58 = qd4 + t57;
   const S t59 = t4 * t56 - t3 * t58;
   const S t60 = t3 * t56 + t4 * t58;
@@ -403,8 +401,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t67 = t1 * t64 - S(9.81) * t2 + S(0.52) * (qd1 * qd1 + t55 * t55);
   const S t68 = S(0.7) * (t59 * t60 - t63) - (t3 * t66 - t4 * t67);
   const S t69 = t5 * t55 - t6 * qd1;
+  const S qd3 = qd[3];  // d(v2)
   const S t70 = qd3 + t69;
   const S t71 = t8 * t59 + t7 * t70;
+  const S qd2 = qd[2];  // d(u2)
   const S t72 = t60 + qd2;
   const S t73 = t71 * t72;
   const S t74 = qd1 * t55;
@@ -456,14 +456,14 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(u1)
-  const S qd1 = qd[1];  // d(v1)
-  const S qd2 = qd[2];  // d(u2)
-  const S qd3 = qd[3];  // d(v2)
-  const S qd4 = qd[4];  // d(turn)
   qdot[0] = qd0;
+  const S qd1 = qd[1];  // d(v1)
   qdot[1] = qd1;
+  const S qd2 = qd[2];  // d(u2)
   qdot[2] = qd2;
+  const S qd3 = qd[3];  // d(v2)
   qdot[3] = qd3;
+  const S qd4 = qd[4];  // d(turn)
   qdot[4] = qd4;
 }
 
@@ -472,11 +472,6 @@ template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
   using detail::sines_and_cosines;
-  const S qd0 = qd[0];  // d(u1)
-  const S qd1 = qd[1];  // d(v1)
-  const S qd2 = qd[2];  // d(u2)
-  const S qd3 = qd[3];  // d(v2)
-  const S qd4 = qd[4];  // d(turn)
   S sine[4], cosine[4];
   sines_and_cosines(4, q + 1, sine, cosine);
   const S t0 = cosine[0];
@@ -487,10 +482,14 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t5 = sine[2];
   const S t6 = sine[3];
   const S t7 = cosine[3];
+  const S qd0 = qd[0];  // d(u1)
   const S t8 = qd0 * t0;
+  const S qd1 = qd[1];  // d(v1)
   const S t9 = qd1 * t7;
   const S t10 = t6 * t8 - t9;
+  const S qd3 = qd[3];  // d(v2)
   const S t11 = qd3 + t10;
+  const S qd4 = qd[4];  // d(turn)
   const S t12 = qd4 + qd0 * t1;
   const S t13 = t6 * qd1;
   const S t14 = t8 * t7 + t13;
@@ -504,6 +503,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t22 = t4 * t14 + t12 * t5;
   const S t23 = S(0.7) * t22 - (t13 - t7 * t18 - S(1.52) * t14);
   const S t24 = t2 * t21 - t3 * t23;
+  const S qd2 = qd[2];  // d(u2)
   const S t25 = qd2 + t22;
   const S t26 = t3 * t21 + t2 * t23;
   const S t27 = S(1.1) * (t20 * t20 + (t24 * t24 + t26 * t26));
