@@ -2,20 +2,40 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace alembert::test {
 
-/// All descriptions of the catalogue, sorted.
+/// Name of a catalogue file as a test suffix.
+inline std::string test_name(const std::string& path) {
+  return std::filesystem::path(path).stem().string();
+}
+
+/// All descriptions of the catalogue, sorted; or those whose names stand in the environment variable
+/// ALEMBERT_CATALOGUE, with blanks between them. Throws if there is no such description.
 inline std::vector<std::string> catalogue() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ALEMBERT_SOURCE_DIR "/mechanisms")) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());
+  if (const char* names = std::getenv("ALEMBERT_CATALOGUE")) {
+    std::vector<std::string> chosen;
+    std::istringstream in(names);
+    for (std::string name; in >> name;) {
+      const auto found = std::ranges::find(files, name, test_name);
+      if (found == files.end())
+        throw std::invalid_argument("ALEMBERT_CATALOGUE: no description '" + name + "'");
+      chosen.push_back(*found);
+    }
+    return chosen;
+  }
   return files;
 }
 
@@ -34,11 +54,6 @@ std::vector<std::string> catalogue_where(const Wanted& wanted) {
   std::vector<std::string> files = catalogue();
   std::erase_if(files, [&](const std::string& path) { return !wanted(path); });
   return files;
-}
-
-/// Name of a catalogue file as a test suffix.
-inline std::string test_name(const std::string& path) {
-  return std::filesystem::path(path).stem().string();
 }
 
 }  // namespace alembert::test

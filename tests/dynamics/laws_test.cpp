@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/formulations.hpp"
@@ -30,14 +31,25 @@ Passes passes() {
   return all;
 }
 
+/// A mechanism and its equations.
+struct Derivation {
+  explicit Derivation(const std::string& path)
+      : loaded(LoadedMechanism::file(path)),
+        kinematics(loaded.kinematics()),
+        equations(equations_of_motion(kinematics, Formulation::reduced, passes())) {}
+  /// The same for all laws of a mechanism: most of their time is to derive it.
+  static const Derivation& of(const std::string& path) {
+    static std::map<std::string, Derivation> derived;
+    return derived.try_emplace(path, path).first->second;
+  }
+
+  LoadedMechanism loaded;
+  Kinematics kinematics;
+  EquationsOfMotion equations;
+};
+
 class Laws : public testing::TestWithParam<std::string> {
  protected:
-  Laws()
-      : loaded(LoadedMechanism::file(GetParam())),
-        kinematics(loaded.kinematics()),
-        equations(equations_of_motion(kinematics, Formulation::reduced, passes())),
-        nv(static_cast<std::size_t>(loaded.mechanism->nv)) {}
-
   /// Equal at random states, relative to the larger of 1 and the values. States where a value is not finite
   /// are skipped, but not all.
   void expect_equal(std::span<const Expr> x, std::span<const Expr> y, double tolerance = 1e-10) {
@@ -65,10 +77,11 @@ class Laws : public testing::TestWithParam<std::string> {
     });
   }
 
-  LoadedMechanism loaded;
-  Kinematics kinematics;
-  EquationsOfMotion equations;
-  std::size_t nv;
+  const Derivation& derivation = Derivation::of(GetParam());
+  const LoadedMechanism& loaded = derivation.loaded;
+  const Kinematics& kinematics = derivation.kinematics;
+  const EquationsOfMotion& equations = derivation.equations;
+  const std::size_t nv = static_cast<std::size_t>(loaded.mechanism->nv);
 };
 
 /// Names of the mechanisms of which time moves a body by itself.
