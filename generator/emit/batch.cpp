@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "emit/literals.hpp"
 #include "emit/statements.hpp"
@@ -68,9 +69,9 @@ std::string c_batch_call(const FunctionSignature& signature) {
   return out + "options";
 }
 
-/// Of these a program is cut into blocks: longer ones do not fit the caches of code and of decoded
-/// instructions, shorter ones hand over more values.
-constexpr BlockSizes kBatchBlocks = {200, 150};
+/// Longer programs are cut into such blocks: what is longer does not fit the caches of code and of decoded
+/// instructions, shorter blocks hand over more values.
+constexpr BlockSizes kBatchBlocks = {400, 200};
 
 /// An array of a function over packs.
 struct PackArray {
@@ -100,49 +101,51 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
   const FunctionSignature& signature = *find_signature(program.function);
   const FunctionBody body = function_body(program, signature, kBatchBlocks);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
-  std::string parameters = "int packs", arguments = "packs", advance = "--packs";
-  for (const PackArray& array : pack_arrays(mechanism, signature)) {
-    parameters +=
-        fmt::format(", [[maybe_unused]] {}S* ALEMBERT_RESTRICT {}", array.result ? "" : "const ", array.name);
-    arguments += fmt::format(", {}", array.name);
-    advance += fmt::format(", {} += {}", array.name, array.size);
-  }
-  std::string inputs;
+  std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
+  const auto add = [&](std::string_view type, std::string_view name, std::size_t size) {
+    one += fmt::format("[[maybe_unused]] {}* ALEMBERT_RESTRICT {}, ", type, name);
+    all += fmt::format("{}* {}, ", type, name);
+    arguments += fmt::format("{0} + {1} * k, ", name, size);
+  };
+  for (const PackArray& array : pack_arrays(mechanism, signature))
+    add(array.result ? "S" : "const S", array.name, array.size);
+  add("S", "w", crossing);
   if (signature.takes_inputs) {
-    parameters += ", [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs";
-    arguments += ", inputs";
-    advance += ", ++inputs";
-    inputs = "[[maybe_unused]] const Inputs<S>& in = *inputs;\n";
+    one += "[[maybe_unused]] const Inputs<S>& in";
+    all += "const Inputs<S>* inputs";
+    arguments += "inputs[k]";
+  } else {
+    for (std::string* list : {&one, &all, &arguments}) list->resize(list->size() - 2);
   }
-  parameters += ", [[maybe_unused]] S* ALEMBERT_RESTRICT w";
-  arguments += ", w";
-  advance += fmt::format(", w += {}", crossing);
   std::string blocks, calls;
   for (std::size_t i = 0; i < body.blocks.size(); ++i) {
-    const std::string name = fmt::format("{}_packs_block{}", program.function, i + 1);
+    const std::string name = fmt::format("{}_pack_block{}", program.function, i + 1);
     const std::string start = fmt::format("ALEMBERT_NOINLINE void {}(", name);
     blocks += (i == 0 ? "" : "\n") +
-              fill_template("batch_block.hpp", {{"block", name},
-                                                {"arguments", wrap_list(parameters, start.size(), 4)},
-                                                {"advance", wrap_list(advance, 23, 7)},
+              fill_template("batch_block.hpp", {{"start", start},
+                                                {"arguments", wrap_list(one, start.size(), 4)},
                                                 {"using", body.blocks[i].using_lines},
-                                                {"statements", inputs + body.blocks[i].statement_lines}});
-    calls += fmt::format("{}<S>({});\n", name, arguments);
+                                                {"statements", body.blocks[i].statement_lines}});
+    calls += fmt::format("for (int k = 0; k < packs; ++k)\n  {}<S>({});\n", name,
+                         wrap_list(arguments, name.size() + 8, 8));
   }
-  const std::string start = fmt::format("void {}_packs(", program.function);
-  return {fill_template("batch_function.hpp", {{"function", program.function},
-                                               {"block_count", std::to_string(body.blocks.size())},
-                                               {"blocks", blocks},
-                                               {"arguments", wrap_list(parameters, start.size(), 4)},
-                                               {"crossing_count", std::to_string(crossing)},
-                                               {"calls", calls}}),
-          crossing};
+  const std::string start = fmt::format("inline void {}_packs(", program.function);
+  return {
+      fill_template("batch_function.hpp",
+                    {{"function", program.function},
+                     {"block_count",
+                      body.blocks.size() == 1 ? "one block" : fmt::format("{} blocks", body.blocks.size())},
+                     {"blocks", blocks},
+                     {"arguments", wrap_list(all, start.size(), 4)},
+                     {"crossing_count", std::to_string(crossing)},
+                     {"calls", calls}}),
+      crossing};
 }
 
 /// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
-/// program of M and c. `crossing`: elements of w a pack.
+/// program of M and c. `packs`: the function that is called.
 std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& signature, bool solved,
-                           std::size_t crossing) {
+                           const PackFunction& packs) {
   const FunctionSignature& called = solved ? *find_signature(kSolvedFrom) : signature;
   std::string arrays, loads, stores, call = "window.packs", finite;
   std::size_t size = 0, argument = 0, result = 0;
@@ -166,13 +169,14 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
     if (solved && array.result) add(array);
     call += fmt::format(", {}", array.name);
   }
+  call += ", w";
   if (signature.takes_inputs) {
     arrays += "Inputs<Pack> inputs[kPacks];\nfor (Inputs<Pack>& in : inputs) take_common(call, in);\n";
     loads += "take_own(call, window, inputs);\n";
     call += ", inputs";
   }
-  add({"w", crossing, true});
-  std::string calls = fmt::format("detail::{}_packs<Pack>({}, w);\n", called.name, call);
+  add({"w", packs.crossing, true});
+  std::string calls = fmt::format("detail::{}_packs<Pack>({});\n", called.name, call);
   if (solved)
     calls += fmt::format(
         "for (int k = 0; k < window.packs; ++k) {{\n"
@@ -190,14 +194,14 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
 }
 
 std::string lanes_file(const Mechanism& mechanism, const std::vector<const FunctionSignature*>& functions,
-                       const std::map<std::string, std::size_t, std::less<>>& crossing,
+                       const std::map<std::string, PackFunction, std::less<>>& pack_functions,
                        const std::string& set, const Slots& common) {
   std::string definitions, table;
   for (const FunctionSignature* signature : functions) {
-    const bool solved = !crossing.contains(signature->name);
+    const bool solved = !pack_functions.contains(signature->name);
     definitions += (definitions.empty() ? "" : "\n") +
                    lanes_function(mechanism, *signature, solved,
-                                  crossing.find(solved ? kSolvedFrom : signature->name)->second);
+                                  pack_functions.find(solved ? kSolvedFrom : signature->name)->second);
     table += fmt::format("{}{}_lanes", table.empty() ? "" : ", ", signature->name);
   }
   const std::string parameters = common.at("parameter_count");
@@ -339,7 +343,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
     if (set != "baseline") choices += fill_template("batch_choice.cpp", {{"instructions", set}});
   }
   std::string packs;
-  std::map<std::string, std::size_t, std::less<>> crossing;
+  std::map<std::string, PackFunction, std::less<>> pack_functions;
   for (const Program& program : programs) {
     const auto needs = [&](const FunctionSignature* f) {
       return f->name == program.function ||
@@ -347,9 +351,9 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
               !has_program(programs, "forward_dynamics"));
     };
     if (!std::ranges::any_of(functions, needs)) continue;
-    const PackFunction function = pack_function(mechanism, program);
+    PackFunction function = pack_function(mechanism, program);
     packs += (packs.empty() ? "" : "\n") + function.definition;
-    crossing.emplace(program.function, function.crossing);
+    pack_functions.emplace(program.function, std::move(function));
   }
   std::vector<std::string> texts{
       fill_template("mechanism_batch.hpp", {{"declarations", declarations}}, common),
@@ -361,7 +365,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
                      {"c_definitions", c_definitions}},
                     common)};
   for (const std::string& set : sets)
-    texts.push_back(lanes_file(mechanism, functions, crossing, set, common));
+    texts.push_back(lanes_file(mechanism, functions, pack_functions, set, common));
   const std::vector<std::string> paths = batch_paths(mechanism.name, options);
   std::vector<EmittedFile> files;
   for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i], std::move(texts[i])});

@@ -47,7 +47,7 @@ using pack::Pack;
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, qdd);
     take_own(call, window, inputs);
-    detail::inverse_dynamics_packs<Pack>(window.packs, q, qd, qdd, tau, inputs, w);
+    detail::inverse_dynamics_packs<Pack>(window.packs, q, qd, qdd, tau, w, inputs);
     window.store(6, tau, call.results[0], call.stride);
     ::std::size_t failed = 0;
     for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(6, tau + 6 * k));
@@ -56,19 +56,19 @@ using pack::Pack;
 }
 
 ::std::size_t mass_matrix_and_bias_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(140);
+  constexpr int kPacks = pack::packs_together(55);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack M[kPacks * 36];
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 86];
+  Pack w[kPacks * 1];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     take_own(call, window, inputs);
-    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, inputs, w);
+    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, w, inputs);
     window.store(36, M, call.results[0], call.stride);
     window.store(6, c, call.results[1], call.stride);
     ::std::size_t failed = 0;
@@ -78,7 +78,7 @@ using pack::Pack;
 }
 
 ::std::size_t forward_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(152);
+  constexpr int kPacks = pack::packs_together(67);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack tau[kPacks * 6];
@@ -87,13 +87,13 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 86];
+  Pack w[kPacks * 1];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, tau);
     take_own(call, window, inputs);
-    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, inputs, w);
+    detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, w, inputs);
     for (int k = 0; k < window.packs; ++k) {
       for (int i = 6 * k; i < 6 * (k + 1); ++i) qdd[i] = tau[i] - c[i];
       pack::solve_positive_definite<6>(M + 36 * k, qdd + 6 * k);

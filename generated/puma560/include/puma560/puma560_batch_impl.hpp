@@ -25,334 +25,325 @@
 
 namespace alembert::mechanisms::puma560::detail {
 
-// inverse_dynamics in 1 blocks.
+// inverse_dynamics in one block.
 template <class S>
-ALEMBERT_NOINLINE void inverse_dynamics_packs_block1(int packs, [[maybe_unused]] const S* ALEMBERT_RESTRICT q,
+ALEMBERT_NOINLINE void inverse_dynamics_pack_block1([[maybe_unused]] const S* ALEMBERT_RESTRICT q,
     [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] const S* ALEMBERT_RESTRICT qdd,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT tau, [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT w) {
+    [[maybe_unused]] S* ALEMBERT_RESTRICT tau, [[maybe_unused]] S* ALEMBERT_RESTRICT w,
+    [[maybe_unused]] const Inputs<S>& in) {
   using detail::sines_and_cosines;
-  for (; packs > 0; --packs, q += 6, qd += 6, qdd += 6, tau += 6, ++inputs, w += 1) {
-    [[maybe_unused]] const Inputs<S>& in = *inputs;
-    S sine[5], cosine[5];
-    sines_and_cosines(5, q + 1, sine, cosine);
-    const S t0 = sine[0];
-    const S t1 = cosine[0];
-    const S t2 = cosine[1];
-    const S t3 = sine[1];
-    const S t4 = sine[2];
-    const S t5 = cosine[2];
-    const S t6 = sine[3];
-    const S t7 = cosine[3];
-    const S t8 = cosine[4];
-    const S t9 = sine[4];
-    const S qdd0 = qdd[0];  // dd(q1)
-    const S qd2 = qd[2];  // d(q3)
-    const S qd1 = qd[1];  // d(q2)
-    const S t10 = qd2 + qd1;
-    const S qd0 = qd[0];  // d(q1)
-    const S t11 = qd0 * t1;
-    const S t12 = t0 * qd0;
-    const S t13 = t11 * t3 + t2 * t12;
-    const S t14 = t10 * t13;
-    const S t15 = qd1 * t11;
-    const S t16 = t0 * qdd0;
-    const S t17 = t15 + t16;
-    const S t18 = qd1 * t12;
-    const S t19 = t1 * qdd0;
-    const S t20 = t18 - t19;
-    const S t21 = t3 * t17 + t2 * t20 + qd2 * t13;
-    const S t22 = t14 + t21;
-    const S t23 = t10 * t4 - t13 * t5;
-    const S t24 = t2 * t11 - t3 * t12;
-    const S qd3 = qd[3];  // d(q4)
-    const S t25 = qd3 + t24;
-    const S qdd2 = qdd[2];  // dd(q3)
-    const S qdd1 = qdd[1];  // dd(q2)
-    const S t26 = qdd2 + qdd1;
-    const S t27 = t3 * t20 - t2 * t17 - qd2 * t24;
-    const S t28 = t23 * qd3 - (t5 * t26 - t4 * t27);
-    const S qdd4 = qdd[4];  // dd(q5)
-    const S t29 = t28 - qdd4;
-    const S t30 = t23 * t6 + t25 * t7;
-    const S qd4 = qd[4];  // d(q5)
-    const S t31 = t10 * t5 + t13 * t4;
-    const S t32 = qd3 * t31 + (t4 * t26 + t5 * t27);
-    const S qdd3 = qdd[3];  // dd(q4)
-    const S t33 = t21 - qdd3;
-    const S t34 = t30 * qd4 - (t7 * t32 + t6 * t33);
-    const S t35 = t25 * t6 - t23 * t7;
-    const S t36 = qd4 + t31;
-    const S qd5 = qd[5];  // d(q6)
-    const S t37 = qd5 + (t30 + qd5);
-    const S t38 = t29 * t8 - (t9 * t34 + (t35 * t8 - t9 * t36) * t37);
-    const S t39 = t8 * t34 + (t29 * t9 - t37 * (t35 * t9 + t8 * t36));
-    const S t40 = t35 * t30;
-    const S t41 = t13 * t24;
-    const S t42 = t26 - t41;
-    const S t43 = S(0.2435) * t19 + S(9.81) * t0;
-    const S t44 = qd1 * qd1;
-    const S t45 = t11 * t11;
-    const S t46 = S(0.0934) * t19 - (t43 + S(0.4318) * (t44 + t45));
-    const S t47 = t11 * t12;
-    const S t48 = qdd1 + t47;
-    const S t49 = S(9.81) * t1 - (S(0.4318) * t48 + S(0.1501) * t16);
-    const S t50 = t10 * t10;
-    const S t51 = t24 * t24;
-    const S t52 = t2 * t46 - t3 * t49 + S(0.0203) * (t50 + t51);
-    const S t53 = S(0.4331) * t42 + t52;
-    const S t54 = t18 + t20;
-    const S t55 = qd0 * qd0;
-    const S t56 = S(0.4318) * t54 + S(0.1501) * t55;
-    const S t57 = S(0.0203) * t22 - t56;
-    const S t58 = t27 - t10 * t24;
-    const S t59 = t57 - S(0.4331) * t58;
-    const S t60 = t26 + t41;
-    const S t61 = S(0.0203) * t60 + (t2 * t49 + t3 * t46);
-    const S t62 = t13 * t13;
-    const S t63 = t61 - S(0.4331) * (t50 + t62);
-    const S t64 = S(-1.9999999999999998e-05) * (t8 * t38 + t9 * t39) - (S(0.0006221600000000001) * t29 + S(0.00022216) * t40 - S(0.00288) * (t7 * (t5 * t53 + t4 * t59) - t6 * t63));
-    tau[4] = t64;
-    const S t65 = S(0.0006499999999999839) * (t23 * t25 + t28) - t64;
-    const S t66 = t35 * qd4 + (t7 * t33 - t6 * t32);
-    const S qdd5 = qdd[5];  // dd(q6)
-    const S t67 = S(-3.9999999999999996e-05) * (t66 - qdd5);
-    tau[5] = t67;
-    const S t68 = S(0.00020000000000000004) * (t35 * t36 + t66) - t67;
-    const S t69 = t34 + t30 * t36;
-    const S t70 = S(0.00042216000000000004) * t69 - (S(0.00288) * (t4 * t53 - t5 * t59) + S(1.9999999999999998e-05) * (t9 * t38 - t8 * t39));
-    const S t71 = t6 * t68 + t7 * t70 - S(0.000749999999999984) * (t32 + t25 * t31);
-    const S t72 = S(0.00288) * t69;
-    const S t73 = t29 + t40;
-    const S t74 = t36 * t36 + t35 * t35;
-    const S t75 = S(0.00288) * (t7 * t73 + t6 * t74);
-    const S t76 = S(1.9898291387670286) * t59 + (t5 * t72 - t4 * t75);
-    const S t77 = S(0.006820800000000002) * t22 + (t4 * t65 - t5 * t71 - S(0.4331) * t76 - S(0.004703999999999991) * (t50 - t51)) - S(0.067553278) * t58;
-    const S t78 = t14 - t21;
-    const S t79 = t6 * t70 - t7 * t68 - (t23 * (S(0.00010000000000000005) * t31) + S(0.001399999999999968) * t33);
-    tau[3] = t79;
-    const S t80 = t76 - S(0.7398291387670295) * t57;
-    const S t81 = S(0.006249999999999985) * t22 + (S(0.006820800000000002) * t58 + S(0.004703999999999991) * t42) + S(6.938893903907228e-18) * t78 - t79 + S(0.0203) * t80;
-    const S t82 = t4 * t72 + t5 * t75 - S(1.9898291387670286) * t53;
-    const S t83 = t82 + S(0.7398291387670295) * t52;
-    const S t84 = S(0.7398291387670295) * t61 - (S(1.9898291387670286) * t63 + S(0.00288) * (t6 * t73 - t7 * t74));
-    const S t85 = S(7.540157480314961) * t49 + (t3 * t83 - t2 * t84);
-    const S t86 = t15 + t17;
-    const S t87 = t2 * t77 - t3 * t81 - S(0.0934) * t85 - (S(0.001670399999999999) * (t44 - t45) + (S(0.12059663999999992) * t48 + S(0.0070992) * t54) + S(0.07312640000000004) * t86 + S(0.0254214) * t55);
-    const S t88 = t12 * t12;
-    const S t89 = qdd1 - t47;
-    const S t90 = t2 * t83 + t3 * t84 - S(7.540157480314961) * t46;
-    const S t91 = S(0.0934) * t90 + (t3 * t77 + t2 * t81) - S(0.4318) * (t80 - S(7.540157480314961) * t56);
-    const S t92 = S(0.2435) * (t1 * (t90 + S(0.1044) * t89) - t0 * (t85 + S(0.1044) * (t44 + t88)));
-    tau[0] = S(1.2736872145669291) * qdd0 - (t0 * t87 + t1 * (S(0.03605184000000006) * t54 - (S(0.1205966399999999) * (t44 - t88) - (S(0.001670399999999999) * t89 + S(0.0070992) * t86)) + t91) - t92);
-    const S t94 = S(-0.0203) * t84 - (t5 * t65 + t4 * t71 + S(0.4331) * t82 - (S(0.006249999999999985) * t60 - (S(0.006820800000000002) * (t51 - t62) + S(0.004703999999999991) * t78 + S(0.067553278) * t42)));
-    tau[2] = t94;
-    tau[1] = S(0.1044) * t43 + (S(0.03605184000000006) * t48 - (S(0.001670399999999999) * t19 - S(0.1205966399999999) * t16 - S(0.0070992) * (t45 - t88)) + S(0.07312640000000004) * t89) - (S(0.4318) * t85 - t94);
-  }
+  S sine[5], cosine[5];
+  sines_and_cosines(5, q + 1, sine, cosine);
+  const S t0 = sine[0];
+  const S t1 = cosine[0];
+  const S t2 = cosine[1];
+  const S t3 = sine[1];
+  const S t4 = sine[2];
+  const S t5 = cosine[2];
+  const S t6 = sine[3];
+  const S t7 = cosine[3];
+  const S t8 = cosine[4];
+  const S t9 = sine[4];
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd2 = qd[2];  // d(q3)
+  const S qd1 = qd[1];  // d(q2)
+  const S t10 = qd2 + qd1;
+  const S qd0 = qd[0];  // d(q1)
+  const S t11 = qd0 * t1;
+  const S t12 = t0 * qd0;
+  const S t13 = t11 * t3 + t2 * t12;
+  const S t14 = t10 * t13;
+  const S t15 = qd1 * t11;
+  const S t16 = t0 * qdd0;
+  const S t17 = t15 + t16;
+  const S t18 = qd1 * t12;
+  const S t19 = t1 * qdd0;
+  const S t20 = t18 - t19;
+  const S t21 = t3 * t17 + t2 * t20 + qd2 * t13;
+  const S t22 = t14 + t21;
+  const S t23 = t10 * t4 - t13 * t5;
+  const S t24 = t2 * t11 - t3 * t12;
+  const S qd3 = qd[3];  // d(q4)
+  const S t25 = qd3 + t24;
+  const S qdd2 = qdd[2];  // dd(q3)
+  const S qdd1 = qdd[1];  // dd(q2)
+  const S t26 = qdd2 + qdd1;
+  const S t27 = t3 * t20 - t2 * t17 - qd2 * t24;
+  const S t28 = t23 * qd3 - (t5 * t26 - t4 * t27);
+  const S qdd4 = qdd[4];  // dd(q5)
+  const S t29 = t28 - qdd4;
+  const S t30 = t23 * t6 + t25 * t7;
+  const S qd4 = qd[4];  // d(q5)
+  const S t31 = t10 * t5 + t13 * t4;
+  const S t32 = qd3 * t31 + (t4 * t26 + t5 * t27);
+  const S qdd3 = qdd[3];  // dd(q4)
+  const S t33 = t21 - qdd3;
+  const S t34 = t30 * qd4 - (t7 * t32 + t6 * t33);
+  const S t35 = t25 * t6 - t23 * t7;
+  const S t36 = qd4 + t31;
+  const S qd5 = qd[5];  // d(q6)
+  const S t37 = qd5 + (t30 + qd5);
+  const S t38 = t29 * t8 - (t9 * t34 + (t35 * t8 - t9 * t36) * t37);
+  const S t39 = t8 * t34 + (t29 * t9 - t37 * (t35 * t9 + t8 * t36));
+  const S t40 = t35 * t30;
+  const S t41 = t13 * t24;
+  const S t42 = t26 - t41;
+  const S t43 = S(0.2435) * t19 + S(9.81) * t0;
+  const S t44 = qd1 * qd1;
+  const S t45 = t11 * t11;
+  const S t46 = S(0.0934) * t19 - (t43 + S(0.4318) * (t44 + t45));
+  const S t47 = t11 * t12;
+  const S t48 = qdd1 + t47;
+  const S t49 = S(9.81) * t1 - (S(0.4318) * t48 + S(0.1501) * t16);
+  const S t50 = t10 * t10;
+  const S t51 = t24 * t24;
+  const S t52 = t2 * t46 - t3 * t49 + S(0.0203) * (t50 + t51);
+  const S t53 = S(0.4331) * t42 + t52;
+  const S t54 = t18 + t20;
+  const S t55 = qd0 * qd0;
+  const S t56 = S(0.4318) * t54 + S(0.1501) * t55;
+  const S t57 = S(0.0203) * t22 - t56;
+  const S t58 = t27 - t10 * t24;
+  const S t59 = t57 - S(0.4331) * t58;
+  const S t60 = t26 + t41;
+  const S t61 = S(0.0203) * t60 + (t2 * t49 + t3 * t46);
+  const S t62 = t13 * t13;
+  const S t63 = t61 - S(0.4331) * (t50 + t62);
+  const S t64 = S(-1.9999999999999998e-05) * (t8 * t38 + t9 * t39) - (S(0.0006221600000000001) * t29 + S(0.00022216) * t40 - S(0.00288) * (t7 * (t5 * t53 + t4 * t59) - t6 * t63));
+  tau[4] = t64;
+  const S t65 = S(0.0006499999999999839) * (t23 * t25 + t28) - t64;
+  const S t66 = t35 * qd4 + (t7 * t33 - t6 * t32);
+  const S qdd5 = qdd[5];  // dd(q6)
+  const S t67 = S(-3.9999999999999996e-05) * (t66 - qdd5);
+  tau[5] = t67;
+  const S t68 = S(0.00020000000000000004) * (t35 * t36 + t66) - t67;
+  const S t69 = t34 + t30 * t36;
+  const S t70 = S(0.00042216000000000004) * t69 - (S(0.00288) * (t4 * t53 - t5 * t59) + S(1.9999999999999998e-05) * (t9 * t38 - t8 * t39));
+  const S t71 = t6 * t68 + t7 * t70 - S(0.000749999999999984) * (t32 + t25 * t31);
+  const S t72 = S(0.00288) * t69;
+  const S t73 = t29 + t40;
+  const S t74 = t36 * t36 + t35 * t35;
+  const S t75 = S(0.00288) * (t7 * t73 + t6 * t74);
+  const S t76 = S(1.9898291387670286) * t59 + (t5 * t72 - t4 * t75);
+  const S t77 = S(0.006820800000000002) * t22 + (t4 * t65 - t5 * t71 - S(0.4331) * t76 - S(0.004703999999999991) * (t50 - t51)) - S(0.067553278) * t58;
+  const S t78 = t14 - t21;
+  const S t79 = t6 * t70 - t7 * t68 - (t23 * (S(0.00010000000000000005) * t31) + S(0.001399999999999968) * t33);
+  tau[3] = t79;
+  const S t80 = t76 - S(0.7398291387670295) * t57;
+  const S t81 = S(0.006249999999999985) * t22 + (S(0.006820800000000002) * t58 + S(0.004703999999999991) * t42) + S(6.938893903907228e-18) * t78 - t79 + S(0.0203) * t80;
+  const S t82 = t4 * t72 + t5 * t75 - S(1.9898291387670286) * t53;
+  const S t83 = t82 + S(0.7398291387670295) * t52;
+  const S t84 = S(0.7398291387670295) * t61 - (S(1.9898291387670286) * t63 + S(0.00288) * (t6 * t73 - t7 * t74));
+  const S t85 = S(7.540157480314961) * t49 + (t3 * t83 - t2 * t84);
+  const S t86 = t15 + t17;
+  const S t87 = t2 * t77 - t3 * t81 - S(0.0934) * t85 - (S(0.001670399999999999) * (t44 - t45) + (S(0.12059663999999992) * t48 + S(0.0070992) * t54) + S(0.07312640000000004) * t86 + S(0.0254214) * t55);
+  const S t88 = t12 * t12;
+  const S t89 = qdd1 - t47;
+  const S t90 = t2 * t83 + t3 * t84 - S(7.540157480314961) * t46;
+  const S t91 = S(0.0934) * t90 + (t3 * t77 + t2 * t81) - S(0.4318) * (t80 - S(7.540157480314961) * t56);
+  const S t92 = S(0.2435) * (t1 * (t90 + S(0.1044) * t89) - t0 * (t85 + S(0.1044) * (t44 + t88)));
+  tau[0] = S(1.2736872145669291) * qdd0 - (t0 * t87 + t1 * (S(0.03605184000000006) * t54 - (S(0.1205966399999999) * (t44 - t88) - (S(0.001670399999999999) * t89 + S(0.0070992) * t86)) + t91) - t92);
+  const S t94 = S(-0.0203) * t84 - (t5 * t65 + t4 * t71 + S(0.4331) * t82 - (S(0.006249999999999985) * t60 - (S(0.006820800000000002) * (t51 - t62) + S(0.004703999999999991) * t78 + S(0.067553278) * t42)));
+  tau[2] = t94;
+  tau[1] = S(0.1044) * t43 + (S(0.03605184000000006) * t48 - (S(0.001670399999999999) * t19 - S(0.1205966399999999) * t16 - S(0.0070992) * (t45 - t88)) + S(0.07312640000000004) * t89) - (S(0.4318) * t85 - t94);
 }
 
-/// All blocks; a pack has 1 values in w.
+/// A pack has 1 values in w. Inside a loop, compilers would put the constants of a block into memory.
 template <class S>
-void inverse_dynamics_packs(int packs, [[maybe_unused]] const S* ALEMBERT_RESTRICT q,
-    [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] const S* ALEMBERT_RESTRICT qdd,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT tau, [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT w) {
-  inverse_dynamics_packs_block1<S>(packs, q, qd, qdd, tau, inputs, w);
+inline void inverse_dynamics_packs(int packs, const S* q, const S* qd, const S* qdd, S* tau, S* w,
+    const Inputs<S>* inputs) {
+  for (int k = 0; k < packs; ++k)
+    inverse_dynamics_pack_block1<S>(q + 6 * k, qd + 6 * k, qdd + 6 * k, tau + 6 * k, w + 1 * k, inputs[k]);
 }
 
-// mass_matrix_and_bias in 1 blocks.
+// mass_matrix_and_bias in one block.
 template <class S>
-ALEMBERT_NOINLINE void mass_matrix_and_bias_packs_block1(int packs, [[maybe_unused]] const S* ALEMBERT_RESTRICT q,
+ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S* ALEMBERT_RESTRICT q,
     [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] S* ALEMBERT_RESTRICT M,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT c, [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT w) {
+    [[maybe_unused]] S* ALEMBERT_RESTRICT c, [[maybe_unused]] S* ALEMBERT_RESTRICT w,
+    [[maybe_unused]] const Inputs<S>& in) {
   using detail::sines_and_cosines;
-  for (; packs > 0; --packs, q += 6, qd += 6, M += 36, c += 6, ++inputs, w += 1) {
-    [[maybe_unused]] const Inputs<S>& in = *inputs;
-    S sine[5], cosine[5];
-    sines_and_cosines(5, q + 1, sine, cosine);
-    const S t0 = sine[0];
-    const S t1 = cosine[0];
-    const S t2 = sine[1];
-    const S t3 = cosine[1];
-    const S t4 = sine[2];
-    const S t5 = cosine[2];
-    const S t6 = sine[3];
-    const S t7 = cosine[3];
-    const S t8 = cosine[4];
-    const S t9 = sine[4];
-    const S t10 = S(0.00020216) * t6;
-    const S t11 = t6 * t10;
-    const S t12 = t4 * (t11 + S(0.0001));
-    const S t13 = t4 * t12;
-    const S t14 = t6 * t5;
-    const S t15 = S(0.007635112499999984) - (t13 - (t11 - S(0.000116928) * t14));
-    const S t16 = t10 * t7;
-    const S t17 = S(0.001247328) * t14 + t5 * t16;
-    const S t18 = S(5.8464e-05) * t7 - t17 + S(0.010673638499999999);
-    const S t19 = t3 * t18;
-    const S t20 = S(0.3061122965) - (t11 - S(0.002494656) * t7);
-    const S t21 = t19 + t19 + t2 * (t15 - t20);
-    const S t22 = t2 * t21;
-    const S t23 = S(0.00288) * t7 + S(0.8617950000000001);
-    const S t24 = S(0.025374999999999998) - S(0.00288) * t14;
-    const S t25 = t2 * t23 - t3 * t24;
-    const S t26 = t15 - t22 + S(0.8636) * t25 + S(1.674987602);
-    const S t27 = t2 * t24 + t3 * t23;
-    const S t28 = t1 * (S(0.0070992) - (t18 - t3 * t21 + S(0.4318) * t27));
-    const S t29 = t20 + t22 + S(0.07312640000000004);
-    const S t30 = t4 * t6;
-    M[0] = t13 + (t26 - t0 * (t28 + t28 + t0 * (t26 - t29))) + S(0.000864576) * t30 + S(1.4724995505);
-    const S t32 = S(5.8464e-05) * t30 - t12 * t5;
-    const S t33 = S(-0.001247328) * t30 - t4 * t16;
-    M[15] = t33;
-    M[20] = t33;
-    const S t34 = S(0.00470400000000001) - t33;
-    const S t35 = t3 * t32 - t2 * t34;
-    const S t36 = t3 * t34 + t2 * t32;
-    const S t37 = t1 * (S(0.2435) * (S(0.1044) - t27) - (S(0.001670399999999999) - (S(0.0934) * t27 - t36)));
-    const S t38 = t0 * (S(0.2435) * (t25 + S(3.79559)) - (t35 + S(0.0934) * t25 - S(0.001243584) * t30 + S(0.233911466))) + t37;
-    M[1] = t38;
-    M[6] = t38;
-    const S t39 = t0 * (S(0.1501) * t25 - t35) - t1 * (t36 + S(0.1501) * t27);
-    M[2] = t39;
-    M[12] = t39;
-    const S t40 = t11 + S(0.001639999999999968);
-    M[21] = t40;
-    const S t41 = S(5.8464e-05) * t14 - t40;
-    const S t42 = t2 * t30;
-    const S t43 = t1 * (t2 * t17 - (t3 * (t41 - S(0.00043228799999999996) * t30) - S(0.001243584) * t14)) - t0 * (S(0.00043228799999999996) * t42 - (t2 * t41 + t3 * t17));
-    M[3] = t43;
-    M[18] = t43;
-    const S t44 = t5 * t7;
-    const S t45 = t6 * t3 + t2 * t44;
-    const S t46 = t4 * t7;
-    const S t47 = S(0.001247328) * t46 + S(0.0006421600000000001) * t4;
-    const S t48 = t1 * (S(0.00043228799999999996) * (t3 * t44 - t6 * t2) - t2 * t47 - t46 * (S(0.001243584) - S(5.8464e-05) * t3));
-    const S t49 = t0 * (S(0.00043228799999999996) * t45 + (t3 * t47 + t2 * (S(5.8464e-05) * t46))) - t48;
-    M[4] = t49;
-    M[24] = t49;
-    const S t50 = S(3.9999999999999996e-05) * t7;
-    M[23] = t50;
-    M[33] = t50;
-    const S t51 = S(3.9999999999999996e-05) * t6;
-    const S t52 = t5 * t51;
-    const S t53 = t1 * (t3 * t50 - t2 * t52) - t0 * (t2 * t50 + t3 * t52);
-    M[5] = t53;
-    M[30] = t53;
-    M[7] = t26 + t29;
-    const S t55 = t15 + t20;
-    M[14] = t55;
-    const S t56 = S(0.4318) * t25 + t55;
-    M[8] = t56;
-    M[13] = t56;
-    const S t57 = t33 + S(-0.001243584) * t42;
-    M[9] = t57;
-    M[19] = t57;
-    const S t58 = S(0.001247328) * t44 + S(0.0006421600000000001) * t5 - S(5.8464e-05) * t6;
-    M[16] = t58;
-    M[26] = t58;
-    const S t59 = S(0.001243584) * t45 + t58;
-    M[10] = t59;
-    M[25] = t59;
-    const S t60 = t4 * t51;
-    M[11] = t60;
-    M[17] = t60;
-    M[31] = t60;
-    M[32] = t60;
-    const S qd1 = qd[1];  // d(q2)
-    const S t61 = qd1 * qd1;
-    const S qd0 = qd[0];  // d(q1)
-    const S t62 = t1 * qd0;
-    const S t63 = t62 * t62;
-    const S t64 = S(9.81) * t0 + S(0.4318) * (t61 + t63);
-    const S t65 = t0 * qd0;
-    const S t66 = t65 * t62;
-    const S t67 = S(0.4318) * t66 - S(9.81) * t1;
-    const S qd2 = qd[2];  // d(q3)
-    const S t68 = qd1 + qd2;
-    const S t69 = t68 * t68;
-    const S t70 = t3 * t62 - t2 * t65;
-    const S t71 = t70 * t70;
-    const S t72 = t2 * t67 - t3 * t64 + S(0.0203) * (t69 + t71);
-    const S t73 = t2 * t62 + t3 * t65;
-    const S t74 = t70 * t73;
-    const S t75 = t72 - S(0.4331) * t74;
-    const S qd3 = qd[3];  // d(q4)
-    const S t76 = t70 + qd3;
-    const S t77 = t5 * t73 - t4 * t68;
-    const S t78 = t6 * t76 + t7 * t77;
-    const S t79 = t5 * t68 + t4 * t73;
-    const S qd4 = qd[4];  // d(q5)
-    const S t80 = qd4 + t79;
-    const S t81 = t78 * t78 + t80 * t80;
-    const S t82 = t70 * t68;
-    const S t83 = t4 * t82 + qd3 * t77;
-    const S t84 = t7 * t76 - t6 * t77;
-    const S t85 = t78 * t84;
-    const S t86 = t83 - t85;
-    const S t87 = t6 * t81 - t7 * t86;
-    const S t88 = t73 * t68;
-    const S t89 = qd3 * t79 - t5 * t82;
-    const S t90 = qd4 * t84 - (t6 * t88 + t7 * t89);
-    const S t91 = t80 * t84 + t90;
-    const S t92 = S(1.9898291387670286) * t75 - S(0.00288) * (t5 * t87 + t4 * t91);
-    const S t93 = S(0.7398291387670295) * t72 - t92;
-    const S t94 = t2 * t64 + t3 * t67 - S(0.0203) * t74;
-    const S t95 = t73 * t73;
-    const S t96 = t94 + S(0.4331) * (t69 + t95);
-    const S t97 = S(0.7398291387670295) * t94 - (S(0.00288) * (t7 * t81 + t6 * t86) + S(1.9898291387670286) * t96);
-    const S t98 = S(7.540157480314961) * t64 + (t3 * t93 - t2 * t97);
-    const S t99 = S(7.540157480314961) * t67 - (t3 * t97 + t2 * t93);
-    const S t100 = t65 * t65;
-    const S t101 = t6 * t89 - t7 * t88 - t78 * qd4;
-    const S t102 = S(3.9999999999999996e-05) * t101;
-    c[5] = t102;
-    const S t103 = t102 + S(0.00020000000000000004) * (t101 - t78 * t80);
-    const S t104 = qd0 * qd0;
-    const S t105 = t65 * qd1;
-    const S t106 = S(0.1501) * t104 + S(0.8636) * t105;
-    const S t107 = S(0.0406) * t88 - t106;
-    const S t108 = S(0.8662) * t82 + t107;
-    const S qd5 = qd[5];  // d(q6)
-    const S t109 = qd5 + (t84 + qd5);
-    const S t110 = t109 * (t78 * t9 + t80 * t8) + t83 * t9 - t90 * t8;
-    const S t111 = t83 * t8 + (t90 * t9 - t109 * (t80 * t9 - t78 * t8));
-    const S t112 = S(0.00288) * (t4 * t75 - t5 * t108) + (S(1.9999999999999998e-05) * (t8 * t110 - t9 * t111) - S(0.00042216000000000004) * t91);
-    const S t113 = t7 * t103 - t6 * t112 + (t77 * (S(0.00010000000000000005) * t79) - S(0.001399999999999968) * t88);
-    c[3] = t113;
-    const S t114 = S(1.9898291387670286) * t108 - S(0.00288) * (t4 * t87 - t5 * t91);
-    const S t115 = S(0.7398291387670295) * t107 - t114;
-    const S t116 = t113 + (S(0.004703999999999991) * t74 + S(0.013641600000000004) * t82 - S(0.01249999999999997) * t88) + S(0.0203) * t115;
-    const S t117 = t7 * t112 + t6 * t103 + S(0.000749999999999984) * (t89 + t76 * t79);
-    const S t118 = S(0.0006221600000000001) * t83 + (S(1.9999999999999998e-05) * (t9 * t110 + t8 * t111) + S(0.00288) * (t6 * t96 + t7 * (t5 * t75 + t4 * t108))) - S(0.00022216) * t85;
-    c[4] = t118;
-    const S t119 = S(0.0006499999999999839) * (t83 + t76 * t77) + t118;
-    const S t120 = S(0.135106556) * t82 - (S(0.004703999999999991) * (t69 - t71) - S(0.013641600000000004) * t88) + (t5 * t117 - t4 * t119 - S(0.4331) * t114);
-    const S t121 = t62 * qd1;
-    const S t122 = S(0.0934) * t99 + (t2 * t116 + t3 * t120) - (S(0.12059663999999992) * t66 + S(0.0141984) * t105 + S(0.001670399999999999) * (t61 - t63) + S(0.14625280000000007) * t121 + S(0.0254214) * t104);
-    const S t123 = S(0.4318) * (t115 + S(7.540157480314961) * t106) + (S(0.0934) * t98 - (t3 * t116 - t2 * t120));
-    const S t124 = t0 * t122 - t1 * (S(0.1205966399999999) * (t61 - t100) + (S(0.001670399999999999) * t66 - S(0.0141984) * t121) - S(0.07210368000000011) * t105 - t123);
-    c[0] = S(0.2435) * (t1 * (t98 - S(0.1044) * t66) + t0 * (t99 - S(0.1044) * (t61 + t100))) - t124;
-    const S t126 = S(0.006820800000000002) * (t95 - t71) + S(0.07380327799999997) * t74 + (S(0.4331) * t92 + (t4 * t117 + t5 * t119)) + S(0.0203) * t97;
-    c[2] = t126;
-    c[1] = S(0.4318) * t99 + t126 + (S(1.024164) * t0 + (S(0.0070992) * (t63 - t100) - S(0.03707455999999998) * t66));
-    M[28] = S(0.0006421600000000001);
-    M[35] = S(3.9999999999999996e-05);
-    M[22] = S(0.0);
-    M[27] = S(0.0);
-    M[29] = S(0.0);
-    M[34] = S(0.0);
-  }
+  S sine[5], cosine[5];
+  sines_and_cosines(5, q + 1, sine, cosine);
+  const S t0 = sine[0];
+  const S t1 = cosine[0];
+  const S t2 = sine[1];
+  const S t3 = cosine[1];
+  const S t4 = sine[2];
+  const S t5 = cosine[2];
+  const S t6 = sine[3];
+  const S t7 = cosine[3];
+  const S t8 = cosine[4];
+  const S t9 = sine[4];
+  const S t10 = S(0.00020216) * t6;
+  const S t11 = t6 * t10;
+  const S t12 = t4 * (t11 + S(0.0001));
+  const S t13 = t4 * t12;
+  const S t14 = t6 * t5;
+  const S t15 = S(0.007635112499999984) - (t13 - (t11 - S(0.000116928) * t14));
+  const S t16 = t10 * t7;
+  const S t17 = S(0.001247328) * t14 + t5 * t16;
+  const S t18 = S(5.8464e-05) * t7 - t17 + S(0.010673638499999999);
+  const S t19 = t3 * t18;
+  const S t20 = S(0.3061122965) - (t11 - S(0.002494656) * t7);
+  const S t21 = t19 + t19 + t2 * (t15 - t20);
+  const S t22 = t2 * t21;
+  const S t23 = S(0.00288) * t7 + S(0.8617950000000001);
+  const S t24 = S(0.025374999999999998) - S(0.00288) * t14;
+  const S t25 = t2 * t23 - t3 * t24;
+  const S t26 = t15 - t22 + S(0.8636) * t25 + S(1.674987602);
+  const S t27 = t2 * t24 + t3 * t23;
+  const S t28 = t1 * (S(0.0070992) - (t18 - t3 * t21 + S(0.4318) * t27));
+  const S t29 = t20 + t22 + S(0.07312640000000004);
+  const S t30 = t4 * t6;
+  M[0] = t13 + (t26 - t0 * (t28 + t28 + t0 * (t26 - t29))) + S(0.000864576) * t30 + S(1.4724995505);
+  const S t32 = S(5.8464e-05) * t30 - t12 * t5;
+  const S t33 = S(-0.001247328) * t30 - t4 * t16;
+  M[15] = t33;
+  M[20] = t33;
+  const S t34 = S(0.00470400000000001) - t33;
+  const S t35 = t3 * t32 - t2 * t34;
+  const S t36 = t3 * t34 + t2 * t32;
+  const S t37 = t1 * (S(0.2435) * (S(0.1044) - t27) - (S(0.001670399999999999) - (S(0.0934) * t27 - t36)));
+  const S t38 = t0 * (S(0.2435) * (t25 + S(3.79559)) - (t35 + S(0.0934) * t25 - S(0.001243584) * t30 + S(0.233911466))) + t37;
+  M[1] = t38;
+  M[6] = t38;
+  const S t39 = t0 * (S(0.1501) * t25 - t35) - t1 * (t36 + S(0.1501) * t27);
+  M[2] = t39;
+  M[12] = t39;
+  const S t40 = t11 + S(0.001639999999999968);
+  M[21] = t40;
+  const S t41 = S(5.8464e-05) * t14 - t40;
+  const S t42 = t2 * t30;
+  const S t43 = t1 * (t2 * t17 - (t3 * (t41 - S(0.00043228799999999996) * t30) - S(0.001243584) * t14)) - t0 * (S(0.00043228799999999996) * t42 - (t2 * t41 + t3 * t17));
+  M[3] = t43;
+  M[18] = t43;
+  const S t44 = t5 * t7;
+  const S t45 = t6 * t3 + t2 * t44;
+  const S t46 = t4 * t7;
+  const S t47 = S(0.001247328) * t46 + S(0.0006421600000000001) * t4;
+  const S t48 = t1 * (S(0.00043228799999999996) * (t3 * t44 - t6 * t2) - t2 * t47 - t46 * (S(0.001243584) - S(5.8464e-05) * t3));
+  const S t49 = t0 * (S(0.00043228799999999996) * t45 + (t3 * t47 + t2 * (S(5.8464e-05) * t46))) - t48;
+  M[4] = t49;
+  M[24] = t49;
+  const S t50 = S(3.9999999999999996e-05) * t7;
+  M[23] = t50;
+  M[33] = t50;
+  const S t51 = S(3.9999999999999996e-05) * t6;
+  const S t52 = t5 * t51;
+  const S t53 = t1 * (t3 * t50 - t2 * t52) - t0 * (t2 * t50 + t3 * t52);
+  M[5] = t53;
+  M[30] = t53;
+  M[7] = t26 + t29;
+  const S t55 = t15 + t20;
+  M[14] = t55;
+  const S t56 = S(0.4318) * t25 + t55;
+  M[8] = t56;
+  M[13] = t56;
+  const S t57 = t33 + S(-0.001243584) * t42;
+  M[9] = t57;
+  M[19] = t57;
+  const S t58 = S(0.001247328) * t44 + S(0.0006421600000000001) * t5 - S(5.8464e-05) * t6;
+  M[16] = t58;
+  M[26] = t58;
+  const S t59 = S(0.001243584) * t45 + t58;
+  M[10] = t59;
+  M[25] = t59;
+  const S t60 = t4 * t51;
+  M[11] = t60;
+  M[17] = t60;
+  M[31] = t60;
+  M[32] = t60;
+  const S qd1 = qd[1];  // d(q2)
+  const S t61 = qd1 * qd1;
+  const S qd0 = qd[0];  // d(q1)
+  const S t62 = t1 * qd0;
+  const S t63 = t62 * t62;
+  const S t64 = S(9.81) * t0 + S(0.4318) * (t61 + t63);
+  const S t65 = t0 * qd0;
+  const S t66 = t65 * t62;
+  const S t67 = S(0.4318) * t66 - S(9.81) * t1;
+  const S qd2 = qd[2];  // d(q3)
+  const S t68 = qd1 + qd2;
+  const S t69 = t68 * t68;
+  const S t70 = t3 * t62 - t2 * t65;
+  const S t71 = t70 * t70;
+  const S t72 = t2 * t67 - t3 * t64 + S(0.0203) * (t69 + t71);
+  const S t73 = t2 * t62 + t3 * t65;
+  const S t74 = t70 * t73;
+  const S t75 = t72 - S(0.4331) * t74;
+  const S qd3 = qd[3];  // d(q4)
+  const S t76 = t70 + qd3;
+  const S t77 = t5 * t73 - t4 * t68;
+  const S t78 = t6 * t76 + t7 * t77;
+  const S t79 = t5 * t68 + t4 * t73;
+  const S qd4 = qd[4];  // d(q5)
+  const S t80 = qd4 + t79;
+  const S t81 = t78 * t78 + t80 * t80;
+  const S t82 = t70 * t68;
+  const S t83 = t4 * t82 + qd3 * t77;
+  const S t84 = t7 * t76 - t6 * t77;
+  const S t85 = t78 * t84;
+  const S t86 = t83 - t85;
+  const S t87 = t6 * t81 - t7 * t86;
+  const S t88 = t73 * t68;
+  const S t89 = qd3 * t79 - t5 * t82;
+  const S t90 = qd4 * t84 - (t6 * t88 + t7 * t89);
+  const S t91 = t80 * t84 + t90;
+  const S t92 = S(1.9898291387670286) * t75 - S(0.00288) * (t5 * t87 + t4 * t91);
+  const S t93 = S(0.7398291387670295) * t72 - t92;
+  const S t94 = t2 * t64 + t3 * t67 - S(0.0203) * t74;
+  const S t95 = t73 * t73;
+  const S t96 = t94 + S(0.4331) * (t69 + t95);
+  const S t97 = S(0.7398291387670295) * t94 - (S(0.00288) * (t7 * t81 + t6 * t86) + S(1.9898291387670286) * t96);
+  const S t98 = S(7.540157480314961) * t64 + (t3 * t93 - t2 * t97);
+  const S t99 = S(7.540157480314961) * t67 - (t3 * t97 + t2 * t93);
+  const S t100 = t65 * t65;
+  const S t101 = t6 * t89 - t7 * t88 - t78 * qd4;
+  const S t102 = S(3.9999999999999996e-05) * t101;
+  c[5] = t102;
+  const S t103 = t102 + S(0.00020000000000000004) * (t101 - t78 * t80);
+  const S t104 = qd0 * qd0;
+  const S t105 = t65 * qd1;
+  const S t106 = S(0.1501) * t104 + S(0.8636) * t105;
+  const S t107 = S(0.0406) * t88 - t106;
+  const S t108 = S(0.8662) * t82 + t107;
+  const S qd5 = qd[5];  // d(q6)
+  const S t109 = qd5 + (t84 + qd5);
+  const S t110 = t109 * (t78 * t9 + t80 * t8) + t83 * t9 - t90 * t8;
+  const S t111 = t83 * t8 + (t90 * t9 - t109 * (t80 * t9 - t78 * t8));
+  const S t112 = S(0.00288) * (t4 * t75 - t5 * t108) + (S(1.9999999999999998e-05) * (t8 * t110 - t9 * t111) - S(0.00042216000000000004) * t91);
+  const S t113 = t7 * t103 - t6 * t112 + (t77 * (S(0.00010000000000000005) * t79) - S(0.001399999999999968) * t88);
+  c[3] = t113;
+  const S t114 = S(1.9898291387670286) * t108 - S(0.00288) * (t4 * t87 - t5 * t91);
+  const S t115 = S(0.7398291387670295) * t107 - t114;
+  const S t116 = t113 + (S(0.004703999999999991) * t74 + S(0.013641600000000004) * t82 - S(0.01249999999999997) * t88) + S(0.0203) * t115;
+  const S t117 = t7 * t112 + t6 * t103 + S(0.000749999999999984) * (t89 + t76 * t79);
+  const S t118 = S(0.0006221600000000001) * t83 + (S(1.9999999999999998e-05) * (t9 * t110 + t8 * t111) + S(0.00288) * (t6 * t96 + t7 * (t5 * t75 + t4 * t108))) - S(0.00022216) * t85;
+  c[4] = t118;
+  const S t119 = S(0.0006499999999999839) * (t83 + t76 * t77) + t118;
+  const S t120 = S(0.135106556) * t82 - (S(0.004703999999999991) * (t69 - t71) - S(0.013641600000000004) * t88) + (t5 * t117 - t4 * t119 - S(0.4331) * t114);
+  const S t121 = t62 * qd1;
+  const S t122 = S(0.0934) * t99 + (t2 * t116 + t3 * t120) - (S(0.12059663999999992) * t66 + S(0.0141984) * t105 + S(0.001670399999999999) * (t61 - t63) + S(0.14625280000000007) * t121 + S(0.0254214) * t104);
+  const S t123 = S(0.4318) * (t115 + S(7.540157480314961) * t106) + (S(0.0934) * t98 - (t3 * t116 - t2 * t120));
+  const S t124 = t0 * t122 - t1 * (S(0.1205966399999999) * (t61 - t100) + (S(0.001670399999999999) * t66 - S(0.0141984) * t121) - S(0.07210368000000011) * t105 - t123);
+  c[0] = S(0.2435) * (t1 * (t98 - S(0.1044) * t66) + t0 * (t99 - S(0.1044) * (t61 + t100))) - t124;
+  const S t126 = S(0.006820800000000002) * (t95 - t71) + S(0.07380327799999997) * t74 + (S(0.4331) * t92 + (t4 * t117 + t5 * t119)) + S(0.0203) * t97;
+  c[2] = t126;
+  c[1] = S(0.4318) * t99 + t126 + (S(1.024164) * t0 + (S(0.0070992) * (t63 - t100) - S(0.03707455999999998) * t66));
+  M[28] = S(0.0006421600000000001);
+  M[35] = S(3.9999999999999996e-05);
+  M[22] = S(0.0);
+  M[27] = S(0.0);
+  M[29] = S(0.0);
+  M[34] = S(0.0);
 }
 
-/// All blocks; a pack has 1 values in w.
+/// A pack has 1 values in w. Inside a loop, compilers would put the constants of a block into memory.
 template <class S>
-void mass_matrix_and_bias_packs(int packs, [[maybe_unused]] const S* ALEMBERT_RESTRICT q,
-    [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] S* ALEMBERT_RESTRICT M,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT c, [[maybe_unused]] const Inputs<S>* ALEMBERT_RESTRICT inputs,
-    [[maybe_unused]] S* ALEMBERT_RESTRICT w) {
-  mass_matrix_and_bias_packs_block1<S>(packs, q, qd, M, c, inputs, w);
+inline void mass_matrix_and_bias_packs(int packs, const S* q, const S* qd, S* M, S* c, S* w, const Inputs<S>* inputs) {
+  for (int k = 0; k < packs; ++k)
+    mass_matrix_and_bias_pack_block1<S>(q + 6 * k, qd + 6 * k, M + 36 * k, c + 6 * k, w + 1 * k, inputs[k]);
 }
 
 }  // namespace alembert::mechanisms::puma560::detail
