@@ -264,7 +264,7 @@ struct Window {
     for (int i = 0; i < n; ++i) store(in + i, n, x + static_cast<::std::size_t>(i) * stride);
   }
 
-  /// New states of pack k whose lane of `sum` is not zero.
+  /// New states of a pack whose lane of `sum` is not zero.
   ::std::size_t count_not_finite(const Pack& sum) const {
     double x[Pack::kLanes];
     sum.store(x);
@@ -274,9 +274,11 @@ struct Window {
   }
 };
 
-/// Packs that are done together if a function has `size` values for each: as many as keep a second-level
-/// cache half filled.
+/// The most packs that are done together.
 constexpr int kMostPacks = 8;
+
+/// Packs that are done together if a function has `size` values for each: no more than half fill a
+/// second-level cache.
 constexpr int packs_together(::std::size_t size) {
   constexpr ::std::size_t kBytes = 1 << 18;
   const ::std::size_t packs = kBytes / (size * sizeof(Pack));
