@@ -175,10 +175,10 @@ std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const Equations
   // M and c alone are a part of the other way, which is O(n^3): it is not made in vain.
   std::vector<Expr> part = equations.M;
   part.insert(part.end(), right_side.begin(), right_side.end());
-  if (count_operations(part).total() > length) return *articulated;
-  std::vector<Expr> other = value_number(straight_line_solve(equations.M, std::move(right_side)));
+  if (5 * count_operations(part).total() > 6 * length) return *articulated;
+  const std::vector<Expr> other = straight_line_solve(equations.M, std::move(right_side));
   // Where it is close, the optimised programs decide.
-  const std::size_t other_length = count_operations(other).total();
+  const std::size_t other_length = count_operations(value_number(other)).total();
   const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
   const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
     return close ? program_weight(kinematics, values) : operations;

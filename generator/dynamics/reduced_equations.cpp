@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <optional>
 
@@ -34,6 +35,11 @@ Length program_length(std::span<const SymbolBinding> bindings, std::span<const E
   const OperationCount n = count(optimize(lower("candidate", output, bindings)));
   const std::size_t others = n.mul + n.add + n.div + n.other;
   return {others + n.trig, others};
+}
+
+std::vector<Expr> joined(std::vector<Expr> values, const std::vector<Expr>& others) {
+  values.insert(values.end(), others.begin(), others.end());
+  return values;
 }
 
 /// How a tree of motions is to be written: on which tree it rests, and the choices that can be tried on it.
@@ -89,14 +95,15 @@ class Search {
     const MotionTree tree = tree_of(form, kinematics_.graph);
     const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph, form.far);
     std::vector<Expr> values = value_number(raw);
+    work_ += static_cast<double>(postorder(raw).size());
+    if (values == best_ || is_near(values)) return false;
     if (best_.empty()) small_ = length_of(values).first <= kSmall;
     const std::size_t here = measure(values).first;
-    work_ += static_cast<double>(postorder(raw).size());
     if (!best_.empty() && here >= least_) {
-      if (near_.size() < kNear && here <= least_ + least_ / 20) near_.push_back(std::move(values));
+      keep_near(here, std::move(values));
       return false;
     }
-    if (near_.size() < kNear && !best_.empty()) near_.push_back(std::move(best_));
+    if (!best_.empty()) keep_near(least_, std::move(best_));
     best_ = std::move(values);
     least_ = here;
     form_ = form;
@@ -107,11 +114,6 @@ class Search {
     return small_ ? program_length(bindings_, values)
                   : length_of(values);  // programs of long lists take long
   }
-  /// Keeps the shorter of two lists of equal values.
-  void keep_shorter(std::vector<Expr>& kept, std::vector<Expr> other) const {
-    if (kept.empty() || measure(other) < measure(kept)) kept = std::move(other);
-  }
-
   /// Tries a form with its far pairs as they are estimated to be best. The estimate is right about long
   /// lists; in others it is tried what is best.
   void offer(Form form) {
@@ -180,12 +182,34 @@ class Search {
 
   std::vector<Expr> best() const { return best_; }
   MotionTree best_tree() const { return tree_of(form_, kinematics_.graph); }
-  /// The first lists that were hardly longer when they were found.
-  const std::vector<std::vector<Expr>>& near_ones() const { return near_; }
+  /// Other lists that are hardly longer, the shortest first.
+  std::vector<std::vector<Expr>> near_ones() const {
+    std::vector<std::vector<Expr>> out;
+    for (const Near& list : near_) {
+      if (list.length <= least_ + least_ / 20) out.push_back(list.values);
+    }
+    return out;
+  }
 
  private:
+  struct Near {
+    std::size_t length;
+    std::vector<Expr> values;
+  };
+
+  bool is_near(const std::vector<Expr>& values) const {
+    return std::any_of(near_.begin(), near_.end(), [&](const Near& list) { return list.values == values; });
+  }
+  // Of lists of one length those that were found first are kept.
+  void keep_near(std::size_t length, std::vector<Expr> values) {
+    const auto at = std::upper_bound(near_.begin(), near_.end(), length,
+                                     [](std::size_t one, const Near& list) { return one < list.length; });
+    near_.insert(at, {length, std::move(values)});
+    if (near_.size() > kNear) near_.pop_back();
+  }
+
   static constexpr std::size_t kSmall = 20000, kMeeting = 10000, kRefined = 1000;
-  static constexpr std::size_t kNear = 8;
+  static constexpr std::size_t kNear = 12;
 
   const Kinematics& kinematics_;
   std::vector<SymbolBinding> bindings_;
@@ -196,7 +220,30 @@ class Search {
   std::vector<Expr> best_;
   std::size_t least_ = ~std::size_t{0} / 4;
   double work_ = 0;
-  std::vector<std::vector<Expr>> near_;
+  std::vector<Near> near_;  ///< by length
+};
+
+/// The shortest lists of those that were added.
+class Shortest {
+ public:
+  explicit Shortest(std::function<Length(const std::vector<Expr>&)> measure) : measure_(std::move(measure)) {}
+
+  void add(std::vector<Expr> values) {
+    if (std::find(lists_.begin(), lists_.end(), values) != lists_.end()) return;
+    const Length length = measure_(values);
+    if (lists_.empty() || length < least_) {
+      lists_.clear();
+      least_ = length;
+    }
+    if (length == least_ && lists_.size() < kMost) lists_.push_back(std::move(values));
+  }
+  const std::vector<std::vector<Expr>>& lists() const { return lists_; }
+
+ private:
+  static constexpr std::size_t kMost = 4;
+  std::function<Length(const std::vector<Expr>&)> measure_;
+  std::vector<std::vector<Expr>> lists_;
+  Length least_;
 };
 
 }  // namespace
@@ -260,22 +307,33 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   EquationsOfMotion equations;
   equations.formulation = Formulation::reduced;
   equations.Q = forces.best();
-  equations.M = masses.best();
   if (passes.articulation) equations.articulated = masses.best_tree();
+  Shortest M([&](const std::vector<Expr>& values) { return masses.measure(values); });
+  Shortest c([&](const std::vector<Expr>& values) { return forces.measure(values); });
+  M.add(masses.best());
+  c.add(value_number(bias_by_substitution(mechanism, equations.Q, graph)));
   // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
   // speeds for the bodies.
-  if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv)) {
-    masses.keep_shorter(equations.M, value_number(coefficient_mass_matrix(mechanism, equations.Q)));
-    // As with c below, another Q may have the shorter coefficients.
-    if (mechanism.nv <= 6) {
-      for (const std::vector<Expr>& Q : forces.near_ones())
-        masses.keep_shorter(equations.M, value_number(coefficient_mass_matrix(mechanism, Q)));
+  if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv))
+    M.add(value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+  // The shortest c need not belong to the shortest Q, but to a much longer one it does not. Nor need the
+  // shortest M.
+  for (const std::vector<Expr>& Q : forces.near_ones()) {
+    if (mechanism.nv <= 6) M.add(value_number(coefficient_mass_matrix(mechanism, Q)));
+    c.add(value_number(bias_by_substitution(mechanism, Q, graph)));
+  }
+  // Of several the two that share most.
+  Length least;
+  for (const std::vector<Expr>& masses_of_pair : M.lists()) {
+    for (const std::vector<Expr>& bias_of_pair : c.lists()) {
+      const bool only = M.lists().size() * c.lists().size() == 1;
+      const Length length = only ? Length() : masses.measure(joined(masses_of_pair, bias_of_pair));
+      if (!equations.M.empty() && length >= least) continue;
+      least = length;
+      equations.M = masses_of_pair;
+      equations.c = bias_of_pair;
     }
   }
-  // The shortest c need not belong to the shortest Q, but to a much longer one it does not.
-  forces.keep_shorter(equations.c, value_number(bias_by_substitution(mechanism, equations.Q, graph)));
-  for (const std::vector<Expr>& Q : forces.near_ones())
-    forces.keep_shorter(equations.c, value_number(bias_by_substitution(mechanism, Q, graph)));
   return equations;
 }
 

@@ -51,8 +51,12 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
 
 class SumFactoring : NodeRewrite {
  public:
-  explicit SumFactoring(const ValueProgram& from)
-      : NodeRewrite(from), graph_(from.graph), inner_(graph_.size(), 0), angle_(graph_.size(), 1) {
+  SumFactoring(const ValueProgram& from, CommonPairs common_pairs)
+      : NodeRewrite(from),
+        graph_(from.graph),
+        spares_pairs_(common_pairs == CommonPairs::spared),
+        inner_(graph_.size(), 0),
+        angle_(graph_.size(), 1) {
     for (const std::uint32_t id : order_) {
       const ValueNode& n = graph_.node(id);
       const int operands = operand_count(n.op);
@@ -67,6 +71,7 @@ class SumFactoring : NodeRewrite {
   }
 
   std::optional<ValueProgram> run() {
+    if (spares_pairs_) count_pairs();
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
     if (!rewritten_) return std::nullopt;
     return finished();
@@ -98,6 +103,45 @@ class SumFactoring : NodeRewrite {
     const Value a = image(n.a);
     const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
     return to_.graph.make(n.op, a, b);
+  }
+
+  static std::uint64_t pair_of(Factor x, Factor y) {
+    return std::uint64_t{std::min(x.bits, y.bits)} << 32 | std::max(x.bits, y.bits);
+  }
+
+  // In how many products each pair of factors is.
+  void count_pairs() {
+    for (const std::uint32_t id : order_) {
+      if (inner_[id] != 0 || !is_product(graph_.node(id).op)) continue;
+      factors_.clear();
+      read_term(Value(id, false), true);
+      if (factors_.size() < 3) continue;
+      std::vector<std::uint64_t> here;
+      for (std::size_t i = 0; i < factors_.size(); ++i)
+        for (std::size_t k = i + 1; k < factors_.size(); ++k)
+          here.push_back(pair_of(factors_[i], factors_[k]));
+      std::sort(here.begin(), here.end());
+      here.erase(std::unique(here.begin(), here.end()), here.end());
+      pairs_.insert(pairs_.end(), here.begin(), here.end());
+    }
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+
+  // Whether the factor of a group comes cheaper as a part of products with another factor of each term: in k
+  // terms it takes k products if each of them serves in more than k places.
+  bool better_in_pairs(std::span<const std::pair<std::uint32_t, std::uint32_t>> members) const {
+    return std::all_of(members.begin(), members.end(), [&](const auto& member) {
+      const Term& term = terms_[member.second];
+      for (std::uint32_t f = term.begin; f < term.end; ++f) {
+        if (factors_[f].bits == member.first) continue;
+        Factor common = factors_[f];
+        common.bits = member.first;
+        const auto [begin, end] =
+            std::equal_range(pairs_.begin(), pairs_.end(), pair_of(common, factors_[f]));
+        if (static_cast<std::size_t>(end - begin) > members.size()) return true;
+      }
+      return false;
+    });
   }
 
   // Reads the product below v; only inner nodes and the top are opened.
@@ -203,6 +247,7 @@ class SumFactoring : NodeRewrite {
     for (std::size_t begin = 0, end = 0; begin < occurrences_.size(); begin = end) {
       while (end < occurrences_.size() && occurrences_[end].first == occurrences_[begin].first) ++end;
       if (end - begin < 2) continue;
+      if (spares_pairs_ && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) continue;
       const std::ptrdiff_t gained = gain(std::span(occurrences_).subspan(begin, end - begin));
       if (gained > 0) queue.push({gained, occurrences_[begin].second, begin, end});
     }
@@ -327,8 +372,10 @@ class SumFactoring : NodeRewrite {
   }
 
   const ValueGraph& graph_;
-  std::vector<std::uint8_t> inner_;  ///< part of the sum or product that uses it
-  std::vector<std::uint8_t> angle_;  ///< used by sin, cos and tan only
+  bool spares_pairs_;
+  std::vector<std::uint64_t> pairs_;  ///< one for each product that a pair is in, in order
+  std::vector<std::uint8_t> inner_;   ///< part of the sum or product that uses it
+  std::vector<std::uint8_t> angle_;   ///< used by sin, cos and tan only
   bool rewritten_ = false;
 
   // Of the chain at hand.
@@ -342,8 +389,8 @@ class SumFactoring : NodeRewrite {
 
 }  // namespace
 
-std::optional<ValueProgram> factor_sums(const ValueProgram& program) {
-  return SumFactoring(program).run();
+std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs) {
+  return SumFactoring(program, common_pairs).run();
 }
 
 }  // namespace alembert

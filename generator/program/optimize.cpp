@@ -62,7 +62,7 @@ struct Candidate {
 };
 
 // The local rewrites, each kept if it gains, until none does.
-Candidate rewrite(ValueProgram values) {
+Candidate rewrite(ValueProgram values, CommonPairs pairs) {
   Candidate best;
   best.program = place_signs(values);
   best.cost = cost(best.program);
@@ -76,10 +76,23 @@ Candidate rewrite(ValueProgram values) {
     return true;
   };
   for (int round = 0; round < kRounds; ++round) {
-    const bool factored = accept(factor_sums(values));
+    const bool factored = accept(factor_sums(values, pairs));
     const bool divided = accept(share_divisions(values));
     const bool bracketed = accept(share_products(values));
     if (!factored && !divided && !bracketed) break;
+  }
+  return best;
+}
+
+// Rewriting and value numbering in turn, for as long as that gains.
+Candidate rewrite_and_merge(const Program& program, CommonPairs pairs) {
+  Candidate best = rewrite(to_values(program), pairs);
+  for (int round = 0; round < kRounds; ++round) {
+    const std::optional<ValueProgram> merged = merge_equal_values(best.program);
+    if (!merged) break;
+    Candidate next = rewrite(*merged, pairs);
+    if (!(next.cost < best.cost)) break;
+    best = std::move(next);
   }
   return best;
 }
@@ -88,14 +101,9 @@ Candidate rewrite(ValueProgram values) {
 
 Program optimize(Program program) {
   const Cost given = cost(program);
-  Candidate best = rewrite(to_values(program));
-  for (int round = 0; round < kRounds; ++round) {
-    const std::optional<ValueProgram> merged = merge_equal_values(best.program);
-    if (!merged) break;
-    Candidate next = rewrite(*merged);
-    if (!(next.cost < best.cost)) break;
-    best = std::move(next);
-  }
+  Candidate best = rewrite_and_merge(program, CommonPairs::taken_apart);
+  Candidate other = rewrite_and_merge(program, CommonPairs::spared);
+  if (other.cost < best.cost) best = std::move(other);
   if (given < best.cost) best = {std::move(program), given};
   if (given < cost(best.program))
     throw InternalError("optimise: " + best.program.function + " costs more than before");

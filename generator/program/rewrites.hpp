@@ -14,9 +14,12 @@ namespace alembert {
 /// reciprocal and two multiplies (6).
 inline constexpr std::size_t kDivisionWeight = 4;
 
+/// Whether a factor is left in a sum where it comes cheaper as part of products that many places share.
+enum class CommonPairs { taken_apart, spared };
+
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
-std::optional<ValueProgram> factor_sums(const ValueProgram& program);
+std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs);
 
 /// x/d, y/d -> r = 1/d, x*r, y*r; (a/b)/c -> a/(b*c); a/(b/c) -> a*c/b; (a/b)*(c/d) -> (a*c)/(b*d); x*(c/y)
 /// -> (c*x)/y.

@@ -1,6 +1,7 @@
 // Probabilistic value numbering. In: roots. Out: equal roots in which nodes of equal value, up to sign, are
 // one node, and nodes that are zero or a small rational are that number. This is what turns a long sum of
-// products of sines and cosines into a cosine that is there already.
+// products of sines and cosines into a cosine that is there already. Constants that agree to rounding count
+// as equal (close_constants.hpp).
 //
 // Values are taken in a finite field at two random points and confirmed at two more; a false match of
 // expressions without roots has a chance below 2^-100. The sign of a root is arbitrary in the field, so that
@@ -12,6 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "symbolic/close_constants.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {
@@ -342,7 +344,8 @@ class Numbering {
 std::vector<Expr> value_number(std::span<const Expr> roots) {
   std::vector<Expr> same(roots.begin(), roots.end());
   if (graph_of(roots) == nullptr) return same;
-  std::vector<Expr> out = Numbering(roots).run(roots);
+  const std::vector<Expr> merged = merge_close_constants(roots);
+  std::vector<Expr> out = Numbering(merged).run(merged);
   const ExprCount before = count_operations(roots), after = count_operations(out);
   return after.total() + after.trig > before.total() + before.trig ? same : out;
 }

@@ -1,4 +1,6 @@
 // Probabilistic value numbering: what is merged, and what must not be.
+#include <cmath>
+
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
 
@@ -80,6 +82,65 @@ TEST_F(ValueNumber, NeverMoreOperations) {
     const ExprCount before = count_operations(dag.roots), after = count_operations(value_number(dag.roots));
     EXPECT_LE(after.total() + after.trig, before.total() + before.trig) << seed;
   }
+}
+
+/// A number that no short decimal stands for.
+double computed_constant(TestRandom& random) {
+  return std::sqrt(2.0) * random.uniform(0.5, 2) * std::pow(10.0, random.uniform(-6, 6));
+}
+
+double moved(double x, int units) {
+  const double towards = units < 0 ? 0 : HUGE_VAL;
+  for (int i = 0; i < std::abs(units); ++i) x = std::nextafter(x, towards);
+  return x;
+}
+
+TEST_F(ValueNumber, ConstantsEqualToRoundingShareTheirProducts) {
+  TestRandom random(1);
+  for (int k = 0; k < 1000; ++k) {
+    const double c = computed_constant(random);
+    const double d = moved(c, static_cast<int>(random.below(9)) - 4) * (random.one_in(2) ? -1 : 1);
+    const std::vector<Expr> roots{g.real(c) * (x + y) + z, z - g.real(d) * (x + y)};
+    const std::vector<Expr> out = value_number(roots);
+    const ExprCount n = count_operations(out);
+    EXPECT_EQ(n.mul, 1u) << c << ' ' << d;
+    const std::vector<double> at{0.3, 0.9, -0.2};
+    const std::vector<double> before = evaluate(roots, at), after = evaluate(out, at);
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(before[i], after[i], 1e-15 * (std::abs(c) * 1.2 + std::abs(before[i]))) << c << ' ' << d;
+  }
+}
+
+TEST_F(ValueNumber, ConstantsThatDifferStayApart) {
+  TestRandom random(2);
+  for (int k = 0; k < 1000; ++k) {
+    const double c = computed_constant(random), d = c * (1 + 1e-14);
+    const std::vector<Expr> roots{g.real(c) * (x + y) + z, z - g.real(d) * (x + y)};
+    const std::vector<Expr> out = value_number(roots);
+    EXPECT_EQ(count_operations(out).mul, 2u) << c;
+    const std::vector<double> at{0.3, 0.9, -0.2};
+    EXPECT_EQ(evaluate(out, at), evaluate(roots, at)) << c;
+  }
+}
+
+TEST_F(ValueNumber, DifferencesOfConstantsAreKept) {
+  TestRandom random(3);
+  for (int k = 0; k < 1000; ++k) {
+    const double c = computed_constant(random), d = moved(c, 1 + static_cast<int>(random.below(4)));
+    const std::vector<Expr> out =
+        value_number(std::vector<Expr>{x * (g.real(d) - g.real(c)), g.real(c) * y + g.real(d) * z});
+    EXPECT_EQ(evaluate(out, std::vector<double>{1, 0, 0})[0], d - c) << c << ' ' << d;
+    EXPECT_EQ(evaluate(out, std::vector<double>{0, 1, -1})[1], 0) << c << ' ' << d;
+  }
+}
+
+TEST_F(ValueNumber, RationalsAreWhatWasWritten) {
+  const Expr third = g.rational({1, 3}), binary = g.rational({6004799503160661, 18014398509481984});
+  const std::vector<Expr> roots{third * x, binary * x};
+  EXPECT_EQ(value_number(roots), roots);
+  // What was computed gives way to what was written, even where that comes later.
+  const std::vector<Expr> mixed{g.real(moved(0.1, 3)) * x, g.rational({1, 10}) * x * y};
+  EXPECT_TRUE(same(value_number(mixed)[0], g.rational({1, 10}) * x));
 }
 
 }  // namespace

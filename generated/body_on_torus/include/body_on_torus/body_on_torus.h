@@ -54,7 +54,7 @@ extern const double body_on_torus_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [3] is the result.
-   Operations: 65 multiplications, 50 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 63 multiplications, 48 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
@@ -67,14 +67,14 @@ int body_on_torus_mass_matrix(const double* q, double t, const double* parameter
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-   Operations: 57 multiplications, 40 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [3 x 3], symmetric and written in full, and c [3] are the results.
-   Operations: 77 multiplications, 54 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation).
  */
 int body_on_torus_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);

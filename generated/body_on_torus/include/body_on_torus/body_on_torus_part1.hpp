@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::body_on_torus {
 
-// inverse_dynamics: 65 multiplications, 50 additions, 4 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 63 multiplications, 48 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -55,23 +55,21 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t18 = t12 * t15;
   const S qdd1 = qdd[1];  // dd(v)
   const S t19 = t7 * t3 + t4 * qdd1 - qd2 * t15;
-  const S t20 = t18 + t19;
-  const S t21 = t7 * t4 - t3 * qdd1 - t10 * qd2;
-  const S t22 = t10 * t12;
-  const S t23 = t21 + t22;
-  const S t24 = t15 * t15;
-  const S t25 = t14 - t16;
-  const S t26 = S(1.1) * (qd0 * qd0);
-  const S t27 = t1 * t26 + S(9.81) * t2;
-  const S t28 = S(4.472135954999628e-05) * t20 - S(0.007200138887549335) * t23 + S(0.00015999999999998947) * (t11 - t24) + S(0.0015700000000001544) * t17 + S(0.0004800000000001756) * t25 + S(0.01565247584249856) * (qdd0 * (S(1.1) * t4) + t3 * t27);
-  tau[2] = t28;
-  const S t29 = t18 - t19;
-  const S t30 = t21 - t22;
-  const S t31 = S(0.0015700000000001544) * t29 - (S(0.007200138887549335) * (t13 - t24) + (S(4.472135954999628e-05) * t25 + S(0.00015999999999998947) * t30) - S(4.336808689942018e-19) * t20) - S(0.01565247584249856) * (S(9.81) * t1 - t2 * t26);
-  const S t32 = S(4.336808689942018e-19) * t23 + (S(4.472135954999628e-05) * (t11 - t13) + (S(0.00015999999999998947) * t29 + S(0.007200138887549335) * t17) - S(0.0004800000000001756) * t30);
-  const S t33 = t1 * t28 + t2 * (t3 * t31 + t4 * t32 - (S(0.1371199999999998) * t8 - S(0.3388000000000001) * qdd0));
-  tau[0] = S(1.1) * (S(0.77) * qdd0 - (S(0.30800000000000005) * t8 + S(0.01565247584249856) * (t3 * (t11 + t13) - t4 * t17))) + t33;
-  tau[1] = t3 * t32 - t4 * t31 + (S(0.30800000000000005) * t27 + S(0.1371199999999998) * (qdd1 + t5 * t9));
+  const S t20 = t18 - t19;
+  const S t21 = t10 * t12;
+  const S t22 = t7 * t4 - t3 * qdd1 - t10 * qd2;
+  const S t23 = t21 - t22;
+  const S t24 = S(0.007200138887549335) * t17 + (S(0.00015999999999998947) * t20 + (S(4.472135954999628e-05) * (t11 - t13) + S(0.00048000000000017603) * t23));
+  const S t25 = S(1.1) * (qd0 * qd0);
+  const S t26 = t15 * t15;
+  const S t27 = S(0.01565247584249856) * (S(9.81) * t1 - t2 * t25) - (S(0.00015999999999998947) * t23 - (S(0.007200138887549335) * (t13 - t26) + S(4.472135954999628e-05) * (t14 - t16)) + S(0.0015700000000001546) * t20);
+  const S t28 = t1 * t25 + S(9.81) * t2;
+  const S t29 = S(0.0010899999999999788) * t16 + (S(4.472135954999628e-05) * (t18 + t19) - S(0.007200138887549335) * (t21 + t22) + S(0.00015999999999998947) * (t11 - t26) + S(0.0020500000000003306) * t14);
+  const S t30 = S(0.01565247584249856) * (qdd0 * (S(1.1) * t4) + t3 * t28) + t29;
+  tau[2] = t30;
+  const S t31 = t2 * (t4 * t24 - t3 * t27 - (S(0.1371199999999998) * t8 - S(0.3388000000000001) * qdd0)) + t1 * t30;
+  tau[0] = S(1.1) * (S(0.77) * qdd0 - (S(0.30800000000000005) * t8 + S(0.01565247584249856) * (t3 * (t11 + t13) - t4 * t17))) + t31;
+  tau[1] = t4 * t27 + t3 * t24 + (S(0.30800000000000005) * t28 + S(0.1371199999999998) * (qdd1 + t5 * t9));
 }
 
 // mass_matrix: 20 multiplications, 14 additions, 4 sin/cos/tan (reduced formulation).
@@ -106,7 +104,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[8] = S(0.00205000000000033);
 }
 
-// bias: 57 multiplications, 40 additions, 4 sin/cos/tan (reduced formulation).
+// bias: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -117,46 +115,43 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
+  const S t1 = sine[0];
+  const S t2 = cosine[0];
   const S t3 = sine[1];
   const S t4 = cosine[1];
   const S qd0 = qd[0];  // d(u)
-  const S t5 = qd0 * t2;
+  const S t5 = S(1.1) * (qd0 * qd0);
+  const S t6 = t1 * t5 + S(9.81) * t2;
+  const S t7 = t1 * qd0;
   const S qd1 = qd[1];  // d(v)
-  const S t6 = qd1 * t5;
-  const S qd2 = qd[2];  // d(spin)
-  const S t7 = t5 + qd2;
-  const S t8 = t7 * t7;
-  const S t9 = t1 * qd0;
+  const S t8 = qd1 * t7;
+  const S t9 = qd0 * t2;
   const S t10 = qd1 * t4 - t3 * t9;
-  const S t11 = t10 * t10;
-  const S t12 = qd1 * t3 + t4 * t9;
+  const S qd2 = qd[2];  // d(spin)
+  const S t11 = t8 * t4 - qd2 * t10;
+  const S t12 = t7 + qd2;
   const S t13 = t10 * t12;
-  const S t14 = qd1 * t9;
-  const S t15 = t13 + t14;
-  const S t16 = S(1.1) * (qd0 * qd0);
-  const S t17 = t6 * t4 - qd2 * t10;
-  const S t18 = t10 * t7;
-  const S t19 = t17 - t18;
-  const S t20 = t13 - t14;
-  const S t21 = t12 * t12;
-  const S t22 = qd2 * t12 - t6 * t3;
-  const S t23 = t7 * t12;
-  const S t24 = t22 - t23;
-  const S t25 = t22 + t23;
-  const S t26 = S(0.01565247584249856) * (S(9.81) * t2 - t1 * t16) + (S(0.00015999999999998947) * t19 - S(4.472135954999628e-05) * t20 - S(0.007200138887549335) * (t21 - t8) + S(4.336808689942018e-19) * t24 - S(0.0015700000000001544) * t25);
-  const S t27 = t17 + t18;
-  const S t28 = S(4.336808689942018e-19) * t27 - (S(4.472135954999628e-05) * (t8 - t11) - (S(0.007200138887549335) * t15 + S(0.00015999999999998947) * t25) + S(0.0004800000000001756) * t19);
-  const S t29 = t2 * t16 + S(9.81) * t1;
-  const S t30 = t3 * (S(0.01565247584249856) * t29) + (S(0.0015700000000001544) * t15 - (S(0.007200138887549335) * t27 + S(4.472135954999628e-05) * t24 + S(0.00015999999999998947) * (t21 - t11)) - S(0.0004800000000001756) * t20);
-  c[2] = t30;
-  const S t31 = t1 * (S(0.2742399999999996) * t6 + (t3 * t26 - t4 * t28)) - t2 * t30;
-  c[0] = S(-1.1) * (S(0.6160000000000001) * t6 + S(0.01565247584249856) * (t3 * (t8 + t11) - t4 * t15)) - t31;
-  c[1] = S(0.30800000000000005) * t29 + t5 * (S(0.1371199999999998) * t9) + (t3 * t28 + t4 * t26);
+  const S t14 = t3 * qd1 + t4 * t9;
+  const S t15 = qd2 * t14 - t3 * t8;
+  const S t16 = t12 * t14;
+  const S t17 = t14 * t14;
+  const S t18 = t10 * t10;
+  const S t19 = qd1 * t9;
+  const S t20 = t10 * t14;
+  const S t21 = t3 * (S(0.01565247584249856) * t6) - (S(0.007200138887549335) * (t11 + t13) + S(4.472135954999628e-05) * (t15 - t16) + S(0.00015999999999998947) * (t17 - t18) - S(0.0020500000000003306) * t19 - S(0.0010899999999999788) * t20);
+  c[2] = t21;
+  const S t22 = t15 + t16;
+  const S t23 = t12 * t12;
+  const S t24 = t19 + t20;
+  const S t25 = t11 - t13;
+  const S t26 = S(0.00015999999999998947) * t22 + (S(4.472135954999628e-05) * (t18 - t23) + S(0.007200138887549335) * t24) - S(0.00048000000000017603) * t25;
+  const S t27 = S(0.007200138887549335) * (t17 - t23) - (S(4.472135954999628e-05) * (t19 - t20) + (S(0.00015999999999998947) * t25 + (S(0.01565247584249856) * (S(9.81) * t1 - t5 * t2) - S(0.0015700000000001546) * t22)));
+  const S t28 = S(1.1) * (S(0.6160000000000001) * t8 + S(0.01565247584249856) * (t3 * (t18 + t23) - t4 * t24));
+  c[0] = t1 * t21 - t2 * (S(0.2742399999999996) * t8 - (t4 * t26 + t3 * t27)) - t28;
+  c[1] = S(0.30800000000000005) * t6 + t7 * (S(0.1371199999999998) * t9) + (t3 * t26 - t4 * t27);
 }
 
-// mass_matrix_and_bias: 77 multiplications, 54 additions, 4 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -187,38 +182,35 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[6] = t12;
   M[4] = S(0.13868999999999995) - t8;
   const S qd0 = qd[0];  // d(u)
-  const S t14 = t1 * qd0;
+  const S t14 = S(1.1) * (qd0 * qd0);
+  const S t15 = t1 * t14 + S(9.81) * t2;
+  const S t16 = t1 * qd0;
   const S qd1 = qd[1];  // d(v)
-  const S t15 = qd1 * t14;
-  const S qd2 = qd[2];  // d(spin)
-  const S t16 = t14 + qd2;
-  const S t17 = t16 * t16;
+  const S t17 = qd1 * t16;
   const S t18 = t2 * qd0;
   const S t19 = t3 * qd1 - t4 * t18;
-  const S t20 = t19 * t19;
-  const S t21 = t4 * qd1 + t3 * t18;
+  const S qd2 = qd[2];  // d(spin)
+  const S t20 = t3 * t17 - qd2 * t19;
+  const S t21 = t16 + qd2;
   const S t22 = t19 * t21;
-  const S t23 = qd1 * t18;
-  const S t24 = t22 + t23;
-  const S t25 = S(1.1) * (qd0 * qd0);
-  const S t26 = t3 * t15 - qd2 * t19;
-  const S t27 = t19 * t16;
-  const S t28 = t26 - t27;
-  const S t29 = t22 - t23;
-  const S t30 = t21 * t21;
-  const S t31 = qd2 * t21 - t4 * t15;
-  const S t32 = t16 * t21;
-  const S t33 = t31 - t32;
-  const S t34 = t31 + t32;
-  const S t35 = S(0.01565247584249856) * (S(9.81) * t1 - t2 * t25) + (S(0.00015999999999998947) * t28 - S(4.472135954999628e-05) * t29 - S(0.007200138887549335) * (t30 - t17) + S(4.336808689942018e-19) * t33 - S(0.0015700000000001544) * t34);
-  const S t36 = t26 + t27;
-  const S t37 = S(4.336808689942018e-19) * t36 - (S(4.472135954999628e-05) * (t17 - t20) - (S(0.007200138887549335) * t24 + S(0.00015999999999998947) * t34) + S(0.0004800000000001756) * t28);
-  const S t38 = t1 * t25 + S(9.81) * t2;
-  const S t39 = S(0.01565247584249856) * (t4 * t38) + (S(0.0015700000000001544) * t24 - (S(0.007200138887549335) * t36 + S(4.472135954999628e-05) * t33 + S(0.00015999999999998947) * (t30 - t20)) - S(0.0004800000000001756) * t29);
-  c[2] = t39;
-  const S t40 = t2 * (S(0.2742399999999996) * t15 + (t4 * t35 - t3 * t37)) - t1 * t39;
-  c[0] = S(-1.1) * (S(0.6160000000000001) * t15 + S(0.01565247584249856) * (t4 * (t17 + t20) - t3 * t24)) - t40;
-  c[1] = S(0.30800000000000005) * t38 + t14 * (S(0.1371199999999998) * t18) + (t4 * t37 + t3 * t35);
+  const S t23 = t4 * qd1 + t3 * t18;
+  const S t24 = qd2 * t23 - t4 * t17;
+  const S t25 = t21 * t23;
+  const S t26 = t23 * t23;
+  const S t27 = t19 * t19;
+  const S t28 = qd1 * t18;
+  const S t29 = t19 * t23;
+  const S t30 = S(0.01565247584249856) * (t4 * t15) - (S(0.007200138887549335) * (t20 + t22) + S(4.472135954999628e-05) * (t24 - t25) + S(0.00015999999999998947) * (t26 - t27) - S(0.0020500000000003306) * t28 - S(0.0010899999999999788) * t29);
+  c[2] = t30;
+  const S t31 = t24 + t25;
+  const S t32 = t21 * t21;
+  const S t33 = t28 + t29;
+  const S t34 = t20 - t22;
+  const S t35 = S(0.00015999999999998947) * t31 + (S(4.472135954999628e-05) * (t27 - t32) + S(0.007200138887549335) * t33) - S(0.00048000000000017603) * t34;
+  const S t36 = S(0.007200138887549335) * (t26 - t32) - (S(4.472135954999628e-05) * (t28 - t29) + (S(0.00015999999999998947) * t34 + (S(0.01565247584249856) * (S(9.81) * t1 - t2 * t14) - S(0.0015700000000001546) * t31)));
+  const S t37 = S(1.1) * (S(0.6160000000000001) * t17 + S(0.01565247584249856) * (t4 * (t27 + t32) - t3 * t33));
+  c[0] = t1 * t30 - t2 * (S(0.2742399999999996) * t17 - (t3 * t35 + t4 * t36)) - t37;
+  c[1] = S(0.30800000000000005) * t15 + t16 * (S(0.1371199999999998) * t18) + (t4 * t35 - t3 * t36);
   M[8] = S(0.00205000000000033);
 }
 

@@ -94,7 +94,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [3] is the result.
-/// Operations: 65 multiplications, 50 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 63 multiplications, 48 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -106,13 +106,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-/// Operations: 57 multiplications, 40 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [3 x 3], symmetric and written in full, and c [3] are the results.
-/// Operations: 77 multiplications, 54 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

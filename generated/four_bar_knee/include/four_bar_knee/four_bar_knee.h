@@ -61,7 +61,7 @@ int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const doub
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 45 multiplications, 35 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
@@ -74,7 +74,7 @@ int four_bar_knee_bias(const double* q, const double* qd, double t, const double
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 131 multiplications, 89 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);
@@ -87,7 +87,7 @@ int four_bar_knee_coordinate_rates(const double* q, const double* qd, double* qd
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 58 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_energy(const double* q, const double* qd, double t, const double* parameters,
                          const double* wrenches, double* e);

@@ -115,7 +115,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[1] = t71 - t59 * t72;
 }
 
-// mass_matrix: 45 multiplications, 35 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+// mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::acos;
@@ -127,39 +127,43 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t0 = sin(q1);
   const S t1 = cos(q1);
   const S t2 = S(0.032) * t0;
-  const S t3 = S(0.032) * t1;
-  const S t4 = S(0.024) - t3;
-  const S t5 = atan2(t2, t4);
-  const S t6 = S(0.001536) * t1;
-  const S t7 = S(0.0016) - t6;
-  const S t8 = sqrt(t7);
-  const S t9 = S(1.0) / t8;
-  const S t10 = t9 * (S(0.002356) - t6);
-  const S t11 = acos(S(14.705882352941176) * t10);
-  const S t12 = t5 - t11;
+  const S t3 = S(0.001536) * t1;
+  const S t4 = S(0.0016) - t3;
+  const S t5 = sqrt(t4);
+  const S t6 = S(1.0) / t5;
+  const S t7 = (S(0.002356) - t3) * t6;
+  const S t8 = acos(S(14.705882352941176) * t7);
+  const S t9 = S(0.032) * t1;
+  const S t10 = S(0.024) - t9;
+  const S t11 = atan2(t2, t10);
+  const S t12 = t8 - t11;
   const S t13 = sin(t12);
   const S t14 = cos(t12);
   const S t15 = S(0.034) * t13;
-  const S t16 = t2 - t15;
+  const S t16 = t2 + t15;
   const S t17 = S(0.034) * t14;
-  const S t18 = t3 - (S(0.024) - t17);
-  const S t19 = atan2(-t16, -t18);
-  const S t20 = S(1.5392278703071185) - t19;
+  const S t18 = t9 - (S(0.024) - t17);
+  const S t19 = atan2(t16, -t18);
+  const S t20 = t19 + S(1.5392278703071185);
   const S t21 = sin(t20);
   const S t22 = cos(t20);
   const S t23 = S(0.6463220249999222) * t21;
-  const S t24 = S(0.6463220249999222) * t22;
-  const S t25 = S(0.024) * (S(0.0204) - (t24 + S(0.1088) * t1));
-  M[0] = S(0.82) * (t23 - S(0.1088) * t0 + S(0.697)) + S(0.064) * (t1 * (S(0.0544) * t1 + t24) - t0 * (t23 - S(0.0544) * t0)) + t25 + S(0.5302576000000001);
-  const S t27 = t1 * t24 - t0 * t23;
-  const S t28 = S(0.032) * t27;
-  const S t29 = sqrt(S(1.0) - t10 * (S(216.26297577854672) * t10));
-  const S t30 = t0 * (S(0.02258823529411765) / t29 * (t9 - t9 * (t9 * (S(0.5) * t10)))) + (t3 * t4 - t0 * (S(0.001024) * t0)) / t7;
-  const S t31 = (t16 * (t2 + t15 * t30) + t18 * (t3 - t17 * t30)) / (t16 * t16 + t18 * t18);
-  const S t32 = S(0.0013056) * t1 + S(0.044608) * t0 - (t28 + S(0.0034816)) - (t28 + S(0.1738624) - (S(0.007755864299999067) * t22 - S(0.2649920302499681) * t21)) * t31;
-  M[1] = t32;
-  M[2] = t32;
-  M[3] = t31 * (S(0.1738624) * t31 + S(0.064) * t27) + S(0.0034816);
+  const S t24 = S(0.41) - t2;
+  const S t25 = t23 + S(3.4) * t24;
+  const S t26 = S(0.6463220249999222) * t22;
+  const S t27 = S(0.012) - t9;
+  const S t28 = t26 - S(3.4) * t27;
+  const S t29 = S(0.6463220249999222) * (t21 * t24 - t22 * t27) + S(0.1738624);
+  const S t30 = t2 * t25 - t9 * t28;
+  M[0] = S(0.41) * t25 - S(0.012) * t28 + (t29 - t30) + S(0.3563952000000001);
+  const S t32 = sqrt(S(1.0) - t7 * (S(216.26297577854672) * t7));
+  const S t33 = t0 * ((t6 - t6 * (t6 * (S(0.5) * t7))) * (S(0.02258823529411765) / t32)) - (t0 * (S(0.001024) * t0) - t9 * t10) / t4;
+  const S t34 = (t16 * (t2 - t15 * t33) + t18 * (t9 - t17 * t33)) / (t16 * t16 + t18 * t18);
+  const S t35 = t30 - t29 * t34;
+  M[1] = t35;
+  M[2] = t35;
+  const S t36 = t2 * (t23 * t34 - S(0.1088) * t0) - t9 * (t26 * t34 + S(0.1088) * t1);
+  M[3] = t34 * (S(0.1738624) * t34 + S(0.6463220249999222) * (t9 * t22 - t2 * t21)) - t36;
 }
 
 // bias: 109 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
@@ -254,7 +258,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = t69 - t42 * t70;
 }
 
-// mass_matrix_and_bias: 131 multiplications, 89 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// mass_matrix_and_bias: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -287,73 +291,77 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t18 = t11 - (S(0.024) - S(0.034) * t16);
   const S t19 = atan2(t17, -t18);
   const S t20 = t19 + S(1.5392278703071185);
-  const S t21 = cos(t20);
-  const S t22 = sin(t20);
+  const S t21 = sin(t20);
+  const S t22 = cos(t20);
   const S t23 = S(0.6463220249999222) * t21;
-  const S t24 = S(0.6463220249999222) * t22;
-  const S t25 = S(0.82) * (t24 - S(0.1088) * t2 + S(0.697)) - S(0.064) * (t2 * (t24 - S(0.0544) * t2) - t3 * (t23 + S(0.0544) * t3));
-  M[0] = S(0.024) * (S(0.0204) - (t23 + S(0.1088) * t3)) + t25 + S(0.5302576000000001);
-  const S t27 = S(0.032) * (t3 * t23 - t2 * t24);
-  const S t28 = S(1.0) / t6;
-  const S t29 = t2 * t28;
-  const S t30 = t2 * t29;
-  const S t31 = t12 * t28;
-  const S t32 = t8 * t9;
-  const S t33 = S(0.5) * t8;
-  const S t34 = t8 - t32 * t33;
-  const S t35 = t2 * t34;
-  const S t36 = S(216.26297577854672) * t9;
-  const S t37 = sqrt(S(1.0) - t9 * t36);
-  const S t38 = S(0.02258823529411765) / t37;
-  const S t39 = S(0.001024) * t30 - t11 * t31 - t35 * t38;
-  const S t40 = t15 * t39;
-  const S t41 = t4 + S(0.034) * t40;
-  const S t42 = S(1.0) / (t17 * t17 + t18 * t18);
-  const S t43 = t17 * t42;
-  const S t44 = t16 * t39;
-  const S t45 = t11 + S(0.034) * t44;
-  const S t46 = t18 * t42;
-  const S t47 = t41 * t43 + t45 * t46;
-  const S t48 = S(0.044608) * t2 + S(0.0013056) * t3 - (t27 + S(0.0034816)) - (S(0.2649920302499681) * t22 - S(0.007755864299999067) * t21 + (t27 + S(0.1738624))) * t47;
-  M[1] = t48;
-  M[2] = t48;
-  const S t49 = t27 * t47;
-  M[3] = t49 + t49 + S(0.1738624) * (t47 * t47) + S(0.0034816);
+  const S t24 = S(0.41) - t4;
+  const S t25 = t23 + S(3.4) * t24;
+  const S t26 = S(0.6463220249999222) * t22;
+  const S t27 = S(0.012) - t11;
+  const S t28 = t26 - S(3.4) * t27;
+  const S t29 = S(0.6463220249999222) * (t21 * t24 - t22 * t27) + S(0.1738624);
+  const S t30 = t4 * t25 - t11 * t28;
+  M[0] = S(0.41) * t25 - S(0.012) * t28 + (t29 - t30) + S(0.3563952000000001);
+  const S t32 = S(1.0) / t6;
+  const S t33 = t2 * t32;
+  const S t34 = t2 * t33;
+  const S t35 = t12 * t32;
+  const S t36 = t8 * t9;
+  const S t37 = S(0.5) * t8;
+  const S t38 = t8 - t36 * t37;
+  const S t39 = t2 * t38;
+  const S t40 = S(216.26297577854672) * t9;
+  const S t41 = sqrt(S(1.0) - t9 * t40);
+  const S t42 = S(0.02258823529411765) / t41;
+  const S t43 = S(0.001024) * t34 - t11 * t35 - t39 * t42;
+  const S t44 = t15 * t43;
+  const S t45 = t4 + S(0.034) * t44;
+  const S t46 = S(1.0) / (t17 * t17 + t18 * t18);
+  const S t47 = t17 * t46;
+  const S t48 = t16 * t43;
+  const S t49 = t11 + S(0.034) * t48;
+  const S t50 = t18 * t46;
+  const S t51 = t45 * t47 + t49 * t50;
+  const S t52 = t30 - t29 * t51;
+  M[1] = t52;
+  M[2] = t52;
+  const S t53 = t4 * (t23 * t51 - S(0.1088) * t2) - t11 * (t26 * t51 + S(0.1088) * t3);
+  M[3] = t51 * (S(0.1738624) * t51 + S(0.6463220249999222) * (t11 * t22 - t4 * t21)) - t53;
   const S qd1 = qd[1];  // d(q)
   const S qd0 = qd[0];  // d(hip)
-  const S t51 = qd0 - t47 * qd1;
-  const S t52 = t21 * t0 - t22 * t1;
+  const S t55 = qd0 - t51 * qd1;
+  const S t56 = t22 * t0 - t21 * t1;
   const S f0 = in.wrenches[0];  // wrench(shank).fx
-  const S t53 = t21 * t1 + t22 * t0;
+  const S t57 = t22 * t1 + t21 * t0;
   const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S t54 = f0 * t52 - f2 * t53;
-  const S t55 = S(0.6463220249999222) * (t51 * t51) + t54;
-  const S t56 = qd1 * qd1;
-  const S t57 = t2 * t8;
-  const S t58 = S(0.000768) * t57;
-  const S t59 = t28 * t58;
-  const S t60 = t32 * t58;
-  const S t61 = t60 - S(0.001536) * t57;
-  const S t62 = t38 * (t3 * t34 - t2 * (t59 - t33 * (t9 * t59 + t8 * (t60 + t61))) - t35 * (t36 * t61) / (t37 * t37));
-  const S t63 = t4 * (t31 - t3 * (t28 * (S(0.032) - S(0.001536) * t31))) + (t29 * (S(0.001024) * (t3 + (t3 - S(0.001536) * t30))) - t62);
-  const S t64 = t17 * t45;
-  const S t65 = t18 * t41;
-  const S t66 = t64 + t64 - (t65 + t65);
-  const S t67 = t43 * (t11 + S(0.034) * (t15 * t63 + t39 * t44)) - t42 * (t45 * (t41 + t46 * t66) - t41 * (t45 - t43 * t66));
-  const S t68 = t56 * (t46 * (t4 - S(0.034) * (t16 * t63 - t39 * t40)) - t67);
-  const S t69 = t52 * f2 + f0 * t53;
-  const S t70 = S(0.6463220249999222) * t68 + t69;
-  const S t71 = qd0 * qd0;
-  const S t72 = S(0.064) * (qd0 * qd1) - S(0.032) * (t56 + t71);
-  const S t73 = S(0.012) * t71 - (S(9.81) * t1 - t3 * t72);
-  const S t74 = t21 * t55 + t22 * t70 - S(3.4) * t73;
-  const S t75 = S(0.41) * t71 + (S(9.81) * t0 + t2 * t72);
-  const S t76 = S(3.4) * t75 - (t21 * t70 - t22 * t55);
-  const S t77 = S(0.032) * (t3 * t76 + t2 * t74);
+  const S t58 = f0 * t56 - f2 * t57;
+  const S t59 = S(0.6463220249999222) * (t55 * t55) + t58;
+  const S t60 = qd1 * qd1;
+  const S t61 = t2 * t8;
+  const S t62 = S(0.000768) * t61;
+  const S t63 = t32 * t62;
+  const S t64 = t36 * t62;
+  const S t65 = S(0.001536) * t61 - t64;
+  const S t66 = t42 * (t3 * t38 - t2 * (t63 - t37 * (t9 * t63 + t8 * (t64 - t65))) + t39 * (t40 * t65) / (t41 * t41));
+  const S t67 = S(0.032) * (t3 * (t4 * t32 - S(0.001536) * (t33 * t35)) - t2 * t35) - (S(0.001024) * (t33 * (t3 + (t3 - S(0.001536) * t34))) - t66);
+  const S t68 = t17 * t49;
+  const S t69 = t18 * t45;
+  const S t70 = t68 + t68 - (t69 + t69);
+  const S t71 = t47 * (t11 - S(0.034) * (t15 * t67 - t43 * t48)) - t46 * (t49 * (t45 + t50 * t70) - t45 * (t49 - t47 * t70));
+  const S t72 = t60 * (t50 * (t4 + S(0.034) * (t16 * t67 + t43 * t44)) - t71);
+  const S t73 = t56 * f2 + f0 * t57;
+  const S t74 = S(0.6463220249999222) * t72 + t73;
+  const S t75 = qd0 * qd0;
+  const S t76 = qd0 * (S(0.064) * qd1) - S(0.032) * (t60 + t75);
+  const S t77 = S(0.012) * t75 - (S(9.81) * t1 - t3 * t76);
+  const S t78 = t22 * t59 + t21 * t74 - S(3.4) * t77;
+  const S t79 = S(0.41) * t75 + (S(9.81) * t0 + t2 * t76);
+  const S t80 = S(3.4) * t79 - (t22 * t74 - t21 * t59);
+  const S t81 = t11 * t80 + t4 * t78;
   const S f4 = in.wrenches[4];  // wrench(shank).ty
-  const S t78 = S(0.1738624) * t68 - S(0.6463220249999222) * (t22 * t73 + t21 * t75) - (f4 - (S(1.0408340855860843e-17) * t54 + S(0.19009471323527125) * t69));
-  c[0] = S(0.41) * t74 + S(0.012) * t76 - (t77 - t78) - (S(0.282528) * t0 - S(12.71376) * t1);
-  c[1] = t77 - t47 * t78;
+  const S t82 = S(0.1738624) * t72 - S(0.6463220249999222) * (t21 * t77 + t22 * t79) - (f4 - (S(1.0408340855860843e-17) * t58 + S(0.19009471323527125) * t73));
+  c[0] = S(0.41) * t78 + S(0.012) * t80 - (t81 - t82) - (S(0.282528) * t0 - S(12.71376) * t1);
+  c[1] = t81 - t51 * t82;
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
@@ -365,7 +373,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 58 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+// energy: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -404,18 +412,19 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t23 = S(1.0) / t22;
   const S t24 = t18 * t23;
   const S qd1 = qd[1];  // d(q)
-  const S t25 = qd0 - qd1;
-  const S t26 = S(0.41) * qd0 - t4 * t25;
+  const S t25 = S(0.41) - t4;
+  const S t26 = t4 * qd1 + qd0 * t25;
   const S t27 = t20 * t23;
-  const S t28 = S(0.012) * qd0 - t11 * t25;
-  const S t29 = t24 * t26 + t27 * t28;
-  const S t30 = t24 * t28 - t26 * t27;
-  const S t31 = sqrt(S(1.0) - t9 * (S(216.26297577854672) * t9));
-  const S t32 = t2 * ((t8 - t8 * (t8 * (S(0.5) * t9))) * (S(0.02258823529411765) / t31)) - (t2 * (S(0.001024) * t2) - t11 * t12) / t6;
-  const S t33 = qd0 - qd1 * ((t18 * (t4 - t17 * t32) + t20 * (t11 - t19 * t32)) / t21);
-  e[0] = qd0 * (S(0.1781976) * qd0) + (S(1.7) * (t29 * t29 + t30 * t30) + t33 * (S(0.646) * t30 + S(0.0204) * t29 + S(0.0869312) * t33));
-  const S t35 = S(0.19) * (t27 * t0 + t24 * t1) + (S(0.012) * t1 - (S(0.41) * t0 + S(0.032) * (t3 * t1 - t2 * t0)));
-  e[1] = S(-33.354) * (S(0.006) * (t24 * t0 - t27 * t1) - t35) - S(70.632) * (S(0.18) * t0 + S(0.004) * t1);
+  const S t28 = S(0.012) - t11;
+  const S t29 = t11 * qd1 + qd0 * t28;
+  const S t30 = t24 * t26 + t27 * t29;
+  const S t31 = t24 * t29 - t26 * t27;
+  const S t32 = sqrt(S(1.0) - t9 * (S(216.26297577854672) * t9));
+  const S t33 = t2 * ((t8 - t8 * (t8 * (S(0.5) * t9))) * (S(0.02258823529411765) / t32)) - (t2 * (S(0.001024) * t2) - t11 * t12) / t6;
+  const S t34 = qd0 - qd1 * ((t18 * (t4 - t17 * t33) + t20 * (t11 - t19 * t33)) / t21);
+  e[0] = qd0 * (S(0.1781976) * qd0) + (S(1.7) * (t30 * t30 + t31 * t31) + t34 * (S(0.646) * t31 + S(0.0204) * t30 + S(0.0869312) * t34));
+  const S t36 = S(70.632) * (S(0.18) * t0 + S(0.004) * t1);
+  e[1] = S(-33.354) * (S(0.006) * (t24 * t0 - t27 * t1) - (S(0.19) * (t27 * t0 + t24 * t1) + (t28 * t1 - t25 * t0))) - t36;
 }
 
 // body_poses: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation).

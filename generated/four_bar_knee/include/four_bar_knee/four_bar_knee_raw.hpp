@@ -96,7 +96,7 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 
 /// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
 /// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
-/// Operations: 45 multiplications, 35 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
@@ -108,7 +108,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 131 multiplications, 89 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
@@ -120,7 +120,7 @@ void coordinate_rates(const S* q, const S* qd, S* qdot);
 
 /// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
 /// e [2] is the result, in J.
-/// Operations: 58 multiplications, 35 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
 

@@ -81,7 +81,7 @@ int free_body_mass_matrix_and_bias(const double* q, const double* qd, double t, 
 
 /* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
    qdot [7] is the result, per second.
-   Operations: 16 multiplications, 8 additions (reduced formulation).
+   Operations: 15 multiplications, 8 additions (reduced formulation).
  */
 int free_body_coordinate_rates(const double* q, const double* qd, double* qdot);
 

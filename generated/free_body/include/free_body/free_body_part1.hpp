@@ -398,20 +398,23 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[35] = S(0.43258);
 }
 
-// coordinate_rates: 16 multiplications, 8 additions (reduced formulation).
+// coordinate_rates: 15 multiplications, 8 additions (reduced formulation).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
-  const S q4 = q[4];  // turn.y
   const S qd5 = qd[5];  // d(turn).z
+  const S t0 = S(0.5) * qd5;
+  const S q4 = q[4];  // turn.y
   const S qd4 = qd[4];  // d(turn).y
+  const S t1 = S(0.5) * qd4;
   const S q5 = q[5];  // turn.z
-  const S q6 = q[6];  // turn.w
   const S qd3 = qd[3];  // d(turn).x
-  qdot[3] = S(0.5) * (q4 * qd5 - (qd4 * q5 - q6 * qd3));
+  const S t2 = S(0.5) * qd3;
+  const S q6 = q[6];  // turn.w
+  qdot[3] = q4 * t0 - (q5 * t1 - q6 * t2);
   const S q3 = q[3];  // turn.x
-  qdot[4] = S(0.5) * (q5 * qd3 - (qd5 * q3 - qd4 * q6));
-  qdot[5] = S(-0.5) * (qd3 * q4 - (q6 * qd5 + qd4 * q3));
-  qdot[6] = S(-0.5) * (qd4 * q4 + (q5 * qd5 + qd3 * q3));
+  qdot[4] = t1 * q6 + q5 * t2 - t0 * q3;
+  qdot[5] = q6 * t0 + (t1 * q3 - t2 * q4);
+  qdot[6] = -(q5 * t0 + (t2 * q3 + t1 * q4));
   const S qd0 = qd[0];  // d(x)
   qdot[0] = qd0;
   const S qd1 = qd[1];  // d(y)

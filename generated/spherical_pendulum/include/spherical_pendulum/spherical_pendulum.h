@@ -82,7 +82,7 @@ int spherical_pendulum_mass_matrix_and_bias(const double* q, const double* qd, d
 
 /* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
    qdot [4] is the result, per second.
-   Operations: 16 multiplications, 8 additions (reduced formulation).
+   Operations: 15 multiplications, 8 additions (reduced formulation).
  */
 int spherical_pendulum_coordinate_rates(const double* q, const double* qd, double* qdot);
 

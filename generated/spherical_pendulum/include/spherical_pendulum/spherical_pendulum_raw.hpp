@@ -100,7 +100,7 @@ void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S*
 
 /// Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
 /// qdot [4] is the result, per second.
-/// Operations: 16 multiplications, 8 additions (reduced formulation).
+/// Operations: 15 multiplications, 8 additions (reduced formulation).
 template <class S>
 void coordinate_rates(const S* q, const S* qd, S* qdot);
 

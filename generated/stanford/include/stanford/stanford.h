@@ -74,7 +74,7 @@ int stanford_bias(const double* q, const double* qd, double t, const double* par
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 175 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
+   Operations: 173 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
  */
 int stanford_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                   const double* wrenches, double* M, double* c);

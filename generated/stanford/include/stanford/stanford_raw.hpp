@@ -114,7 +114,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [6 x 6], symmetric and written in full, and c [6] are the results.
-/// Operations: 175 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
+/// Operations: 173 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
