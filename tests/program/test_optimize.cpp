@@ -224,6 +224,23 @@ TEST(OptimizeAgain, ChangesNothing) {
   }
 }
 
+// Turned and scaled three times: two products c*x, c*y serve all, where c taken out of each sum costs three.
+TEST(OptimizeFactors, AFactorStaysInProductsThatManySumsShare) {
+  ProgramMaker m(8);
+  const auto c = m.constant(0.805664471353141), x = m.input(0), y = m.input(1);
+  std::vector<std::uint32_t> sums;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const auto u = m.input(2 + 2 * k), v = m.input(3 + 2 * k);
+    const auto xu = m.mul(x, u), yv = m.mul(y, v);
+    const auto left = m.mul(c, xu);
+    const auto right = m.mul(c, yv);
+    sums.push_back(m.sub(left, right));
+  }
+  const OperationCount n = count(optimize(m.returning(sums)));
+  EXPECT_EQ(n.mul, 8u);
+  EXPECT_EQ(n.add, 3u);
+}
+
 TEST(OptimizeLarge, AChainOfAMillionWorks) {
   ProgramMaker m(2);
   auto value = m.input(0);
