@@ -53,12 +53,17 @@ struct CommandResult {
   std::string out, err;
 };
 
-/// Runs shell words; a command that runs over `seconds` counts as hung (exit code 124).
+/// How many times as long commands may take: with sanitizers they are slow.
+#ifndef ALEMBERT_PATIENCE
+#define ALEMBERT_PATIENCE 1
+#endif
+
+/// Runs shell words; a command that runs over `seconds` times the patience counts as hung (exit code 124).
 inline CommandResult run_command(const TemporaryFolder& folder, const std::string& words,
                                  const std::string& input, int seconds) {
   const std::string in = folder.write("stdin", input), out = folder / "stdout", err = folder / "stderr";
-  const std::string command =
-      "timeout " + std::to_string(seconds) + " " + words + " < '" + in + "' > '" + out + "' 2> '" + err + "'";
+  const std::string command = "timeout " + std::to_string(ALEMBERT_PATIENCE * seconds) + " " + words +
+                              " < '" + in + "' > '" + out + "' 2> '" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out), read_text(err)};
 }
