@@ -358,6 +358,7 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   const std::string banner =
       fill_template("banner.txt", {{"name", mechanism.name}, {"version", std::string(generator_version())}});
   common["banner"] = prefix_lines(banner, "// ");
+  common["noinline"] = fill_template("noinline.hpp", {});
 
   std::vector<Unit> units;
   for (const Function& function : functions) {
