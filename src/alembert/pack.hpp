@@ -16,7 +16,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 
 #include "alembert/batch.hpp"
@@ -65,8 +64,11 @@ struct Pack {
   static constexpr int kLanes = 2 * ALEMBERT_PACK_LANES;
 #if defined(__GNUC__)
   typedef double Vector __attribute__((vector_size(8 * ALEMBERT_PACK_LANES)));
+  /// A vector in an array of doubles. memcpy would move halves.
+  typedef double Stored __attribute__((vector_size(8 * ALEMBERT_PACK_LANES), aligned(8), may_alias));
 #else
   typedef double Vector;
+  typedef double Stored;
 #endif
 
   Pack() = default;
@@ -81,14 +83,13 @@ struct Pack {
   Pack(const Vector& first, const Vector& second) : v(first), w(second) {}
 
   static Pack load(const double* x) {
-    Pack p;
-    ::std::memcpy(&p.v, x, sizeof p.v);
-    ::std::memcpy(&p.w, x + ALEMBERT_PACK_LANES, sizeof p.w);
-    return p;
+    const Vector first = *reinterpret_cast<const Stored*>(x);
+    const Vector second = *reinterpret_cast<const Stored*>(x + ALEMBERT_PACK_LANES);
+    return {first, second};
   }
   void store(double* x) const {
-    ::std::memcpy(x, &v, sizeof v);
-    ::std::memcpy(x + ALEMBERT_PACK_LANES, &w, sizeof w);
+    *reinterpret_cast<Stored*>(x) = v;
+    *reinterpret_cast<Stored*>(x + ALEMBERT_PACK_LANES) = w;
   }
 
   friend Pack operator+(const Pack& a, const Pack& b) {
