@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "emit/literals.hpp"
+#include "emit/register_order.hpp"
 #include "emit/statements.hpp"
 #include "support/error.hpp"
 
@@ -71,7 +72,7 @@ std::string c_batch_call(const FunctionSignature& signature) {
 
 /// Longer programs are cut into such blocks: what is longer does not fit the caches of code and of decoded
 /// instructions, shorter blocks hand over more values.
-constexpr BlockSizes kBatchBlocks = {400, 200};
+constexpr BlockSizes kBatchBlocks = {300, 200};
 
 /// An array of a function over packs.
 struct PackArray {
@@ -99,7 +100,7 @@ struct PackFunction {
 
 PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
   const FunctionSignature& signature = *find_signature(program.function);
-  const FunctionBody body = function_body(program, signature, kBatchBlocks);
+  const FunctionBody body = function_body(order_for_registers(program), signature, kBatchBlocks);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
   std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
   const auto add = [&](std::string_view type, std::string_view name, std::size_t size) {

@@ -121,7 +121,10 @@ class Writer {
       if (layout_.block(v) != block && states_[block].loaded.insert(v).second) {
         line(block, fmt::format("const S t{} = w[{}];", layout_.number(v), layout_.place(v)));
       }
-      return fmt::format("t{}", layout_.number(v));
+      const std::string name = fmt::format("t{}", layout_.number(v));
+      if (layout_.angle(v) != kNoPlace && layout_.block(v) == block && states_[block].loaded.insert(v).second)
+        line(block, fmt::format("const S {} = {};", name, from_trig_call(v)));
+      return name;
     }
     std::string text = std::move(text_[v]);
     text_[v].clear();
@@ -162,11 +165,14 @@ class Writer {
     states_[block].calls.emplace("sines_and_cosines");
   }
 
+  std::string from_trig_call(std::uint32_t v) const {
+    return fmt::format("{}[{}]", program_.code[v].op == Operation::sin ? "sine" : "cosine", layout_.angle(v));
+  }
+
   std::string call(std::uint32_t v, std::uint32_t block) {
     const Instruction& c = program_.code[v];
     if (v == layout_.trig_call()) write_trig_call(block);
-    if (layout_.angle(v) != kNoPlace)
-      return fmt::format("{}[{}]", c.op == Operation::sin ? "sine" : "cosine", layout_.angle(v));
+    if (layout_.angle(v) != kNoPlace) return from_trig_call(v);
     const std::string_view name = operation_name(c.op);
     states_[block].calls.emplace(name);
     const std::string a = operand(c.a, block, Binding::sum);
@@ -234,8 +240,10 @@ class Writer {
       store(block, array, index, text);
       return;
     }
-    const std::string name = fmt::format("t{}", layout_.number(v));
-    line(block, fmt::format("const S {} = {};", name, text));
+    // What comes from the call for all angles gets its name where it is first used.
+    const bool from_arrays = layout_.angle(v) != kNoPlace;
+    const std::string name = from_arrays ? text : fmt::format("t{}", layout_.number(v));
+    if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
     if (layout_.place(v) != kNoPlace) line(block, fmt::format("w[{}] = {};", layout_.place(v), name));
     for (const auto& [array, index] : layout_.results(v)) store(block, array, index, name);
   }

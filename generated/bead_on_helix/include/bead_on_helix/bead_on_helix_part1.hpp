@@ -30,14 +30,14 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = cosine[1];
-  const S t4 = sine[1];
   const S qdd0 = qdd[0];  // dd(s)
+  const S t4 = sine[1];
   const S t5 = S(0.9828721869343219) * t4;
   const S f5 = in.wrenches[5];  // wrench(bead).tz
+  const S t1 = sine[0];
   const S t6 = S(0.18428853505018536) * t1;
+  const S t3 = cosine[1];
+  const S t2 = cosine[0];
   const S t7 = t6 * t4 - t3 * t2;
   const S f3 = in.wrenches[3];  // wrench(bead).tx
   const S t8 = S(0.18428853505018536) * t2;
@@ -118,17 +118,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
   const S f2 = in.wrenches[2];  // wrench(bead).fz
+  const S t1 = sine[0];
   const S t5 = S(0.9828721869343219) * t1;
   const S f0 = in.wrenches[0];  // wrench(bead).fx
+  const S t2 = cosine[0];
   const S t6 = S(0.9828721869343219) * t2;
   const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S t7 = S(0.18428853505018536) * f2 - (f0 * t5 - f1 * t6);
   const S qd0 = qd[0];  // d(s)
+  const S t3 = sine[1];
   const S t8 = qd0 * t3;
   const S qd1 = qd[1];  // d(spin)
   const S t9 = S(0.9828721869343219) * qd1;
@@ -140,6 +139,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t15 = t7 - S(0.003259601202601324) * t14;
   const S t16 = S(0.9828721869343219) * t3;
   const S t17 = S(0.18428853505018536) * t2;
+  const S t4 = cosine[1];
   const S t18 = t3 * t17 + t1 * t4;
   const S t19 = S(0.18428853505018536) * t1;
   const S t20 = t2 * t4 - t3 * t19;
@@ -182,18 +182,18 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q0, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
   const S t4 = cosine[1];
+  const S t3 = sine[1];
   const S t5 = S(1.0507420347208973e-05) * t4 - S(1.1427778333825821e-05) * t3;
   M[0] = S(0.1660876283018868) - (S(0.9828721869343219) * (S(0.9828721869343219) * (t3 * (S(3.59764705882353e-05) * t4 + S(8.360588235294117e-05) * t3) + S(0.0001344470588235294)) + S(0.3685770701003707) * t5) + S(0.005215361924162119) * t4);
   const S t7 = S(6.496170860519033e-05) - S(0.9828721869343219) * t5;
   M[1] = t7;
   M[2] = t7;
   const S f2 = in.wrenches[2];  // wrench(bead).fz
+  const S t2 = cosine[0];
   const S t8 = S(0.9828721869343219) * t2;
   const S f1 = in.wrenches[1];  // wrench(bead).fy
+  const S t1 = sine[0];
   const S t9 = S(0.9828721869343219) * t1;
   const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S t10 = S(0.18428853505018536) * f2 + (f1 * t8 - f0 * t9);
@@ -276,11 +276,11 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = sine[0];
+  W[0] = S(-0.9828721869343219) * t0;
+  const S t3 = sine[1];
+  const S t5 = t0 * t3;
   const S t1 = cosine[0];
   const S t2 = cosine[1];
-  const S t3 = sine[1];
-  W[0] = S(-0.9828721869343219) * t0;
-  const S t5 = t0 * t3;
   const S t6 = t1 * t2;
   W[1] = S(0.18428853505018536) * t5 - t6;
   const S t8 = t1 * t3;

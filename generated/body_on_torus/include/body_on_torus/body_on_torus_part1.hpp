@@ -30,18 +30,18 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
   const S qdd0 = qdd[0];  // dd(u)
   const S qd0 = qd[0];  // d(u)
+  const S t1 = sine[0];
   const S t5 = qd0 * t1;
   const S qd1 = qd[1];  // d(v)
   const S t6 = qd1 * t5;
+  const S t2 = cosine[0];
   const S t7 = t6 - qdd0 * t2;
   const S t8 = t6 + t7;
+  const S t4 = cosine[1];
   const S t9 = qd0 * t2;
+  const S t3 = sine[1];
   const S t10 = qd1 * t4 - t3 * t9;
   const S t11 = t10 * t10;
   const S qd2 = qd[2];  // d(spin)
@@ -82,9 +82,9 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
+  const S t3 = cosine[1];
   const S t1 = sine[0];
   const S t2 = cosine[0];
-  const S t3 = cosine[1];
   const S t4 = sine[1];
   const S t5 = S(4.472135954999628e-05) * t4 - S(0.007200138887549335) * t3;
   const S t6 = t1 * t5;
@@ -115,16 +115,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q1, t0};
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
   const S qd0 = qd[0];  // d(u)
   const S t5 = S(1.1) * (qd0 * qd0);
+  const S t1 = sine[0];
+  const S t2 = cosine[0];
   const S t6 = t1 * t5 + S(9.81) * t2;
+  const S t3 = sine[1];
   const S t7 = t1 * qd0;
   const S qd1 = qd[1];  // d(v)
   const S t8 = qd1 * t7;
+  const S t4 = cosine[1];
   const S t9 = qd0 * t2;
   const S t10 = qd1 * t4 - t3 * t9;
   const S qd2 = qd[2];  // d(spin)
@@ -163,8 +163,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
   const S t1 = sine[0];
-  const S t2 = cosine[0];
   const S t3 = cosine[1];
+  const S t2 = cosine[0];
   const S t4 = sine[1];
   const S t5 = S(4.472135954999628e-05) * t4 - S(0.007200138887549335) * t3;
   const S t6 = t1 * t5;
@@ -232,15 +232,15 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q + 1, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S qd1 = qd[1];  // d(v)
+  const S t2 = sine[1];
   const S t4 = qd1 * t2;
   const S qd0 = qd[0];  // d(u)
+  const S t0 = cosine[0];
   const S t5 = qd0 * t0;
+  const S t3 = cosine[1];
   const S t6 = t4 + t5 * t3;
+  const S t1 = sine[0];
   const S qd2 = qd[2];  // d(spin)
   const S t7 = qd2 + qd0 * t1;
   const S t8 = qd1 * t3;
@@ -260,16 +260,16 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using detail::sines_and_cosines;
   S sine[3], cosine[3];
   sines_and_cosines(3, q, sine, cosine);
+  W[10] = sine[1];
   const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = sine[1];
-  W[10] = t2;
-  const S t3 = cosine[1];
+  const S t6 = t0 * t2;
   const S t4 = sine[2];
   const S t5 = cosine[2];
-  const S t6 = t0 * t2;
+  const S t1 = sine[0];
   W[0] = -(t4 * t6 + t5 * t1);
   W[1] = t4 * t1 - t6 * t5;
+  const S t3 = cosine[1];
   const S t9 = t0 * t3;
   W[2] = t9;
   W[3] = S(1.1) * t0 + S(0.41) * t9;

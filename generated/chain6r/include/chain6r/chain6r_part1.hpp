@@ -33,20 +33,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = cosine[3];
-  const S t8 = sine[3];
-  const S t9 = sine[4];
-  const S t10 = cosine[4];
   const S qdd0 = qdd[0];  // dd(q1)
   const S qd0 = qd[0];  // d(q1)
+  const S t2 = cosine[0];
   const S t11 = qd0 * t2;
   const S qd1 = qd[1];  // d(q2)
+  const S t1 = sine[0];
   const S t12 = S(0.8087360605531302) * (qd1 * t11 + qdd0 * t1);
   const S t13 = qd1 + S(0.588171730331375) * qd0;
   const S t14 = S(0.8044781165221552) * t13 - S(0.48037489671056854) * t11;
@@ -67,9 +59,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t28 = t26 - S(0.8087360605531302) * t27;
   const S t29 = S(0.7383448687171558) * t19 - t22 - S(1.042912147352232) * t28;
   const S t30 = S(0.38534298650678417) * t17 - t29;
+  const S t3 = sine[1];
   const S t31 = S(0.8044781165221552) * t3;
   const S qd2 = qd[2];  // d(q3)
   const S t32 = t14 + qd2;
+  const S t4 = cosine[1];
   const S t33 = S(0.8087360605531302) * t23;
   const S t34 = t15 * t4 - t3 * t33;
   const S t35 = S(0.805664471353141) * t32 - S(0.5923721462047856) * t34;
@@ -87,6 +81,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qd3 = qd[3];  // d(q4)
   const S t47 = t35 + qd3;
   const S t48 = t4 * t33 + t15 * t3;
+  const S t5 = sine[2];
+  const S t6 = cosine[2];
   const S t49 = t5 * t48 - t37 * t6;
   const S t50 = S(0.8472551110134161) * t47 + S(0.5311861979208834) * t49;
   const S t51 = S(0.5311861979208834) * t47 - S(0.8472551110134161) * t49;
@@ -129,9 +125,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t86 = t5 * t78 - t84 * t85;
   const S t87 = S(0.3517240511462447) * t65 - (S(0.4063507183397911) * t76 - t86);
   const S t88 = S(0.9229805637461859) * t58 + t87;
+  const S t7 = cosine[3];
   const S t89 = S(0.8472551110134161) * t7;
   const S qdd4 = qdd[4];  // dd(q5)
   const S t90 = t64 + qdd4;
+  const S t8 = sine[3];
   const S t91 = S(0.5311861979208834) * t63 - S(0.8472551110134161) * t61;
   const S t92 = t59 * t7 + t51 * t8;
   const S qd4 = qd[4];  // d(q5)
@@ -160,6 +158,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qd5 = qd[5];  // d(q6)
   const S t115 = qd5 + t114;
   const S t116 = t115 * t115;
+  const S t9 = sine[4];
+  const S t10 = cosine[4];
   const S t117 = t92 * t9 + t97 * t10;
   const S t118 = t117 * t117;
   const S t119 = t116 + t118;
@@ -266,16 +266,8 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = sine[3];
-  const S t8 = cosine[3];
-  const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S t9 = sine[4];
   const S t11 = S(0.03058965853658535) * t10 + S(0.2421570731707316) * t9;
   const S t12 = t9 * t11;
   const S t13 = t12 + S(0.054317463414634115);
@@ -286,8 +278,10 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t18 = S(0.12432889190526168) * t10 - S(0.00473110744009856) * t9;
   const S t19 = S(0.015294829268292676) - t10 * t11 - S(0.290619908469327) * t9;
   const S t20 = S(0.3709204694129827) * t18 - S(0.9286646355765102) * t19 + S(0.023641346726585723);
+  const S t8 = cosine[3];
   const S t21 = t8 * t20;
   const S t22 = S(0.9525356965853659) - (t12 - S(0.581239816938654) * t10);
+  const S t7 = sine[3];
   const S t23 = t21 + t21 + t7 * (t17 - t22);
   const S t24 = t7 * t23;
   const S t25 = t17 - t24;
@@ -306,8 +300,10 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t38 = S(0.782) * t37 - (t8 * t29 - t7 * t30);
   const S t39 = S(0.06165732843631448) * t9 + t38;
   const S t40 = S(0.8104868845510949) - (S(0.8472551110134161) * t36 + S(0.5311861979208834) * t39);
+  const S t6 = cosine[2];
   const S t41 = t6 * t40;
   const S t42 = t22 + t24 - S(0.596) * t37 + S(0.7037571599999999);
+  const S t5 = sine[2];
   const S t43 = t41 + t41 + t5 * (t35 - t42);
   const S t44 = t5 * t43;
   const S t45 = t35 - t44;
@@ -324,10 +320,12 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t56 = t45 - t55 + S(4.254143795423817);
   const S t57 = t6 * t48 + t5 * t49;
   const S t58 = S(0.58) * t57 + (t42 + t44) + S(1.0093935799999993);
+  const S t3 = sine[1];
   const S t59 = S(0.548) * t57 + (t5 * t47 + t6 * t46);
   const S t60 = S(0.29) * t52 - t59;
   const S t61 = S(0.29) * t50 + (t40 - t6 * t43);
   const S t62 = S(1.2381717465857929) - (S(0.5923721462047856) * t60 + S(0.805664471353141) * t61);
+  const S t4 = cosine[1];
   const S t63 = t4 * t62;
   const S t64 = t3 * (t56 - t58) + (t63 + t63);
   const S t65 = t3 * t64;
@@ -348,8 +346,10 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t80 = t3 * t68 + t4 * t67;
   const S t81 = t4 * t70 + t3 * t71;
   const S t82 = S(0.839) * t74 - (S(0.31) * t80 + t81);
+  const S t2 = cosine[0];
   const S t83 = t2 * (S(5.267500548921968) - (S(0.8044781165221552) * t79 + S(0.5939822893293754) * t82));
   const S t84 = S(1.678) * t80 + (t58 + t65) + S(8.81224666);
+  const S t1 = sine[0];
   const S t85 = t1 * (t83 + t83 + t1 * (t78 - t84));
   const S t86 = t78 - t85;
   const S t87 = t80 + S(9.806939999999999);
@@ -480,21 +480,13 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = cosine[2];
-  const S t6 = sine[2];
-  const S t7 = cosine[3];
-  const S t8 = sine[3];
-  const S t9 = sine[4];
-  const S t10 = cosine[4];
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S t11 = qd1 + S(0.588171730331375) * qd0;
+  const S t1 = cosine[0];
   const S t12 = qd0 * t1;
   const S t13 = S(0.8044781165221552) * t11 - S(0.48037489671056854) * t12;
+  const S t2 = sine[0];
   const S t14 = qd0 * t2;
   const S t15 = S(0.8087360605531302) * t14;
   const S t16 = t13 * t15;
@@ -515,6 +507,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t31 = t2 * t22 - t1 * t23 - S(0.839) * (t27 + t30);
   const S t32 = t16 - t18;
   const S t33 = t31 + S(0.31) * t32;
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
   const S t34 = S(0.8044781165221552) * t4;
   const S t35 = S(0.8087360605531302) * (qd1 * t12);
   const S t36 = t13 * t26;
@@ -539,6 +533,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t54 = t46 * t53;
   const S t55 = t52 - t54;
   const S t56 = t51 - S(0.6801838972489569) * t55;
+  const S t5 = cosine[2];
   const S t57 = S(0.805664471353141) * t5;
   const S t58 = t43 * t53;
   const S t59 = S(0.805664471353141) * t48 - S(0.2845607085473417) * t17;
@@ -552,6 +547,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t67 = t53 * t53;
   const S t68 = t33 * t4 - t41 * t66 - S(0.29) * (t63 + t67);
   const S t69 = S(0.548) * t65 + t68;
+  const S t6 = sine[2];
   const S t70 = t6 * t69 - t56 * t57;
   const S t71 = t43 * t5 + t46 * t6;
   const S qd3 = qd[3];  // d(q4)
@@ -566,12 +562,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S qd4 = qd[4];  // d(q5)
   const S t80 = t74 + qd4;
   const S t81 = S(0.5311861979208834) * t72 - S(0.8472551110134161) * t73;
+  const S t7 = cosine[3];
+  const S t8 = sine[3];
   const S t82 = t81 * t7 - t71 * t8;
   const S t83 = S(0.9286646355765102) * t80 - S(0.3709204694129827) * t82;
   const S qd5 = qd[5];  // d(q6)
   const S t84 = qd5 + t83;
   const S t85 = S(0.9286646355765102) * t82 + S(0.3709204694129827) * t80;
+  const S t9 = sine[4];
   const S t86 = t71 * t7 + t81 * t8;
+  const S t10 = cosine[4];
   const S t87 = t85 * t9 - t10 * t86;
   const S t88 = t84 * t87;
   const S t89 = S(0.5311861979208834) * t76 + S(0.8472551110134161) * t49;
@@ -701,16 +701,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q1, q2, q3, q4, t0};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = sine[3];
-  const S t8 = cosine[3];
-  const S t9 = sine[4];
   const S t10 = cosine[4];
+  const S t9 = sine[4];
   const S t11 = S(0.03058965853658535) * t10 + S(0.2421570731707316) * t9;
   const S t12 = t9 * t11;
   const S t13 = t12 + S(0.054317463414634115);
@@ -721,8 +713,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t18 = S(0.12432889190526168) * t10 - S(0.00473110744009856) * t9;
   const S t19 = S(0.015294829268292676) - t10 * t11 - S(0.290619908469327) * t9;
   const S t20 = S(0.3709204694129827) * t18 - S(0.9286646355765102) * t19 + S(0.023641346726585723);
+  const S t8 = cosine[3];
   const S t21 = t8 * t20;
   const S t22 = S(0.9525356965853659) - (t12 - S(0.581239816938654) * t10);
+  const S t7 = sine[3];
   const S t23 = t21 + t21 + t7 * (t17 - t22);
   const S t24 = t7 * t23;
   const S t25 = t17 - t24;
@@ -741,8 +735,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t38 = S(0.782) * t37 - (t8 * t29 - t7 * t30);
   const S t39 = S(0.06165732843631448) * t9 + t38;
   const S t40 = S(0.8104868845510949) - (S(0.8472551110134161) * t36 + S(0.5311861979208834) * t39);
+  const S t6 = cosine[2];
   const S t41 = t6 * t40;
   const S t42 = t22 + t24 - S(0.596) * t37 + S(0.7037571599999999);
+  const S t5 = sine[2];
   const S t43 = t41 + t41 + t5 * (t35 - t42);
   const S t44 = t5 * t43;
   const S t45 = t35 - t44;
@@ -759,10 +755,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t56 = t45 - t55 + S(4.254143795423817);
   const S t57 = t6 * t48 + t5 * t49;
   const S t58 = S(0.58) * t57 + (t42 + t44) + S(1.0093935799999993);
+  const S t3 = sine[1];
   const S t59 = S(0.548) * t57 + (t5 * t47 + t6 * t46);
   const S t60 = S(0.29) * t52 - t59;
   const S t61 = S(0.29) * t50 + (t40 - t6 * t43);
   const S t62 = S(1.2381717465857929) - (S(0.5923721462047856) * t60 + S(0.805664471353141) * t61);
+  const S t4 = cosine[1];
   const S t63 = t4 * t62;
   const S t64 = t3 * (t56 - t58) + (t63 + t63);
   const S t65 = t3 * t64;
@@ -783,8 +781,10 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t80 = t3 * t68 + t4 * t67;
   const S t81 = t4 * t70 + t3 * t71;
   const S t82 = S(0.839) * t74 - (S(0.31) * t80 + t81);
+  const S t2 = cosine[0];
   const S t83 = t2 * (S(5.267500548921968) - (S(0.8044781165221552) * t79 + S(0.5939822893293754) * t82));
   const S t84 = S(1.678) * t80 + (t58 + t65) + S(8.81224666);
+  const S t1 = sine[0];
   const S t85 = t1 * (t83 + t83 + t1 * (t78 - t84));
   const S t86 = t78 - t85;
   const S t87 = t80 + S(9.806939999999999);
@@ -1120,17 +1120,8 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using detail::sines_and_cosines;
   S sine[5], cosine[5];
   sines_and_cosines(5, q + 1, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = cosine[1];
-  const S t3 = sine[1];
-  const S t4 = cosine[2];
-  const S t5 = sine[2];
-  const S t6 = cosine[3];
-  const S t7 = sine[3];
-  const S t8 = cosine[4];
-  const S t9 = sine[4];
   const S qd0 = qd[0];  // d(q1)
+  const S t0 = cosine[0];
   const S t10 = qd0 * t0;
   const S qd1 = qd[1];  // d(q2)
   const S t11 = qd1 + S(0.588171730331375) * qd0;
@@ -1138,18 +1129,25 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S qd2 = qd[2];  // d(q3)
   const S t13 = qd2 - t12;
   const S t14 = S(0.6506104627573298) * t10 + S(0.5939822893293754) * t11;
+  const S t2 = cosine[1];
+  const S t1 = sine[0];
   const S t15 = qd0 * t1;
+  const S t3 = sine[1];
   const S t16 = S(0.8087360605531302) * t3;
   const S t17 = t2 * t14 - t15 * t16;
   const S t18 = S(0.805664471353141) * t13 - S(0.5923721462047856) * t17;
   const S qd3 = qd[3];  // d(q4)
   const S t19 = qd3 + t18;
   const S t20 = S(0.805664471353141) * t17 + S(0.5923721462047856) * t13;
+  const S t4 = cosine[2];
   const S t21 = S(0.8087360605531302) * t2;
   const S t22 = t14 * t3 + t15 * t21;
+  const S t5 = sine[2];
   const S t23 = t4 * t20 - t5 * t22;
   const S t24 = S(0.5311861979208834) * t19 + S(0.8472551110134161) * t23;
+  const S t6 = cosine[3];
   const S t25 = t20 * t5 + t4 * t22;
+  const S t7 = sine[3];
   const S t26 = t24 * t6 - t7 * t25;
   const S t27 = S(0.8472551110134161) * t19 - S(0.5311861979208834) * t23;
   const S qd4 = qd[4];  // d(q5)
@@ -1175,8 +1173,10 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t47 = t24 * t7 + t6 * t25;
   const S t48 = t46 - S(0.782) * t47;
   const S t49 = S(0.521) * t29 + (S(0.3709204694129827) * t42 - S(0.9286646355765102) * t48);
+  const S t8 = cosine[4];
   const S t50 = t7 * t43 - t6 * t45;
   const S t51 = t50 + S(0.782) * t26;
+  const S t9 = sine[4];
   const S t52 = t8 * t49 + t9 * t51;
   const S qd5 = qd[5];  // d(q6)
   const S t53 = t29 - qd5;
@@ -1231,23 +1231,15 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using detail::sines_and_cosines;
   S sine[6], cosine[6];
   sines_and_cosines(6, q, sine, cosine);
-  const S t0 = cosine[0];
-  W[0] = t0;
-  W[5] = t0;
+  W[0] = cosine[0];
+  W[5] = cosine[0];
+  W[4] = sine[0];
   const S t1 = sine[0];
-  W[4] = t1;
-  const S t2 = cosine[1];
-  const S t3 = sine[1];
-  const S t4 = sine[2];
-  const S t5 = cosine[2];
-  const S t6 = sine[3];
-  const S t7 = cosine[3];
-  const S t8 = sine[4];
-  const S t9 = cosine[4];
-  const S t10 = cosine[5];
-  const S t11 = sine[5];
   W[1] = -t1;
+  const S t0 = cosine[0];
+  const S t2 = cosine[1];
   const S t13 = t0 * t2;
+  const S t3 = sine[1];
   const S t14 = t1 * t3;
   const S t15 = t13 - S(0.588171730331375) * t14;
   W[12] = t15;
@@ -1269,6 +1261,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[20] = t25;
   W[21] = S(0.8087360605531302) * t2;
   const S t27 = S(0.48037489671056854) * t1 - S(-0.8044781165221552) * t18;
+  const S t4 = sine[2];
+  const S t5 = cosine[2];
   const S t28 = t4 * t27 + t15 * t5;
   W[24] = t28;
   const S t29 = t27 * t5 - t15 * t4;
@@ -1296,6 +1290,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t42 = S(0.31) * t41 + (S(0.6785295548040762) * t3 + S(0.2852632892107169));
   W[35] = t42;
   const S t43 = S(0.5923721462047856) * t30 - S(-0.805664471353141) * t29;
+  const S t6 = sine[3];
+  const S t7 = cosine[3];
   const S t44 = t6 * t43 + t28 * t7;
   W[36] = t44;
   const S t45 = t43 * t7 - t28 * t6;
@@ -1323,6 +1319,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t60 = t42 + S(0.29) * t39 + S(0.548) * t59;
   W[47] = t60;
   const S t61 = S(0.5311861979208834) * t46 + S(0.8472551110134161) * t45;
+  const S t8 = sine[4];
+  const S t9 = cosine[4];
   const S t62 = t61 * t8 + t44 * t9;
   W[48] = t62;
   const S t63 = t61 * t9 - t44 * t8;
@@ -1349,7 +1347,9 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[58] = t74;
   const S t75 = S(0.782) * t74 + (t60 - S(0.298) * t55);
   W[59] = t75;
+  const S t10 = cosine[5];
   const S t76 = S(0.3709204694129827) * t64 - S(-0.9286646355765102) * t63;
+  const S t11 = sine[5];
   W[60] = t62 * t10 + t76 * t11;
   W[61] = t10 * t76 - t62 * t11;
   W[62] = S(0.9286646355765102) * t64 + S(-0.3709204694129827) * t63;

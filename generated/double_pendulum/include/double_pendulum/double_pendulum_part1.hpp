@@ -27,15 +27,15 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
   const S t0 = sine[0];
-  const S t1 = cosine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S qdd0 = qdd[0];  // dd(q1)
   const S qd1 = qd[1];  // d(q2)
   const S qd0 = qd[0];  // d(q1)
   const S t4 = qd1 + qd0;
+  const S t2 = sine[1];
   const S qdd1 = qdd[1];  // dd(q2)
   const S t5 = qdd0 + qdd1;
+  const S t3 = cosine[1];
+  const S t1 = cosine[0];
   const S t6 = S(0.08146499999999998) * t5 + S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t1) + t3 * (S(0.55) * qdd0 + S(9.81) * t0));
   tau[1] = t6;
   tau[0] = S(8.235495) * t0 + S(0.406645) * qdd0 - (S(0.126225) * (t4 * t4 * t2 - t5 * t3) - t6);
@@ -61,11 +61,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
+  const S qd0 = qd[0];  // d(q1)
   const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
-  const S qd0 = qd[0];  // d(q1)
+  const S t1 = sine[0];
   const S t4 = S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t3 * t1));
   c[1] = t4;
   const S qd1 = qd[1];  // d(q2)
@@ -80,15 +80,15 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = cosine[1];
-  const S t3 = sine[1];
   M[0] = S(0.25245) * t2 + S(0.48811);
   const S t5 = S(0.126225) * t2 + S(0.08146499999999998);
   M[1] = t5;
   M[2] = t5;
   const S qd0 = qd[0];  // d(q1)
+  const S t0 = cosine[0];
+  const S t3 = sine[1];
+  const S t1 = sine[0];
   const S t6 = S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t2 * t1));
   c[1] = t6;
   const S qd1 = qd[1];  // d(q2)
@@ -113,14 +113,14 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = cosine[1];
-  const S t3 = sine[1];
   const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
   const S t4 = qd1 + qd0;
+  const S t2 = cosine[1];
   e[0] = S(0.2033225) * (qd0 * qd0) + t4 * (S(0.0407325) * t4 + S(0.126225) * (qd0 * t2));
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
+  const S t3 = sine[1];
   e[1] = S(-3.64932) * t0 - S(8.3385) * (S(0.27) * (t2 * t0 - t1 * t3) + S(0.55) * t0);
 }
 
@@ -130,14 +130,14 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  W[0] = t0;
-  W[10] = t0;
+  W[0] = cosine[0];
+  W[10] = cosine[0];
+  W[2] = sine[0];
   const S t1 = sine[0];
-  W[2] = t1;
+  W[8] = -t1;
+  const S t0 = cosine[0];
   const S t2 = cosine[1];
   const S t3 = sine[1];
-  W[8] = -t1;
   const S t5 = t0 * t2 - t1 * t3;
   W[12] = t5;
   W[22] = t5;

@@ -31,17 +31,16 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S qd1 = qd[1];  // d(q)
   const S qd0 = qd[0];  // d(hip)
   const S t4 = qd0 * (S(0.064) * qd1);
+  const S t2 = sine[1];
+  const S t0 = cosine[0];
   const S t5 = qd0 * qd0;
   const S qdd0 = qdd[0];  // dd(hip)
   const S qdd1 = qdd[1];  // dd(q)
   const S t6 = qdd0 - qdd1;
+  const S t3 = cosine[1];
   const S t7 = qd1 * qd1;
   const S t8 = t5 + t7;
   const S t9 = t2 * t4 + (S(9.81) * t0 + (S(0.41) * t5 + (S(0.012) * qdd0 - S(0.032) * (t3 * t6 + t2 * t8))));
@@ -96,6 +95,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t58 = t51 * (t17 + S(0.034) * (t21 * t48 + t49 * t52)) - t29 * (t53 * (t54 + t30 * t57) - t54 * (t53 - t51 * t57));
   const S t59 = t51 * t54 + t30 * t53;
   const S t60 = qdd0 + (t7 * (t30 * (t10 - S(0.034) * (t22 * t48 - t49 * t50)) - t58) - qdd1 * t59);
+  const S t1 = sine[0];
   const S t61 = t0 * t27 - t1 * t28;
   const S f2 = in.wrenches[2];  // wrench(shank).fz
   const S t62 = t27 * t1 + t0 * t28;
@@ -178,11 +178,9 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S t4 = S(0.032) * t2;
+  const S t3 = cosine[1];
   const S t5 = S(0.001536) * t3;
   const S t6 = S(0.0016) - t5;
   const S t7 = sqrt(t6);
@@ -224,6 +222,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S qd1 = qd[1];  // d(q)
   const S qd0 = qd[0];  // d(hip)
   const S t43 = qd0 - qd1 * t42;
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
   const S t44 = t0 * t21 - t1 * t22;
   const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S t45 = t1 * t21 + t0 * t22;
@@ -270,11 +270,9 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S t4 = S(0.032) * t2;
+  const S t3 = cosine[1];
   const S t5 = S(0.001536) * t3;
   const S t6 = S(0.0016) - t5;
   const S t7 = sqrt(t6);
@@ -330,6 +328,8 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S qd1 = qd[1];  // d(q)
   const S qd0 = qd[0];  // d(hip)
   const S t55 = qd0 - t51 * qd1;
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
   const S t56 = t22 * t0 - t21 * t1;
   const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S t57 = t22 * t1 + t21 * t0;
@@ -385,12 +385,10 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S qd0 = qd[0];  // d(hip)
+  const S t2 = sine[1];
   const S t4 = S(0.032) * t2;
+  const S t3 = cosine[1];
   const S t5 = S(0.001536) * t3;
   const S t6 = S(0.0016) - t5;
   const S t7 = sqrt(t6);
@@ -423,6 +421,8 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t33 = t2 * ((t8 - t8 * (t8 * (S(0.5) * t9))) * (S(0.02258823529411765) / t32)) - (t2 * (S(0.001024) * t2) - t11 * t12) / t6;
   const S t34 = qd0 - qd1 * ((t18 * (t4 - t17 * t33) + t20 * (t11 - t19 * t33)) / t21);
   e[0] = qd0 * (S(0.1781976) * qd0) + (S(1.7) * (t30 * t30 + t31 * t31) + t34 * (S(0.646) * t31 + S(0.0204) * t30 + S(0.0869312) * t34));
+  const S t0 = cosine[0];
+  const S t1 = sine[0];
   const S t36 = S(70.632) * (S(0.18) * t0 + S(0.004) * t1);
   e[1] = S(-33.354) * (S(0.006) * (t24 * t0 - t27 * t1) - (S(0.19) * (t27 * t0 + t24 * t1) + (t28 * t1 - t25 * t0))) - t36;
 }
@@ -438,18 +438,17 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  W[0] = t0;
-  W[10] = t0;
+  W[0] = cosine[0];
+  W[10] = cosine[0];
+  W[2] = sine[0];
   const S t1 = sine[0];
-  W[2] = t1;
-  const S t2 = cosine[1];
-  const S t3 = sine[1];
   W[8] = -t1;
+  const S t2 = cosine[1];
   const S t5 = S(0.032) * t2;
   const S t6 = S(0.001536) * t2;
   const S t7 = sqrt(S(0.0016) - t6);
   const S t8 = acos(S(14.705882352941176) * ((S(0.002356) - t6) / t7));
+  const S t3 = sine[1];
   const S t9 = S(0.032) * t3;
   const S t10 = atan2(t9, S(0.024) - t5);
   const S t11 = t8 - t10;
@@ -460,6 +459,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t16 = sqrt(t15 * t15 + t14 * t14);
   const S t17 = S(1.0) / t16;
   const S t18 = t14 * t17;
+  const S t0 = cosine[0];
   const S t19 = t15 * t17;
   const S t20 = -(t0 * t18 + t1 * t19);
   W[12] = t20;
@@ -498,14 +498,12 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = cosine[1];
-  const S t3 = sine[1];
   const S t4 = S(0.032) * t2;
   const S t5 = S(0.001536) * t2;
   const S t6 = sqrt(S(0.0016) - t5);
   const S t7 = acos(S(14.705882352941176) * ((S(0.002356) - t5) / t6));
+  const S t3 = sine[1];
   const S t8 = S(0.032) * t3;
   const S t9 = atan2(t8, S(0.024) - t4);
   const S t10 = t7 - t9;
@@ -516,7 +514,9 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t15 = sqrt(t14 * t14 + t13 * t13);
   const S t16 = S(1.0) / t15;
   const S t17 = t13 * t16;
+  const S t0 = cosine[0];
   const S t18 = t14 * t16;
+  const S t1 = sine[0];
   const S t19 = t17 * t0 + t1 * t18;
   const S t20 = -t19;
   F[0] = t20;
@@ -545,11 +545,9 @@ void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = cosine[1];
   const S t3 = sine[1];
   const S t4 = S(0.032) * t3;
+  const S t2 = cosine[1];
   const S t5 = S(0.001536) * t2;
   const S t6 = S(0.0016) - t5;
   const S t7 = sqrt(t6);
@@ -569,7 +567,9 @@ void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<
   const S t21 = sqrt(t18 * t18 + t20 * t20);
   const S t22 = S(1.0) / t21;
   const S t23 = t18 * t22;
+  const S t0 = cosine[0];
   const S t24 = t20 * t22;
+  const S t1 = sine[0];
   const S t25 = t0 * t23 - t24 * t1;
   const S t26 = sqrt(S(1.0) - t9 * (S(216.26297577854672) * t9));
   const S t27 = t3 * ((t8 - t8 * (t8 * (S(0.5) * t9))) * (S(0.02258823529411765) / t26)) - (t3 * (S(0.001024) * t3) - t11 * t12) / t6;

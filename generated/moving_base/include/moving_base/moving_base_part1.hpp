@@ -32,19 +32,15 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = cosine[0];
-  const S t3 = sine[0];
-  const S t4 = cosine[1];
-  const S t5 = sine[1];
-  const S t6 = sine[2];
-  const S t7 = cosine[3];
-  const S t8 = cosine[4];
-  const S t9 = sine[4];
   const S qdd0 = qdd[0];  // dd(q1)
+  const S t8 = cosine[4];
+  const S t2 = cosine[0];
   const S t10 = S(0.2) * time + S(0.4);
+  const S t3 = sine[0];
   const S t11 = t10 * t3;
   const S qd0 = qd[0];  // d(q1)
   const S t12 = S(0.2) * t2 - t11 * qd0;
+  const S t9 = sine[4];
   const S t13 = t2 * t10;
   const S t14 = t13 * t8 - t9 * qd0;
   const S qd1 = qd[1];  // d(q2)
@@ -52,8 +48,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t16 = qdd0 * t8 + t9 * t12 + t14 * t15;
   const S t17 = t8 * qd0 + t13 * t9;
   const S t18 = qdd0 * t9 - (t8 * t12 - t15 * t17);
+  const S t6 = sine[2];
   const S t19 = S(2.4276) * t6;
+  const S t4 = cosine[1];
   const S t20 = t4 * t19;
+  const S t7 = cosine[3];
   const S t21 = S(9.81) - S(2.312) * t7;
   const S t22 = t2 * t20 + t3 * t21;
   const S t23 = t13 * t11;
@@ -64,6 +63,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t28 = t13 * qd0;
   const S t29 = t28 + S(0.2) * t3;
   const S qdd1 = qdd[1];  // dd(q2)
+  const S t5 = sine[1];
   const S t30 = S(0.10547511554864493) * (t9 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t8 * (S(0.5) * (t28 + t29) - t19 * t5));
   tau[1] = S(0.0012006741573033712) * (t14 * t14 - t17 * t17) + S(0.03325) * (qdd1 - t29) - t14 * (S(0.031564157303370796) * t17) - t30;
 }
@@ -96,17 +96,14 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = cosine[0];
-  const S t3 = sine[0];
-  const S t4 = sine[1];
-  const S t5 = cosine[1];
-  const S t6 = cosine[2];
-  const S t7 = sine[2];
   const S t8 = sine[3];
-  const S t9 = cosine[4];
   const S t10 = S(2.4276) * t8;
+  const S t6 = cosine[2];
   const S t11 = t6 * t10;
+  const S t2 = cosine[0];
+  const S t9 = cosine[4];
   const S t12 = S(9.81) - S(2.312) * t9;
+  const S t3 = sine[0];
   const S t13 = t2 * t11 + t3 * t12;
   const S t14 = t3 * t11 - t2 * t12;
   const S t15 = S(0.2) * time + S(0.4);
@@ -116,6 +113,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t19 = t16 * t16;
   const S qd0 = qd[0];  // d(q1)
   const S t20 = S(0.2) * t2 - qd0 * t16;
+  const S t5 = cosine[1];
+  const S t4 = sine[1];
   const S t21 = t5 * qd0 + t4 * t17;
   const S qd1 = qd[1];  // d(q2)
   const S t22 = qd1 - (t16 - qd1);
@@ -126,6 +125,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[0] = S(0.45799999999999996) * t13 + S(0.007999999999999981) * t14 - (S(0.1956) * t18 + (S(0.0020799999999999924) * (t19 - t17 * t17) + S(8.000000000000003e-05) * t3)) - t26;
   const S t28 = qd0 * t17;
   const S t29 = t28 + S(0.2) * t3;
+  const S t7 = sine[2];
   const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t24 * t24 - t21 * t21) + t21 * (S(0.031564157303370796) * t24);
   c[1] = S(-0.10547511554864493) * (t4 * (t14 - S(0.5) * (t19 + qd0 * qd0)) + t5 * (S(0.5) * (t28 + t29) - t10 * t7)) - t30;
 }
@@ -143,18 +143,17 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = cosine[0];
-  const S t3 = sine[0];
   const S t4 = cosine[1];
   const S t5 = sine[1];
-  const S t6 = cosine[2];
-  const S t7 = sine[2];
-  const S t8 = sine[3];
-  const S t9 = cosine[4];
   M[0] = S(0.10547511554864493) * t4 + t5 * (S(0.0024013483146067423) * t4 - S(0.0315641573033708) * t5) + S(0.23176707865168542);
+  const S t8 = sine[3];
   const S t11 = S(2.4276) * t8;
+  const S t6 = cosine[2];
   const S t12 = t6 * t11;
+  const S t2 = cosine[0];
+  const S t9 = cosine[4];
   const S t13 = S(9.81) - S(2.312) * t9;
+  const S t3 = sine[0];
   const S t14 = t2 * t12 + t3 * t13;
   const S t15 = t3 * t12 - t2 * t13;
   const S t16 = S(0.2) * time + S(0.4);
@@ -174,6 +173,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   c[0] = S(0.45799999999999996) * t14 + S(0.007999999999999981) * t15 - (S(0.1956) * t19 + (S(0.0020799999999999924) * (t20 - t18 * t18) + S(8.000000000000003e-05) * t3)) - t27;
   const S t29 = qd0 * t18;
   const S t30 = t29 + S(0.2) * t3;
+  const S t7 = sine[2];
   const S t31 = S(0.03325) * t30 - S(0.0012006741573033712) * (t25 * t25 - t22 * t22) + t22 * (S(0.031564157303370796) * t25);
   c[1] = S(-0.10547511554864493) * (t5 * (t15 - S(0.5) * (t20 + qd0 * qd0)) + t4 * (S(0.5) * (t29 + t30) - t11 * t7)) - t31;
   M[1] = S(0.0);
@@ -203,23 +203,22 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S angle[] = {q0, q1, S(3.4) * time, t0, t1};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t2 = sine[0];
-  const S t3 = cosine[0];
-  const S t4 = sine[1];
-  const S t5 = cosine[1];
   const S t6 = cosine[2];
   const S t7 = sine[3];
-  const S t8 = cosine[3];
-  const S t9 = sine[4];
-  const S t10 = cosine[4];
   const S t11 = t6 * t7;
   const S t12 = S(0.714) * t11;
   const S t13 = S(0.2) * time + S(0.4);
+  const S t2 = sine[0];
   const S t14 = t13 * t2;
   const S t15 = t12 + S(0.5) * t14;
+  const S t4 = sine[1];
+  const S t8 = cosine[3];
   const S t16 = S(0.714) * (t6 * t8);
+  const S t9 = sine[4];
   const S t17 = S(0.34) * t9;
+  const S t3 = cosine[0];
   const S t18 = t2 * t16 - t3 * t17;
+  const S t5 = cosine[1];
   const S t19 = t4 * t15 + t5 * t18;
   const S t20 = t2 * t17 + t16 * t3;
   const S qd0 = qd[0];  // d(q1)
@@ -236,6 +235,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t30 = t26 * (S(0.105) * t22 - S(0.01) * t19);
   const S t31 = S(0.4) * (t20 * t20 + t11 * (S(0.509796) * t11) + t18 * t18) + (t12 * (S(0.208) * t14 - S(0.008) * t23) + t29) + t30;
   e[0] = S(0.25) * (t19 * t19 + (t21 * t21 + t22 * t22)) - (t21 * (S(0.105) * t24 + S(0.01) * t25) - t31);
+  const S t10 = cosine[4];
   const S t33 = S(0.05) * t10;
   e[1] = S(4.905) * (t33 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t33 - (S(0.01) * t2 + S(0.26) * t3));
 }
@@ -251,31 +251,29 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S angle[] = {q0, q1, t0, S(3.4) * time, S(6.8) * time};
   S sine[5], cosine[5];
   sines_and_cosines(5, angle, sine, cosine);
-  const S t1 = cosine[0];
-  W[22] = t1;
-  const S t2 = sine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = cosine[2];
-  W[0] = t5;
-  W[5] = t5;
-  W[17] = t5;
+  W[22] = cosine[0];
+  W[0] = cosine[2];
+  W[5] = cosine[2];
+  W[17] = cosine[2];
+  W[4] = sine[2];
   const S t6 = sine[2];
-  W[4] = t6;
-  const S t7 = sine[3];
-  const S t8 = cosine[4];
   const S t9 = -t6;
   W[1] = t9;
   W[13] = t9;
+  const S t7 = sine[3];
   const S t10 = S(0.21) * t7;
   W[3] = t10;
   W[15] = t10;
+  const S t8 = cosine[4];
   const S t11 = S(0.05) * t8;
   W[11] = t11;
   W[23] = t11;
+  const S t5 = cosine[2];
+  const S t1 = cosine[0];
   const S t12 = t5 * t1;
   W[12] = t12;
   W[24] = t12;
+  const S t2 = sine[0];
   const S t13 = t5 * t2;
   W[14] = t13;
   const S t14 = t6 * t1;
@@ -286,6 +284,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t16 = -t2;
   W[20] = t16;
   W[32] = t16;
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
   W[25] = t13 * t3 - t6 * t4;
   W[26] = t6 * t3 + t13 * t4;
   W[27] = t10 - S(0.5) * t13;

@@ -32,30 +32,28 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t1 = sine[0];
-  const S t2 = cosine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = cosine[2];
-  const S t6 = sine[2];
-  const S t7 = sine[3];
-  const S t8 = cosine[3];
   const S qd0 = qd[0];  // d(u1)
+  const S t1 = sine[0];
   const S t9 = qd0 * t1;
   const S qd1 = qd[1];  // d(v1)
   const S t10 = t9 * qd1;
   const S qdd0 = qdd[0];  // dd(u1)
+  const S t2 = cosine[0];
   const S t11 = t10 - qdd0 * t2;
   const S t12 = qdd0 - S(0.52) * (t10 + t11);
+  const S t5 = cosine[2];
   const S t13 = qd0 * t2;
   const S qdd1 = qdd[1];  // dd(v1)
   const S t14 = qd0 * qd0;
   const S t15 = S(0.52) * (qdd1 + t9 * t13) + (t1 * t14 + S(9.81) * t2);
+  const S t6 = sine[2];
   const S qdd4 = qdd[4];  // dd(turn)
   const S t16 = qdd4 + (qdd0 * t1 + qd1 * t13);
+  const S t3 = sine[1];
   const S t17 = t6 * t13 - t5 * qd1;
   const S qd4 = qd[4];  // d(turn)
   const S t18 = t5 * t11 - t6 * qdd1 + qd4 * t17;
+  const S t4 = cosine[1];
   const S t19 = t9 + qd4;
   const S t20 = t5 * t13 + qd1 * t6;
   const S t21 = t4 * t19 - t3 * t20;
@@ -63,10 +61,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t22 = t3 * t16 - t4 * t18 + t21 * qd3;
   const S t23 = t17 + qd3;
   const S t24 = t5 * t12 + t6 * t15 + S(0.7) * (t22 + t21 * t23);
+  const S t7 = sine[3];
   const S t25 = S(9.81) * t1 - t2 * t14 - S(0.52) * (qd1 * qd1 + t13 * t13);
   const S t26 = t5 * t15 - t12 * t6;
   const S t27 = t4 * t20 + t3 * t19;
   const S t28 = t4 * t25 - t3 * t26 - S(0.7) * (t27 * t27 + t23 * t23);
+  const S t8 = cosine[3];
   const S t29 = t7 * t24 - t8 * t28;
   const S qd2 = qd[2];  // d(u2)
   const S t30 = t27 + qd2;
@@ -126,20 +126,20 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
   const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
   const S t7 = cosine[3];
-  const S t8 = sine[3];
   const S t9 = S(0.07932212806020777) * t7;
   const S t10 = t9 + S(1.54);
+  const S t4 = cosine[1];
   const S t11 = S(0.088) * t3 - t10 * t4;
+  const S t1 = cosine[0];
+  const S t8 = sine[3];
   const S t12 = S(0.07932212806020777) * t8;
+  const S t5 = sine[2];
   const S t13 = S(0.088) * t4 + t3 * t10;
+  const S t6 = cosine[2];
   const S t14 = t5 * t12 + t6 * t13;
+  const S t2 = sine[0];
   const S t15 = (S(1.1440000000000001) - t11) * t1 + t2 * t14;
   const S t16 = S(0.05999999999999983) * t7 - S(0.04286000000000001) * t8;
   const S t17 = t8 * t16;
@@ -218,21 +218,19 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
-  const S t3 = cosine[1];
-  const S t4 = sine[1];
   const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = cosine[3];
-  const S t8 = sine[3];
   const S qd1 = qd[1];  // d(v1)
   const S qd0 = qd[0];  // d(u1)
+  const S t1 = cosine[0];
   const S t9 = qd0 * t1;
+  const S t6 = cosine[2];
   const S t10 = t5 * qd1 + t9 * t6;
+  const S t4 = sine[1];
+  const S t2 = sine[0];
   const S t11 = qd0 * t2;
   const S qd4 = qd[4];  // d(turn)
   const S t12 = qd4 + t11;
+  const S t3 = cosine[1];
   const S t13 = t4 * t10 - t3 * t12;
   const S t14 = t3 * t10 + t4 * t12;
   const S t15 = qd1 * t11;
@@ -243,9 +241,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t20 = S(1.04) * t16 + t6 * t19;
   const S t21 = t1 * t18 - S(9.81) * t2 + S(0.52) * (qd1 * qd1 + t9 * t9);
   const S t22 = S(0.7) * (t13 * t14 - t17) - (t3 * t20 - t4 * t21);
+  const S t7 = cosine[3];
   const S t23 = t5 * t9 - qd1 * t6;
   const S qd3 = qd[3];  // d(v2)
   const S t24 = qd3 + t23;
+  const S t8 = sine[3];
   const S t25 = t13 * t7 + t8 * t24;
   const S qd2 = qd[2];  // d(u2)
   const S t26 = t14 + qd2;
@@ -307,12 +307,6 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S angle[] = {q1, q3, q4, t0};
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
-  const S t3 = cosine[1];
-  const S t4 = sine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
   const S t7 = sine[3];
   const S t8 = cosine[3];
   const S t9 = S(0.04286000000000001) * t7 - S(0.05999999999999983) * t8;
@@ -320,25 +314,31 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t11 = t10 + S(0.5150000000000001);
   const S t12 = S(0.030508510792387606) * t7 + S(0.04754890082042665) * t8;
   const S t13 = t12 + S(0.061599999999999995);
+  const S t4 = sine[1];
   const S t14 = t4 * t13;
   const S t15 = S(0.5578600000000001) - t10 + S(0.11105097928429088) * t8;
+  const S t3 = cosine[1];
   const S t16 = t14 + t14 - t3 * (t15 + S(1.0094799999999997));
   const S t17 = t3 * t16;
   const S t18 = t17 + (t15 + S(1.0779999999999998));
+  const S t5 = sine[2];
   const S t19 = t8 * t9 + S(0.029999999999999916) + S(0.05552548964214544) * t7;
   const S t20 = S(0.030508510792387606) * t8 - S(0.04754890082042665) * t7;
   M[13] = t20;
   M[17] = t20;
   const S t21 = t4 * t19 - t3 * t20;
+  const S t6 = cosine[2];
   const S t22 = t21 * t6;
   const S t23 = t5 * (t11 - t18) + (t22 + t22);
   const S t24 = t5 * t23;
   const S t25 = S(0.07932212806020777) * t8;
   const S t26 = t25 + S(1.54);
   const S t27 = t3 * t26 - S(0.088) * t4;
+  const S t1 = cosine[0];
   const S t28 = S(0.088) * t3 + t4 * t26;
   const S t29 = S(0.07932212806020777) * t7;
   const S t30 = t6 * t28 + t5 * t29;
+  const S t2 = sine[0];
   const S t31 = t1 * (t27 + S(1.1440000000000001)) + t30 * t2;
   const S t32 = t18 + t24;
   const S t33 = S(0.6634000000000002) - (t17 - S(1.04) * t27);
@@ -474,26 +474,26 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using detail::sines_and_cosines;
   S sine[4], cosine[4];
   sines_and_cosines(4, q + 1, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
-  const S t4 = cosine[2];
-  const S t5 = sine[2];
-  const S t6 = sine[3];
-  const S t7 = cosine[3];
   const S qd0 = qd[0];  // d(u1)
+  const S t0 = cosine[0];
   const S t8 = qd0 * t0;
+  const S t6 = sine[3];
   const S qd1 = qd[1];  // d(v1)
+  const S t7 = cosine[3];
   const S t9 = qd1 * t7;
   const S t10 = t6 * t8 - t9;
   const S qd3 = qd[3];  // d(v2)
   const S t11 = qd3 + t10;
+  const S t2 = sine[1];
+  const S t1 = sine[0];
   const S qd4 = qd[4];  // d(turn)
   const S t12 = qd4 + qd0 * t1;
+  const S t4 = cosine[2];
   const S t13 = t6 * qd1;
   const S t14 = t8 * t7 + t13;
+  const S t5 = sine[2];
   const S t15 = t12 * t4 - t5 * t14;
+  const S t3 = cosine[1];
   const S t16 = t2 * t11 + t15 * t3;
   const S t17 = t11 * t3 - t2 * t15;
   const S t18 = qd0 - t8;
@@ -523,21 +523,21 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using detail::sines_and_cosines;
   S sine[5], cosine[5];
   sines_and_cosines(5, q, sine, cosine);
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
   const S t2 = sine[1];
-  const S t3 = cosine[1];
-  const S t4 = sine[2];
-  const S t5 = cosine[2];
-  const S t6 = sine[3];
-  const S t7 = cosine[3];
+  const S t0 = cosine[0];
+  const S t10 = t2 * t0;
   const S t8 = sine[4];
   const S t9 = cosine[4];
-  const S t10 = t2 * t0;
+  const S t1 = sine[0];
   const S t11 = t8 * t10 + t9 * t1;
+  const S t4 = sine[2];
   const S t12 = t10 * t9 - t8 * t1;
+  const S t6 = sine[3];
+  const S t3 = cosine[1];
   const S t13 = t0 * t3;
+  const S t7 = cosine[3];
   const S t14 = t6 * t12 + t7 * t13;
+  const S t5 = cosine[2];
   W[0] = t4 * t11 - t5 * t14;
   W[1] = -(t11 * t5 + t4 * t14);
   W[2] = t12 * t7 - t6 * t13;

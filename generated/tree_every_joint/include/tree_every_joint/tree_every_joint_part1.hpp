@@ -37,22 +37,6 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S angle[] = {q7, q9, q12, q13, q21, t0, t1, t2};
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
-  const S t3 = cosine[0];
-  const S t4 = sine[0];
-  const S t5 = sine[1];
-  const S t6 = cosine[1];
-  const S t7 = sine[2];
-  const S t8 = cosine[2];
-  const S t9 = sine[3];
-  const S t10 = cosine[3];
-  const S t11 = cosine[4];
-  const S t12 = sine[4];
-  const S t13 = cosine[5];
-  const S t14 = sine[5];
-  const S t15 = cosine[6];
-  const S t16 = sine[6];
-  const S t17 = cosine[7];
-  const S t18 = sine[7];
   const S q4 = q[4];  // attitude.y
   const S t19 = q4 * q4;
   const S q5 = q[5];  // attitude.z
@@ -97,6 +81,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t45 = t43 - t44;
   const S qdd13 = qdd[13];  // dd(px)
   const S t46 = qdd13 + (t24 + t24 + (t36 - (t37 * (t38 + t40) + q14 * (t41 + t42) + S(0.1) * t45)));
+  const S t13 = cosine[5];
+  const S t14 = sine[5];
   const S t47 = t13 * t39 - t14 * qd3;
   const S t48 = t47 * t47;
   const S qd15 = qd[15];  // d(pa)
@@ -131,7 +117,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t70 = S(1.0) - (t69 + t69);
   const S qd11 = qd[11];  // d(pitch)
   const S t71 = qd3 + qd11;
+  const S t9 = sine[3];
+  const S t7 = sine[2];
+  const S t8 = cosine[2];
   const S t72 = qd4 * t7 - qd5 * t8;
+  const S t10 = cosine[3];
   const S t73 = t71 * t9 - t72 * t10;
   const S q20 = q[20];  // ball.w
   const S t74 = q18 * q20;
@@ -194,9 +184,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t121 = qdd17 + (qd16 * t114 + t88 * qd18 + (t119 + t119 + (t120 + t120 + t98 * t107)));
   const S t122 = t89 * t116;
   const S t123 = t121 - t122;
+  const S t15 = cosine[6];
   const S t124 = S(1.0) - t15;
   const S t125 = S(0.5) * t124;
   const S t126 = t15 + t125;
+  const S t16 = sine[6];
   const S t127 = S(0.7071067811865476) * t16;
   const S t128 = t89 * t127;
   const S t129 = t116 * t125 + (t100 * t126 - t128);
@@ -228,6 +220,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t152 = t133 * t134 + (t147 - t150 * t151);
   const S t153 = t89 + qd19;
   const S t154 = t153 * t153;
+  const S t12 = sine[4];
+  const S t11 = cosine[4];
   const S t155 = t116 * t12 + t100 * t11;
   const S t156 = t154 + t155 * t155;
   const S t157 = t100 * t12 - t116 * t11;
@@ -266,8 +260,10 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t190 = t187 + (S(0.016) * (t180 + t188) - S(0.236) * t189);
   const S t191 = t103 + t71 * t82;
   const S t192 = t9 * t184 + t10 * t190 - S(0.0010000000000000148) * t191;
+  const S t3 = cosine[0];
   const S t193 = S(1.0) - t3;
   const S t194 = S(0.3333333333333333) * t193;
+  const S t4 = sine[0];
   const S t195 = S(0.408248290463863) * t4;
   const S t196 = t194 + t195;
   const S t197 = q3 * q3;
@@ -281,6 +277,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t205 = t194 - t195;
   const S t206 = t204 * t205;
   const S t207 = t199 * t200 + (t201 + t201) - (t206 + t206);
+  const S t5 = sine[1];
   const S t208 = S(0.16666666666666666) * t193;
   const S t209 = t3 + t208;
   const S t210 = t34 * t209;
@@ -293,6 +290,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t217 = t34 * t216;
   const S t218 = t215 + t215 - (t199 * t196 + (t217 + t217));
   const S t219 = S(0.38941834230865047) * t214 + S(0.9210609940028851) * t218;
+  const S t6 = cosine[1];
   const S t220 = t5 * t207 - t219 * t6;
   const S f7 = in.wrenches[7];  // wrench(drill).fy
   const S t221 = t26 + t27;
@@ -429,7 +427,9 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t343 = S(0.7071067811865476) * t266;
   const S t344 = t342 - t343;
   const S t345 = S(0.7648421872844884) * t344 + S(0.6442176872376911) * t264;
+  const S t17 = cosine[7];
   const S t346 = t342 + t343;
+  const S t18 = sine[7];
   const S t347 = S(0.7071067811865476) * t253;
   const S t348 = S(0.7071067811865476) * t256;
   const S t349 = t347 - t348;
@@ -690,25 +690,14 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
   const S t3 = cosine[0];
-  const S t4 = sine[0];
-  const S t5 = sine[1];
-  const S t6 = cosine[1];
-  const S t7 = cosine[2];
-  const S t8 = sine[2];
-  const S t9 = sine[3];
-  const S t10 = cosine[3];
-  const S t11 = sine[4];
-  const S t12 = cosine[4];
-  const S t13 = cosine[5];
-  const S t14 = sine[5];
-  const S t15 = cosine[6];
-  const S t16 = sine[6];
-  const S t17 = sine[7];
-  const S t18 = cosine[7];
   const S t19 = S(1.0) - t3;
   const S t20 = t3 + S(0.6666666666666666) * t19;
+  const S t5 = sine[1];
+  const S t6 = cosine[1];
   const S t21 = S(0.01) * t5 + S(0.005) * t6;
   const S t22 = t21 + S(0.028);
+  const S t13 = cosine[5];
+  const S t14 = sine[5];
   const S t23 = S(0.027) * t13 + S(0.009) * t14;
   const S q11 = q[11];  // reach
   const S t24 = S(0.9) * q11 + S(0.108);
@@ -718,6 +707,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t28 = t25 + t27;
   const S t29 = t22 + (t28 + S(0.024));
   const S t30 = S(0.3333333333333333) * t19;
+  const S t4 = sine[0];
   const S t31 = S(0.408248290463863) * t4;
   const S t32 = t30 - t31;
   const S q8 = q[8];  // slide
@@ -734,10 +724,12 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t43 = S(0.6442176872376911) * t23 + S(0.7648421872844884) * t24;
   const S t44 = S(0.38941834230865047) * t39 - S(0.9210609940028851) * t36 + (S(0.036) - t43);
   const S t45 = t20 * t29 + t32 * t41 + t42 * t44;
+  const S t15 = cosine[6];
   const S t46 = S(1.0) - t15;
   const S t47 = S(0.5) * t46;
   const S t48 = t15 + t47;
   const S t49 = S(0.002) * (t46 + t48);
+  const S t11 = sine[4];
   const S t50 = S(0.006) * t11;
   const S t51 = t49 + S(0.015) - t50;
   const S q19 = q[19];  // ball.z
@@ -746,6 +738,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t53 = q17 * q17;
   const S t54 = t52 + t53;
   const S t55 = S(1.0) - (t54 + t54);
+  const S t16 = sine[6];
   const S t56 = S(0.001414213562373095) * t16;
   const S t57 = t56 + S(0.0196);
   const S q18 = q[18];  // ball.y
@@ -757,12 +750,14 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t62 = q19 * q18;
   const S t63 = q17 * q20;
   const S t64 = t62 - t63;
+  const S t12 = cosine[4];
   const S t65 = S(0.006) * t12;
   const S t66 = S(0.004) * t48 + S(0.001) * t46;
   const S t67 = t65 + (t66 + S(0.062000000000000006));
   const S t68 = t64 * t67;
   const S t69 = t51 * t55 + (t61 + t61) + (t68 + t68);
   const S t70 = t69 + S(0.001000000000000019);
+  const S t7 = cosine[2];
   const S t71 = q18 * q20;
   const S t72 = q19 * q17;
   const S t73 = t71 + t72;
@@ -774,6 +769,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t79 = t51 * t78;
   const S t80 = t74 + t74 + (t57 * t77 + (t79 + t79));
   const S t81 = t80 + S(0.016);
+  const S t9 = sine[3];
   const S t82 = t53 + t75;
   const S t83 = S(1.0) - (t82 + t82);
   const S t84 = t71 - t72;
@@ -782,8 +778,11 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t87 = t51 * t86;
   const S t88 = t67 * t83 - (t85 + t85 - (t87 + t87));
   const S t89 = t88 + S(0.23599999999999996);
+  const S t10 = cosine[3];
   const S t90 = t81 * t9 - t10 * t89;
+  const S t8 = sine[2];
   const S t91 = t70 * t7 + t8 * t90;
+  const S t17 = sine[7];
   const S t92 = S(0.055) * t17;
   const S q15 = q[15];  // py
   const S t93 = S(0.3) - q15;
@@ -819,6 +818,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t117 = S(1.0) - (t116 + t116);
   const S t118 = t105 - t107;
   const S t119 = t44 * t118 + (t29 * t42 + t41 * t106);
+  const S t18 = cosine[7];
   const S t120 = S(0.055) * t18;
   M[295] = t120;
   M[314] = t120;
@@ -1747,22 +1747,6 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S angle[] = {q7, q9, q12, q13, q21, t0, t1, t2};
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
-  const S t3 = cosine[0];
-  const S t4 = sine[0];
-  const S t5 = cosine[1];
-  const S t6 = sine[1];
-  const S t7 = sine[2];
-  const S t8 = cosine[2];
-  const S t9 = sine[3];
-  const S t10 = cosine[3];
-  const S t11 = sine[4];
-  const S t12 = cosine[4];
-  const S t13 = cosine[5];
-  const S t14 = sine[5];
-  const S t15 = cosine[6];
-  const S t16 = sine[6];
-  const S t17 = cosine[7];
-  const S t18 = sine[7];
   const S q5 = q[5];  // attitude.z
   const S q3 = q[3];  // attitude.x
   const S t19 = q5 * q3;
@@ -1770,8 +1754,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S q4 = q[4];  // attitude.y
   const S t20 = q6 * q4;
   const S t21 = t19 + t20;
+  const S t3 = cosine[0];
   const S t22 = S(1.0) - t3;
   const S t23 = S(0.16666666666666666) * t22;
+  const S t4 = sine[0];
   const S t24 = S(0.816496580927726) * t4;
   const S t25 = t23 + t24;
   const S qd4 = qd[4];  // d(attitude).y
@@ -1843,6 +1829,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t88 = t25 * t41 + (t68 * t74 - t44 * t59);
   const S t89 = S(0.7071067811865476) * (S(0.3) * (t83 + t87) - t88);
   const S t90 = t82 - t89;
+  const S t14 = sine[5];
   const S t91 = t79 * t86;
   const S t92 = qd6 * t85;
   const S t93 = t76 - t92;
@@ -1851,6 +1838,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t96 = S(0.3) * (t91 - t94) + t95;
   const S t97 = t82 + t89;
   const S t98 = S(0.6442176872376911) * t96 - S(0.7648421872844884) * t97;
+  const S t13 = cosine[5];
   const S t99 = S(0.7071067811865476) * t79;
   const S t100 = S(0.7071067811865476) * t78;
   const S t101 = t99 + t100;
@@ -1911,6 +1899,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t150 = S(0.8944271909999159) * q8;
   const S t151 = S(0.4472135954999579) * q8;
   const S t152 = S(1.7888543819998317) * t149 + (t146 * t150 - t143 * t151 - (S(0.9210609940028851) * t95 - S(0.38941834230865047) * t88));
+  const S t5 = cosine[1];
+  const S t6 = sine[1];
   const S t153 = t78 * t5 + t144 * t6;
   const S t154 = t78 * t6 - t144 * t5;
   const S t155 = t153 * t154;
@@ -2011,7 +2001,11 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t246 = t25 * t234 - t44 * t242 - t74 * t245;
   const S qd11 = qd[11];  // d(pitch)
   const S t247 = qd3 + qd11;
+  const S t9 = sine[3];
+  const S t7 = sine[2];
+  const S t8 = cosine[2];
   const S t248 = qd4 * t7 - qd5 * t8;
+  const S t10 = cosine[3];
   const S t249 = t247 * t9 - t10 * t248;
   const S qd12 = qd[12];  // d(roll)
   const S t250 = qd5 * t7 + qd4 * t8;
@@ -2078,8 +2072,10 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t304 = t258 * t281;
   const S t305 = t278 * t288 + (t303 + t303) + (t304 + t304) - (qd16 * t298 - t272 * qd18);
   const S t306 = t302 - t305;
+  const S t15 = cosine[6];
   const S t307 = S(1.0) - t15;
   const S t308 = S(0.5) * t307;
+  const S t16 = sine[6];
   const S t309 = S(0.7071067811865476) * t16;
   const S t310 = t273 * t309;
   const S t311 = t15 + t308;
@@ -2104,6 +2100,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t329 = t327 + t328;
   const S t330 = S(0.001414213562373095) * t16;
   const S t331 = t15 * (S(0.002) * t323) - (t326 + t329) * t330;
+  const S t11 = sine[4];
+  const S t12 = cosine[4];
   const S t332 = t299 * t12 - t284 * t11;
   const S t333 = t273 + qd19;
   const S t334 = t293 * t11 + t305 * t12 - t332 * (qd19 + t333);
@@ -2166,6 +2164,8 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t388 = qd3 * t385;
   const S q14 = q[14];  // px
   const S t389 = t383 + t383 - (t384 + t384) - (t386 * t387 - q14 * t388 + S(0.1) * t382 + (S(0.5) * t40 - S(0.8660254037844386) * t58));
+  const S t17 = cosine[7];
+  const S t18 = sine[7];
   const S t390 = qd3 * t17 + t380 * t18;
   const S qd15 = qd[15];  // d(pa)
   const S t391 = qd15 * t390;
@@ -2355,25 +2355,14 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
   const S t3 = cosine[0];
-  const S t4 = sine[0];
-  const S t5 = sine[1];
-  const S t6 = cosine[1];
-  const S t7 = cosine[2];
-  const S t8 = sine[2];
-  const S t9 = sine[3];
-  const S t10 = cosine[3];
-  const S t11 = sine[4];
-  const S t12 = cosine[4];
-  const S t13 = cosine[5];
-  const S t14 = sine[5];
-  const S t15 = cosine[6];
-  const S t16 = sine[6];
-  const S t17 = sine[7];
-  const S t18 = cosine[7];
   const S t19 = S(1.0) - t3;
   const S t20 = t3 + S(0.6666666666666666) * t19;
+  const S t5 = sine[1];
+  const S t6 = cosine[1];
   const S t21 = S(0.01) * t5 + S(0.005) * t6;
   const S t22 = t21 + S(0.028);
+  const S t13 = cosine[5];
+  const S t14 = sine[5];
   const S t23 = S(0.027) * t13 + S(0.009) * t14;
   const S q11 = q[11];  // reach
   const S t24 = S(0.9) * q11 + S(0.108);
@@ -2383,6 +2372,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t28 = t25 + t27;
   const S t29 = t22 + (t28 + S(0.024));
   const S t30 = S(0.3333333333333333) * t19;
+  const S t4 = sine[0];
   const S t31 = S(0.408248290463863) * t4;
   const S t32 = t30 - t31;
   const S q8 = q[8];  // slide
@@ -2399,10 +2389,12 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t43 = S(0.6442176872376911) * t23 + S(0.7648421872844884) * t24;
   const S t44 = S(0.38941834230865047) * t39 - S(0.9210609940028851) * t36 + (S(0.036) - t43);
   const S t45 = t20 * t29 + t32 * t41 + t42 * t44;
+  const S t15 = cosine[6];
   const S t46 = S(1.0) - t15;
   const S t47 = S(0.5) * t46;
   const S t48 = t15 + t47;
   const S t49 = S(0.002) * (t46 + t48);
+  const S t11 = sine[4];
   const S t50 = S(0.006) * t11;
   const S t51 = t49 + S(0.015) - t50;
   const S q19 = q[19];  // ball.z
@@ -2411,6 +2403,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t53 = q17 * q17;
   const S t54 = t52 + t53;
   const S t55 = S(1.0) - (t54 + t54);
+  const S t16 = sine[6];
   const S t56 = S(0.001414213562373095) * t16;
   const S t57 = t56 + S(0.0196);
   const S q18 = q[18];  // ball.y
@@ -2422,6 +2415,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t62 = q19 * q18;
   const S t63 = q17 * q20;
   const S t64 = t62 - t63;
+  const S t12 = cosine[4];
   const S t65 = S(0.006) * t12;
   const S t66 = S(0.001) * t46;
   const S t67 = S(0.004) * t48 + t66;
@@ -2429,6 +2423,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t69 = t64 * t68;
   const S t70 = t51 * t55 + (t61 + t61) + (t69 + t69);
   const S t71 = t70 + S(0.001000000000000019);
+  const S t7 = cosine[2];
   const S t72 = q18 * q20;
   const S t73 = q19 * q17;
   const S t74 = t72 + t73;
@@ -2440,6 +2435,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t80 = t51 * t79;
   const S t81 = t75 + t75 + (t57 * t78 + (t80 + t80));
   const S t82 = t81 + S(0.016);
+  const S t9 = sine[3];
   const S t83 = t53 + t76;
   const S t84 = S(1.0) - (t83 + t83);
   const S t85 = t72 - t73;
@@ -2448,8 +2444,11 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t88 = t51 * t87;
   const S t89 = t68 * t84 - (t86 + t86 - (t88 + t88));
   const S t90 = t89 + S(0.23599999999999996);
+  const S t10 = cosine[3];
   const S t91 = t82 * t9 - t10 * t90;
+  const S t8 = sine[2];
   const S t92 = t71 * t7 + t8 * t91;
+  const S t17 = sine[7];
   const S t93 = S(0.055) * t17;
   const S q15 = q[15];  // py
   const S t94 = S(0.3) - q15;
@@ -2485,6 +2484,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t118 = S(1.0) - (t117 + t117);
   const S t119 = t106 - t108;
   const S t120 = t44 * t119 + (t29 * t42 + t41 * t107);
+  const S t18 = cosine[7];
   const S t121 = S(0.055) * t18;
   M[295] = t121;
   M[314] = t121;
@@ -3968,28 +3968,16 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S angle[] = {q7, q9, q10, q12, q13, q16, q21, t0};
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
-  const S t3 = cosine[1];
-  const S t4 = sine[1];
-  const S t5 = sine[2];
-  const S t6 = cosine[2];
-  const S t7 = sine[3];
-  const S t8 = cosine[3];
-  const S t9 = sine[4];
-  const S t10 = cosine[4];
-  const S t11 = sine[5];
-  const S t12 = cosine[5];
-  const S t13 = sine[6];
-  const S t14 = cosine[6];
-  const S t15 = cosine[7];
-  const S t16 = sine[7];
   const S qd4 = qd[4];  // d(attitude).y
+  const S t7 = sine[3];
   const S qd5 = qd[5];  // d(attitude).z
+  const S t8 = cosine[3];
   const S t17 = qd4 * t7 - qd5 * t8;
+  const S t9 = sine[4];
   const S qd3 = qd[3];  // d(attitude).x
   const S qd11 = qd[11];  // d(pitch)
   const S t18 = qd3 + qd11;
+  const S t10 = cosine[4];
   const S t19 = t9 * t17 + t18 * t10;
   const S t20 = S(0.2) * qd5;
   const S q5 = q[5];  // attitude.z
@@ -4083,6 +4071,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t96 = t91 * t59 - (t93 + t93 + (t95 + t95));
   const S t97 = S(0.02) * t88;
   const S t98 = t96 - t97;
+  const S t13 = sine[6];
   const S t99 = t73 * t83;
   const S t100 = t59 * t81;
   const S t101 = t99 + t99 + t65 * t87 - (t100 + t100);
@@ -4096,11 +4085,14 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S qd16 = qd[16];  // d(ball).x
   const S t108 = qd16 - (t106 + t106 - (t19 * t77 + (t107 + t107)));
   const S t109 = t101 - (t105 - S(0.1) * t108);
+  const S t14 = cosine[6];
   const S t110 = t98 * t13 - t14 * t109;
   const S t111 = t98 * t14 + t13 * t109;
   const S qd7 = qd[7];  // d(slide)
+  const S t1 = cosine[0];
   const S t112 = S(1.0) - t1;
   const S t113 = S(0.3333333333333333) * t112;
+  const S t2 = sine[0];
   const S t114 = S(0.408248290463863) * t2;
   const S t115 = t113 + t114;
   const S t116 = t33 + (t20 - S(0.3) * qd3);
@@ -4121,6 +4113,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t129 = t128 * q8;
   const S t130 = S(0.4472135954999579) * qd7 - (S(0.9210609940028851) * t123 - S(0.38941834230865047) * t126 - S(0.8944271909999159) * t129);
   const S t131 = t130 + S(0.1) * t128;
+  const S t3 = cosine[1];
   const S t132 = t122 * t124 - (t115 * t120 + t116 * t127);
   const S t133 = S(0.408248290463863) * qd6;
   const S t134 = t133 + (qd4 * t115 - qd3 * t119 - qd5 * t121);
@@ -4131,6 +4124,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t139 = S(0.8944271909999159) * q8;
   const S t140 = t132 + (t136 * t137 + t138 * t139);
   const S t141 = t140 + (S(0.1) * t138 + S(0.05) * t136);
+  const S t4 = sine[1];
   const S t142 = t3 * t128 + t4 * t138;
   const S t143 = S(0.03) * q9;
   const S t144 = t3 * t131 + t4 * t141 + t142 * t143;
@@ -4146,7 +4140,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t152 = S(0.7648421872844884) * t150 - (qd10 + S(0.45553069520608575) * (t126 + t151));
   const S t153 = S(0.45553069520608575) * t134;
   const S t154 = t153 + (S(0.8824210936422442) * t135 - S(0.11757890635775578) * t128);
+  const S t5 = sine[2];
   const S t155 = t153 + (S(0.8824210936422442) * t128 - S(0.11757890635775578) * t135);
+  const S t6 = cosine[2];
   const S t156 = t5 * t154 + t155 * t6;
   const S t157 = t5 * t155 - t154 * t6;
   const S q11 = q[11];  // reach
@@ -4161,11 +4157,13 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S q14 = q[14];  // px
   const S qd14 = qd[14];  // d(py)
   const S t165 = qd14 + (t36 + q14 * t164 + (S(0.5) * t33 + S(0.8660254037844386) * t46));
+  const S t11 = sine[5];
   const S q15 = q[15];  // py
   const S t166 = S(0.3) - q15;
   const S t167 = S(0.5) * qd4 + S(0.8660254037844386) * qd5;
   const S qd13 = qd[13];  // d(px)
   const S t168 = qd13 + (t56 + (t164 * t166 - S(0.1) * t167));
+  const S t12 = cosine[5];
   const S t169 = t165 * t11 + t12 * t168;
   const S t170 = t165 * t12 - t11 * t168;
   const S t171 = S(0.8660254037844386) * t33 - S(0.5) * t46 + (q14 * t167 + qd3 * t166);
@@ -4174,6 +4172,8 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S qd15 = qd[15];  // d(pa)
   const S t174 = t164 + qd15;
   const S t175 = t78 + (S(0.03) * t104 - S(0.08) * t88);
+  const S t15 = cosine[7];
+  const S t16 = sine[7];
   const S t176 = S(0.7071067811865476) * t16;
   const S t177 = t96 + (t97 + S(0.03) * t108);
   const S t178 = t101 + (t105 + S(0.08) * t108);
@@ -4404,22 +4404,6 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S angle[] = {q7, q9, q10, q12, q13, q16, q21, t0};
   S sine[8], cosine[8];
   sines_and_cosines(8, angle, sine, cosine);
-  const S t1 = cosine[0];
-  const S t2 = sine[0];
-  const S t3 = sine[1];
-  const S t4 = cosine[1];
-  const S t5 = cosine[2];
-  const S t6 = sine[2];
-  const S t7 = sine[3];
-  const S t8 = cosine[3];
-  const S t9 = cosine[4];
-  const S t10 = sine[4];
-  const S t11 = sine[5];
-  const S t12 = cosine[5];
-  const S t13 = sine[6];
-  const S t14 = cosine[6];
-  const S t15 = sine[7];
-  const S t16 = cosine[7];
   const S q4 = q[4];  // attitude.y
   const S t17 = q4 * q4;
   const S q5 = q[5];  // attitude.z
@@ -4454,8 +4438,10 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t42 = t17 + t31;
   const S t43 = S(1.0) - (t42 + t42);
   W[10] = t43;
+  const S t1 = cosine[0];
   const S t44 = S(1.0) - t1;
   const S t45 = S(0.3333333333333333) * t44;
+  const S t2 = sine[0];
   const S t46 = S(0.408248290463863) * t2;
   const S t47 = t45 - t46;
   const S t48 = t23 * t47;
@@ -4546,6 +4532,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[34] = -t104;
   const S t106 = t92 - (t96 * t104 + t95 * t102);
   W[35] = t106;
+  const S t3 = sine[1];
+  const S t4 = cosine[1];
   W[37] = t94 * t3 + t59 * t4;
   W[38] = t94 * t4 - t59 * t3;
   const S t109 = S(0.03) * q9 + S(0.1);
@@ -4558,7 +4546,9 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[47] = t106 - S(0.05) * t104 - t102 * t109;
   const S t117 = S(0.45553069520608575) * t63;
   const S t118 = t117 + (S(0.11757890635775578) * t54 + S(0.8824210936422442) * t59);
+  const S t6 = sine[2];
   const S t119 = t117 - (S(0.11757890635775578) * t59 + S(0.8824210936422442) * t54);
+  const S t5 = cosine[2];
   W[48] = t6 * t118 - t119 * t5;
   W[49] = t119 * t6 + t5 * t118;
   const S t122 = S(0.45553069520608575) * (t54 - t59) + S(0.7648421872844884) * t63;
@@ -4581,9 +4571,13 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t136 = S(0.7648421872844884) * t89 - S(0.45553069520608575) * (t86 - t83);
   W[58] = t136;
   W[59] = q11 * t136 + (t92 - S(-0.3) * t83);
+  const S t9 = cosine[4];
+  const S t7 = sine[3];
   const S t138 = t23 * t7;
+  const S t8 = cosine[3];
   const S t139 = t27 * t8;
   const S t140 = t138 + t138 - (t139 + t139);
+  const S t10 = sine[4];
   const S t141 = t20 * t9 + t140 * t10;
   W[60] = t141;
   const S t142 = t27 * t7;
@@ -4621,6 +4615,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t167 = q2 - (t90 - t91 - S(0.25) * t43);
   W[71] = t167;
   const S t168 = t23 + S(1.7320508075688772) * t27;
+  const S t11 = sine[5];
+  const S t12 = cosine[5];
   W[72] = t11 * t168 + t20 * t12;
   W[73] = t168 * t12 - t20 * t11;
   const S t171 = t27 - S(1.7320508075688772) * t23;
@@ -4719,6 +4715,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[94] = t242;
   const S t243 = t167 + (S(0.05) * t164 + S(0.2) * t166);
   W[95] = t243;
+  const S t13 = sine[6];
+  const S t14 = cosine[6];
   W[97] = t220 * t13 - t212 * t14;
   W[98] = t220 * t14 + t212 * t13;
   const S t246 = S(0.02) * t202;
@@ -4731,6 +4729,8 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[106] = t242 * t14 - t239 * t13;
   const S t254 = S(0.02) * t235;
   W[107] = t243 + (S(0.1) * t242 - t254);
+  const S t16 = cosine[7];
+  const S t15 = sine[7];
   const S t256 = S(0.7071067811865476) * t15;
   W[108] = t202 * t16 - (t212 + t220) * t256;
   const S t258 = S(0.5) * (S(1.0) - t16);
@@ -4764,10 +4764,8 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
   const S t0 = sine[0];
-  const S t1 = cosine[0];
-  const S t2 = sine[1];
-  const S t3 = cosine[1];
   const S t4 = S(0.816496580927726) * t0;
+  const S t1 = cosine[0];
   const S t5 = S(1.0) - t1;
   const S t6 = S(0.16666666666666666) * t5;
   const S t7 = t4 - t6;
@@ -4800,10 +4798,12 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S t30 = S(0.38941834230865047) * t24 - S(0.9210609940028851) * t29;
   F[0] = -t30;
   const S t32 = S(0.38941834230865047) * t29 + S(0.9210609940028851) * t24;
+  const S t2 = sine[1];
   const S t33 = t22 * t25;
   const S t34 = t1 + S(0.6666666666666666) * t5;
   const S t35 = t17 * t34;
   const S t36 = t33 + t33 - (t11 * t14 - (t35 + t35));
+  const S t3 = cosine[1];
   F[1] = t2 * t32 - t36 * t3;
   F[2] = t2 * t36 + t32 * t3;
   const S q8 = q[8];  // slide
@@ -4866,11 +4866,9 @@ void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<
   S sine[2], cosine[2];
   sines_and_cosines(2, angle, sine, cosine);
   const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t2 = cosine[1];
-  const S t3 = sine[1];
   const S t4 = S(1.0) - t0;
   const S t5 = S(0.3333333333333333) * t4;
+  const S t1 = sine[0];
   const S t6 = S(0.408248290463863) * t1;
   const S t7 = t5 - t6;
   const S q4 = q[4];  // attitude.y
@@ -4934,7 +4932,9 @@ void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<
   const S t62 = t0 + S(0.6666666666666666) * t4;
   const S t63 = t49 * t7 - t52 * t13;
   const S t64 = t57 * t62 - (t63 + t63);
+  const S t2 = cosine[1];
   const S t65 = S(0.38941834230865047) * t58 + S(0.9210609940028851) * t60;
+  const S t3 = sine[1];
   const S t66 = t2 * t64 - t65 * t3;
   const S t67 = S(4.0) * t23;
   const S t68 = q6 * t62;

@@ -1,0 +1,198 @@
+// Orders statements, see the header.
+#include "emit/register_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "emit/statement_layout.hpp"
+#include "program/operation.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// One fewer than x86 has, for what is being computed.
+constexpr std::size_t kRegisters = 15;
+
+/// Statements later than the first unwritten one by more are not looked at: the order of the whole stays, and
+/// the time is linear.
+constexpr std::uint32_t kLookAhead = 256;
+
+// A choice's weights: a register that becomes free, a value that is in none; and at most so many statements
+// since the last use of an operand.
+constexpr int kFreed = 200, kMissing = 100, kLongAgo = 100;
+
+/// One statement: a named value with what is written into it.
+struct Statement {
+  std::vector<std::uint32_t> members;  ///< instructions, in their order; the last is the named value
+  std::vector<std::uint32_t> reads;    ///< inputs and values of other statements, each once
+  std::vector<std::uint32_t> readers;  ///< statements that read its value
+  std::uint32_t unknown = 0;           ///< statements still to be written before it
+  bool written = false;
+};
+
+class Ordering {
+ public:
+  explicit Ordering(const Program& program) : program_(program), size_(program.code.size()) {
+    collect_statements();
+    result_ = program;
+    result_.code.clear();
+    result_.constants.clear();
+    place_.assign(size_, kNone);
+    used_at_.assign(size_, kNone);
+  }
+
+  Program order() {
+    // All angles are known before the first sine.
+    for (std::uint32_t s = 0; s < leading_; ++s)
+      for (const std::uint32_t v : statements_[s].reads)
+        if (is_leaf(program_.code[v].op)) emit(v);
+    std::uint32_t next = 0;  // the first that is not written
+    for (; next < leading_; ++next) write(next);
+    while (next < statements_.size()) {
+      write(best(next));
+      while (next < statements_.size() && statements_[next].written) ++next;
+    }
+    for (OutputArray& output : result_.outputs)
+      for (std::uint32_t& value : output.values) {
+        emit(value);  // if it is an input or a constant
+        value = place_[value];
+      }
+    return std::move(result_);
+  }
+
+ private:
+  std::array<std::uint32_t, 2> operands(std::uint32_t v) const {
+    const Instruction& c = program_.code[v];
+    const int count = operand_count(c.op);
+    return {count > 0 ? c.a : kNone, count > 1 ? c.b : kNone};
+  }
+
+  void collect_statements() {
+    const StatementLayout layout(program_, {size_, size_});
+    std::vector<std::uint32_t> statement(size_, kNone);
+    for (std::uint32_t v = 0; v < size_; ++v) {
+      if (!layout.live(v) || !layout.named(v)) continue;
+      statement[v] = static_cast<std::uint32_t>(statements_.size());
+      statements_.emplace_back();
+      if (layout.angle(v) != kNoPlace) leading_ = statement[v] + 1;
+    }
+    // What is written into its user; users have larger indices.
+    for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;)
+      for (const std::uint32_t operand : operands(v))
+        if (operand != kNone && layout.live(v) && !layout.named(operand) &&
+            !is_leaf(program_.code[operand].op))
+          statement[operand] = statement[v];
+    left_.assign(size_, 0);
+    for (std::uint32_t v = 0; v < size_; ++v) {
+      if (statement[v] == kNone) continue;
+      Statement& s = statements_[statement[v]];
+      s.members.push_back(v);
+      for (const std::uint32_t operand : operands(v)) {
+        if (operand == kNone || program_.code[operand].op == Operation::constant) continue;
+        if (statement[operand] == statement[v] || std::ranges::find(s.reads, operand) != s.reads.end())
+          continue;
+        s.reads.push_back(operand);
+        ++left_[operand];
+        if (statement[operand] == kNone) continue;
+        statements_[statement[operand]].readers.push_back(statement[v]);
+        ++s.unknown;
+      }
+    }
+  }
+
+  bool in_register(std::uint32_t v) const { return used_at_[v] != kNone; }
+
+  int score(const Statement& s) const {
+    int score = 0, age = kLongAgo;
+    for (const std::uint32_t v : s.reads) {
+      if (!in_register(v)) {
+        score -= kMissing;
+        continue;
+      }
+      if (left_[v] == 1) score += kFreed;
+      age = std::min(age, static_cast<int>(time_ - used_at_[v]));
+    }
+    return score - age;
+  }
+
+  std::uint32_t best(std::uint32_t first) const {
+    const auto count = static_cast<std::uint32_t>(statements_.size());
+    std::optional<std::pair<int, std::uint32_t>> found;
+    for (std::uint32_t s = first; s < std::min(first + kLookAhead, count); ++s) {
+      if (statements_[s].written || statements_[s].unknown > 0) continue;
+      const int value = score(statements_[s]);
+      if (!found || value > found->first) found = {value, s};
+    }
+    if (!found) throw InternalError("emit: no statement of " + program_.function + " can be next");
+    return found->second;
+  }
+
+  void emit(std::uint32_t v) {
+    if (place_[v] != kNone) return;
+    for (const std::uint32_t operand : operands(v))
+      if (operand != kNone && is_leaf(program_.code[operand].op)) emit(operand);
+    Instruction c = program_.code[v];
+    if (c.op == Operation::constant) {
+      result_.constants.push_back(program_.constants[c.a]);
+      c.a = static_cast<std::uint32_t>(result_.constants.size() - 1);
+    }
+    if (operand_count(c.op) > 0) c.a = place_[c.a];
+    if (operand_count(c.op) > 1) c.b = place_[c.b];
+    place_[v] = static_cast<std::uint32_t>(result_.code.size());
+    result_.code.push_back(c);
+  }
+
+  void write(std::uint32_t number) {
+    Statement& s = statements_[number];
+    for (const std::uint32_t v : s.members) emit(v);
+    s.written = true;
+    ++time_;
+    for (const std::uint32_t v : s.reads) {
+      use(v);
+      if (--left_[v] == 0) give_up(v);
+    }
+    // Sines and cosines wait in memory, as inputs do.
+    if (!s.readers.empty() && number >= leading_) use(s.members.back());
+    while (registers_.size() > kRegisters)
+      give_up(*std::ranges::min_element(registers_, {}, [&](std::uint32_t v) { return used_at_[v]; }));
+    for (const std::uint32_t reader : s.readers) --statements_[reader].unknown;
+  }
+
+  void use(std::uint32_t v) {
+    if (!in_register(v)) registers_.push_back(v);
+    used_at_[v] = time_;
+  }
+
+  void give_up(std::uint32_t v) {
+    registers_.erase(std::ranges::find(registers_, v));
+    used_at_[v] = kNone;
+  }
+
+  const Program& program_;
+  std::size_t size_;
+  Program result_;
+  std::vector<Statement> statements_;
+  std::uint32_t leading_ = 0;             // statements up to the last of the call for all angles
+  std::uint32_t time_ = 0;                // statements written
+  std::vector<std::uint32_t> left_;       // of a value: statements that will read it
+  std::vector<std::uint32_t> used_at_;    // of a value in a register: the time of its last use
+  std::vector<std::uint32_t> registers_;  // values in registers
+  std::vector<std::uint32_t> place_;      // of an instruction: in the result
+};
+
+}  // namespace
+
+Program order_for_registers(const Program& program) {
+  return Ordering(program).order();
+}
+
+}  // namespace alembert
