@@ -174,20 +174,28 @@ void register_subject(Subject& s) {
   }
 }
 
-/// Multiplications, additions and divisions, from the comment in the generated header; 0 if it has no such
-/// function.
-double operations(const CompiledMechanism& compiled, const std::string& function) {
+/// Operations of a function.
+struct Counts {
+  double multiplications = 0, additions = 0, angles = 0;
+  double all() const { return multiplications + additions; }
+};
+
+/// From the comment in the generated header; none if it has no such function.
+Counts operations(const CompiledMechanism& compiled, const std::string& function) {
   std::ifstream stream(compiled.header);
   const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   const std::size_t at = text.find("\nvoid " + function + "(");
-  if (at == std::string::npos) return 0;
+  if (at == std::string::npos) return {};
   const std::size_t line = text.rfind("Operations: ", at);
-  std::smatch match;
   const std::string counts = text.substr(line, at - line);
-  if (!std::regex_search(counts, match,
-                         std::regex("([0-9]+) multiplications?,\\s*(?:///)?\\s*([0-9]+) additions?")))
-    return 0;
-  return std::stod(match[1]) + std::stod(match[2]);
+  const auto number = [&](const std::string& before) {
+    std::smatch match;
+    return std::regex_search(counts, match, std::regex("([0-9]+)\\s*(?:///)?\\s*" + before))
+               ? std::stod(match[1])
+               : 0.0;
+  };
+  // A sine and a cosine of each angle.
+  return {number("multiplication"), number("addition"), number("sin/cos/tan") / 2};
 }
 
 void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
@@ -201,19 +209,21 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
     worst = std::max(worst, timing.variation);
     sum += timing.variation;
   }
-  const double ceiling = 20.0 * 4 * 1000 / time("ceiling");
+  const double ceiling = fused_operations(1000) / time("ceiling");
+  const double angle = time("angles") / sines_of_angles(100);
   std::printf(
       "Medians in ns; the other engines as multiples of MuJoCo are their time over its. Coefficient of "
       "variation of the\n"
-      "repetitions: mean %.1f%%, largest %.1f%%. FMA in AVX2 without dependencies: %.1f Gop/s.\n\n",
-      100 * sum / static_cast<double>(timings.size()), 100 * worst, ceiling);
+      "repetitions: mean %.1f%%, largest %.1f%%. FMA in AVX2 without dependencies: %.1f Gop/s. Sine and "
+      "cosine: %.2f ns.\n\n",
+      100 * sum / static_cast<double>(timings.size()), 100 * worst, ceiling, angle);
   std::printf("| mechanism | | alembert | Gop/s | KDL | MuJoCo | DART | Simbody | alembert / MuJoCo |\n");
   std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   const auto cell = [](double value) { value > 0 ? std::printf(" %.0f |", value) : std::printf(" - |"); };
   for (const auto& s : subjects) {
     const CompiledMechanism& c = s->compiled;
-    const double counts[] = {operations(c, "inverse_dynamics"), operations(c, "mass_matrix"),
-                             operations(c, "forward_dynamics")};
+    const double counts[] = {operations(c, "inverse_dynamics").all(), operations(c, "mass_matrix").all(),
+                             operations(c, "forward_dynamics").all()};
     for (std::size_t f = 0; f < 3; ++f) {
       const double ours = time(c.name + "/alembert/" + kFunctions[f]);
       const double mujoco = time(c.name + "/MuJoCo/" + kFunctions[f]);
@@ -225,20 +235,26 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
   }
   std::printf(
       "\nMany states: ns a state, times faster than the function over one in a loop, Gop/s (sines and "
-      "cosines not counted).\n\n"
-      "| mechanism | | one | baseline | AVX2 | AVX-512 |\n| --- | --- | --- | --- | --- | --- |\n");
+      "cosines not counted). The last column:\n"
+      "how many times faster AVX2 would be if only the multiplications took time, at the rate of FMA, and "
+      "the "
+      "sines and cosines.\n\n"
+      "| mechanism | | one | baseline | AVX2 | AVX-512 | AVX2 at most |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const auto& s : subjects) {
     const CompiledMechanism& c = s->compiled;
     if (c.inverse_dynamics_batch == nullptr) continue;
     for (const std::string f : {"ID", "FD"}) {
       const double one = time(c.name + "/alembert/" + f);
-      const double count = operations(c, f == "ID" ? "inverse_dynamics" : "forward_dynamics");
+      const Counts counts = operations(c, f == "ID" ? "inverse_dynamics" : "forward_dynamics");
+      const double least = counts.multiplications / (ceiling / 2) + counts.angles * angle;
       std::printf("| %s | %s | %.0f |", c.name.c_str(), f.c_str(), one);
       for (const auto& [set, instructions] : kSets) {
         const double each = time(c.name + "/" + set + "/" + f) / static_cast<double>(kBatch);
-        each > 0 ? std::printf(" %.1f, %.1fx, %.1f |", each, one / each, count / each) : std::printf(" - |");
+        each > 0 ? std::printf(" %.1f, %.1fx, %.1f |", each, one / each, counts.all() / each)
+                 : std::printf(" - |");
       }
-      std::printf("\n");
+      std::printf(" %.1fx |\n", one / least);
     }
   }
 }
@@ -254,6 +270,7 @@ int main(int argc, char** argv) {
       subjects.push_back(make_subject(compiled));
     for (const auto& subject : subjects) register_subject(*subject);
     add("ceiling", [](std::size_t) { fused_operations(1000); });
+    add("angles", [](std::size_t) { sines_of_angles(100); });
     print_table(subjects, run_registered(argc, argv));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_dynamics: %s\n", error.what());

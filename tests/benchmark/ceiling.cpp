@@ -1,37 +1,42 @@
-// What the machine can do at most: independent chains of fused multiplications and additions in AVX2, which
-// no program with real dependencies reaches. Compiled with those instructions where there are such.
+// What the machine can do at most in AVX2, where there is such: independent chains of fused multiplications
+// and additions, which no program with real dependencies reaches, and sines and cosines with nothing else.
 #include "benchmark/timings.hpp"
+
+#define ALEMBERT_PACK_NAMESPACE batch_ceiling
+#include "alembert/pack.hpp"
 
 namespace alembert::benchmarks {
 
+using batch_ceiling::Pack;
+
 double fused_operations(int rounds) {
-#if defined(__AVX2__) && defined(__FMA__)
-  typedef double Vector __attribute__((vector_size(32)));
-  constexpr int kLanes = 4;
-#else
-  typedef double Vector;
-  constexpr int kLanes = 1;
-#endif
-  const Vector m = Vector{} + 0.999999;
-  Vector a = m, b = m + 1.0, c = m + 2.0, d = m + 3.0, e = m + 4.0;
-  Vector f = m + 5.0, g = m + 6.0, h = m + 7.0, i = m + 8.0, j = m + 9.0;
+  const Pack m(0.999999);
+  Pack a(1.0), b(2.0), c(3.0), d(4.0), e(5.0);
   for (int k = 0; k < rounds; ++k) {
     a = a * m + m;
     b = b * m + m;
     c = c * m + m;
     d = d * m + m;
     e = e * m + m;
-    f = f * m + m;
-    g = g * m + m;
-    h = h * m + m;
-    i = i * m + m;
-    j = j * m + m;
   }
-  a += b + c + d + e + f + g + h + i + j;
-  double used = 0;
-  __builtin_memcpy(&used, &a, sizeof used);
-  sink = used;
-  return 20.0 * kLanes * rounds;
+  double lanes[Pack::kLanes];
+  (a + b + c + d + e).store(lanes);
+  sink = lanes[0];
+  return 10.0 * Pack::kLanes * rounds;
+}
+
+double sines_of_angles(int rounds) {
+  constexpr int kAngles = 6;
+  Pack angle[kAngles], sine[kAngles], cosine[kAngles];
+  for (int i = 0; i < kAngles; ++i) angle[i] = Pack(0.3 + i);
+  for (int k = 0; k < rounds; ++k) {
+    sines_and_cosines(kAngles, angle, sine, cosine);
+    angle[k % kAngles] = sine[0];  // otherwise all rounds but the first might be left out
+  }
+  double lanes[Pack::kLanes];
+  (sine[1] + cosine[2]).store(lanes);
+  sink = lanes[0];
+  return static_cast<double>(kAngles) * Pack::kLanes * rounds;
 }
 
 }  // namespace alembert::benchmarks

@@ -23,4 +23,7 @@ inline volatile double sink = 0;
 /// Fused multiplications and additions, as fast as they go; returns how many operations, two for each.
 double fused_operations(int rounds);
 
+/// Sines and cosines of a batch and nothing else; returns of how many angles.
+double sines_of_angles(int rounds);
+
 }  // namespace alembert::benchmarks
