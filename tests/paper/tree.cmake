@@ -8,7 +8,4 @@ endif()
 alembert_test(paper SOURCES minute_test.cpp closure_test.cpp rolling_wheels_test.cpp frenet_test.cpp ${chains}
               LINK alembert_oracles nlohmann_json::nlohmann_json Eigen3::Eigen)
 target_compile_definitions(test_paper PRIVATE ALEMBERT_EXECUTABLE="$<TARGET_FILE:alembert>" ALEMBERT_PYTHON="${Python3_EXECUTABLE}")
-if(ALEMBERT_SANITIZE)
-  target_compile_definitions(test_paper PRIVATE ALEMBERT_PATIENCE=6)
-endif()
 add_dependencies(test_paper alembert)
