@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,8 +15,6 @@
 
 namespace alembert {
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// One fewer than x86 has, for what is being computed.
 constexpr std::size_t kRegisters = 15;
@@ -46,8 +43,8 @@ class Ordering {
     result_ = program;
     result_.code.clear();
     result_.constants.clear();
-    place_.assign(size_, kNone);
-    used_at_.assign(size_, kNone);
+    place_.assign(size_, kNoPlace);
+    used_at_.assign(size_, kNoPlace);
   }
 
   Program order() {
@@ -73,12 +70,12 @@ class Ordering {
   std::array<std::uint32_t, 2> operands(std::uint32_t v) const {
     const Instruction& c = program_.code[v];
     const int count = operand_count(c.op);
-    return {count > 0 ? c.a : kNone, count > 1 ? c.b : kNone};
+    return {count > 0 ? c.a : kNoPlace, count > 1 ? c.b : kNoPlace};
   }
 
   void collect_statements() {
     const StatementLayout layout(program_, {size_, size_});
-    std::vector<std::uint32_t> statement(size_, kNone);
+    std::vector<std::uint32_t> statement(size_, kNoPlace);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (!layout.live(v) || !layout.named(v)) continue;
       statement[v] = static_cast<std::uint32_t>(statements_.size());
@@ -88,28 +85,28 @@ class Ordering {
     // What is written into its user; users have larger indices.
     for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;)
       for (const std::uint32_t operand : operands(v))
-        if (operand != kNone && layout.live(v) && !layout.named(operand) &&
+        if (operand != kNoPlace && layout.live(v) && !layout.named(operand) &&
             !is_leaf(program_.code[operand].op))
           statement[operand] = statement[v];
     left_.assign(size_, 0);
     for (std::uint32_t v = 0; v < size_; ++v) {
-      if (statement[v] == kNone) continue;
+      if (statement[v] == kNoPlace) continue;
       Statement& s = statements_[statement[v]];
       s.members.push_back(v);
       for (const std::uint32_t operand : operands(v)) {
-        if (operand == kNone || program_.code[operand].op == Operation::constant) continue;
+        if (operand == kNoPlace || program_.code[operand].op == Operation::constant) continue;
         if (statement[operand] == statement[v] || std::ranges::find(s.reads, operand) != s.reads.end())
           continue;
         s.reads.push_back(operand);
         ++left_[operand];
-        if (statement[operand] == kNone) continue;
+        if (statement[operand] == kNoPlace) continue;
         statements_[statement[operand]].readers.push_back(statement[v]);
         ++s.unknown;
       }
     }
   }
 
-  bool in_register(std::uint32_t v) const { return used_at_[v] != kNone; }
+  bool in_register(std::uint32_t v) const { return used_at_[v] != kNoPlace; }
 
   int score(const Statement& s) const {
     int score = 0, age = kLongAgo;
@@ -137,9 +134,9 @@ class Ordering {
   }
 
   void emit(std::uint32_t v) {
-    if (place_[v] != kNone) return;
+    if (place_[v] != kNoPlace) return;
     for (const std::uint32_t operand : operands(v))
-      if (operand != kNone && is_leaf(program_.code[operand].op)) emit(operand);
+      if (operand != kNoPlace && is_leaf(program_.code[operand].op)) emit(operand);
     Instruction c = program_.code[v];
     if (c.op == Operation::constant) {
       result_.constants.push_back(program_.constants[c.a]);
@@ -174,7 +171,7 @@ class Ordering {
 
   void give_up(std::uint32_t v) {
     registers_.erase(std::ranges::find(registers_, v));
-    used_at_[v] = kNone;
+    used_at_[v] = kNoPlace;
   }
 
   const Program& program_;

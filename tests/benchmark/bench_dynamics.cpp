@@ -174,6 +174,9 @@ void register_subject(Subject& s) {
   }
 }
 
+/// Rounds of what measures the ceiling.
+constexpr int kFusedRounds = 1000, kAngleRounds = 100;
+
 /// Operations of a function.
 struct Counts {
   double multiplications = 0, additions = 0, angles = 0;
@@ -209,8 +212,8 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
     worst = std::max(worst, timing.variation);
     sum += timing.variation;
   }
-  const double ceiling = fused_operations(1000) / time("ceiling");
-  const double angle = time("angles") / sines_of_angles(100);
+  const double ceiling = fused_operations(kFusedRounds) / time("ceiling");
+  const double angle = time("angles") / sines_of_angles(kAngleRounds);
   std::printf(
       "Medians in ns; the other engines as multiples of MuJoCo are their time over its. Coefficient of "
       "variation of the\n"
@@ -237,8 +240,7 @@ void print_table(const std::vector<std::unique_ptr<Subject>>& subjects,
       "\nMany states: ns a state, times faster than the function over one in a loop, Gop/s (sines and "
       "cosines not counted). The last column:\n"
       "how many times faster AVX2 would be if only the multiplications took time, at the rate of FMA, and "
-      "the "
-      "sines and cosines.\n\n"
+      "the sines and cosines.\n\n"
       "| mechanism | | one | baseline | AVX2 | AVX-512 | AVX2 at most |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const auto& s : subjects) {
@@ -269,8 +271,8 @@ int main(int argc, char** argv) {
     for (const CompiledMechanism& compiled : compiled_mechanisms())
       subjects.push_back(make_subject(compiled));
     for (const auto& subject : subjects) register_subject(*subject);
-    add("ceiling", [](std::size_t) { fused_operations(1000); });
-    add("angles", [](std::size_t) { sines_of_angles(100); });
+    add("ceiling", [](std::size_t) { fused_operations(kFusedRounds); });
+    add("angles", [](std::size_t) { sines_of_angles(kAngleRounds); });
     print_table(subjects, run_registered(argc, argv));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_dynamics: %s\n", error.what());

@@ -62,6 +62,22 @@ inline std::vector<double> run(const Program& program, std::span<const double> i
   return out;
 }
 
+/// Whether operands stand before their users.
+inline bool is_ordered(const Program& program) {
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const Instruction& c = program.code[i];
+    const int operands = operand_count(c.op);
+    if ((operands > 0 && c.a >= i) || (operands > 1 && c.b >= i)) return false;
+  }
+  return true;
+}
+
+/// Whether two programs have the same outputs, bit for bit but for the sign of zero; NaN equals NaN.
+inline bool same_outputs(const Program& x, const Program& y, std::span<const double> inputs) {
+  return std::ranges::equal(run(x, inputs), run(y, inputs),
+                            [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+}
+
 /// Outputs with running error bounds.
 inline std::vector<Approximate> run_bounded(const Program& program, std::span<const double> inputs) {
   std::vector<double> out(output_size(program)), v;
