@@ -5,7 +5,7 @@
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias
 #                          [SCALARS double float]  types to compile for; default both
-#                          [FORMULATION auto|factored|reduced] [BLOCK_OPERATIONS n]
+#                          [FORMULATION auto|factored|reduced] [BLOCK_OPERATIONS n] [LOOP_RESULTS n]
 #                          [PARTS n]               source files to spread large functions over; default 4
 #                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
 #                          [TRIG vector|library]   sines and cosines of double: vectorised by alembert/sines_and_cosines.hpp
@@ -46,6 +46,13 @@ function(_alembert_generator command_variable depends_variable)
   endif()
 endfunction()
 
+# Flags of generated code. Unoptimised, straight-line code of this length is many times slower: they do not wait for the build
+# type. The time of long functions is that of fetching their code, which the options for GCC make a tenth shorter.
+function(_alembert_optimise target)
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O2;-fno-math-errno>"
+                         "$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize;-frename-registers;-fno-omit-frame-pointer>")
+endfunction()
+
 # The name of the mechanism in a description, read without knowing YAML: the file names follow from it.
 function(_alembert_mechanism_name file variable)
   file(STRINGS "${file}" lines REGEX "^name[ \t]*:" LIMIT_COUNT 1)
@@ -81,7 +88,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;BLOCK_OPERATIONS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;BLOCK_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -172,6 +179,9 @@ function(alembert_add_mechanism)
   if(DEFINED arg_BLOCK_OPERATIONS)
     list(APPEND options --block-operations ${arg_BLOCK_OPERATIONS})
   endif()
+  if(DEFINED arg_LOOP_RESULTS)
+    list(APPEND options --loop-results ${arg_LOOP_RESULTS})
+  endif()
 
   # The stamp is the only OUTPUT: it is touched by every run, while the files themselves are written only if they change.
   # Were they outputs, Makefiles would see them older than the description, and generate for ever.
@@ -199,14 +209,12 @@ function(alembert_add_mechanism)
   set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF WINDOWS_EXPORT_ALL_SYMBOLS ON
                         CXX_CLANG_TIDY "" CXX_CPPCHECK "" CXX_INCLUDE_WHAT_YOU_USE "")
-  # Unoptimised, straight-line code of this length is many times slower: its flags do not wait for the build type.
-  set(gnu_like "$<CXX_COMPILER_ID:GNU,Clang,AppleClang>")
-  target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-O2;-fno-math-errno>")
+  _alembert_optimise(${arg_TARGET})
   if(arg_TRIG STREQUAL vector)
     target_compile_definitions(${arg_TARGET} PRIVATE ALEMBERT_VECTOR_TRIG)
   endif()
   if(arg_FP_CONTRACT)
-    target_compile_options(${arg_TARGET} PRIVATE "$<${gnu_like}:-ffp-contract=${arg_FP_CONTRACT}>")
+    target_compile_options(${arg_TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=${arg_FP_CONTRACT}>")
   endif()
 endfunction()
 

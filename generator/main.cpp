@@ -21,6 +21,7 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
   options.formulation = common.formulation;
   options.passes = common.passes;
   options.block_operations = common.block_operations;
+  options.loop_results = common.loop_results;
   options.functions = std::move(functions);
   if (common.verbose) options.talk = &std::cerr;
   if (!common.dump_stage.empty()) {
@@ -80,6 +81,12 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
   command
       ->add_option("--block-operations", common.block_operations,
                    "functions of more operations are written as blocks that repeat, not straight on")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--loop-results", common.loop_results,
+          "so many results that are dot products of the same rows, or more, are written as loops; 0: none")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command

@@ -124,6 +124,14 @@ Program without_unused_inputs(Program program) {
   return program;
 }
 
+/// Straight on, with dot products as loops, or as blocks that repeat.
+Program in_final_order(Program program, const CompileOptions& options) {
+  Program scheduled = schedule(program);
+  if (options.loop_results > 0) scheduled = gather_dot_products(scheduled, options.loop_results);
+  if (weight(count(scheduled)) - scheduled.dot_product_code <= options.block_operations) return scheduled;
+  return schedule(align_repeats(program));
+}
+
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     out << fmt::format("{}[{}] = {}\n", title, i, to_string(values[i], 4000));
@@ -269,8 +277,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
         best_outputs = std::move(outputs);
       }
     }
-    if (weight(best->count) > options.block_operations) best->program = align_repeats(best->program);
-    best->program = schedule(std::move(best->program));
+    best->program = in_final_order(std::move(best->program), options);
     if (dumping("schedule")) *options.dump << dump(best->program);
     verify(best->program, best_outputs, bindings);
     best->program = without_unused_inputs(std::move(best->program));

@@ -20,11 +20,15 @@ namespace alembert {
 /// matrix and bias of chains of 48 and 96 joints 2.2 and 1.8 times.
 inline constexpr std::size_t kBlockOperations = 300000;
 
+/// Results from which dot products of the same rows are written as loops.
+inline constexpr std::size_t kLoopResults = 50;
+
 struct CompileOptions {
   std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
   Passes passes;                           ///< --without
   std::vector<FunctionKind> functions;     ///< in the order wanted
   std::size_t block_operations = kBlockOperations;  ///< functions of more are written as repeated blocks
+  std::size_t loop_results = kLoopResults;          ///< so many dot products are written as loops; 0: none
   std::ostream* talk = nullptr;                     ///< time, nodes and operations of each stage (--verbose)
   std::ostream* dump = nullptr;                     ///< what a stage made (--dump)
   std::string dump_stage;  ///< load, kinematics, equations, lower, optimise or schedule

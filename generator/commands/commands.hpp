@@ -17,6 +17,7 @@ struct CommonOptions {
   std::string file;                                 ///< description; `-` is standard input
   std::optional<Formulation> formulation;           ///< none: auto
   std::size_t block_operations = kBlockOperations;  ///< --block-operations
+  std::size_t loop_results = kLoopResults;          ///< --loop-results
   Passes passes;                                    ///< all, without those named by --without
   bool verbose = false;
   std::string dump_stage;

@@ -64,6 +64,8 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
       out["functions"][std::string(to_string(f.kind))] = {
           {"mul", f.count.mul},   {"add", f.count.add},     {"div", f.count.div},
           {"trig", f.count.trig}, {"other", f.count.other}, {"formulation", to_string(f.formulation)}};
+      if (const std::size_t n = dot_products(f.program); n > 0)
+        out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
       if (f.program.repeats) out["functions"][std::string(to_string(f.kind))]["repeats"] = true;
     }
     fmt::print("{}\n", out.dump(2));
@@ -79,6 +81,9 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
                to_string(f.formulation));
   }
   for (const CompiledFunction& f : compiled.functions) {
+    if (const std::size_t n = dot_products(f.program); n > 0)
+      fmt::print("{} has {} dot products in loops (--loop-results {})\n", to_string(f.kind), n,
+                 common.loop_results);
     if (f.program.repeats)
       fmt::print("{} is written as blocks that repeat (--block-operations {})\n", to_string(f.kind),
                  common.block_operations);

@@ -47,6 +47,8 @@ std::string counts_text(const Program& program) {
   if (n.div > 0) text += ", " + plural(n.div, "division", "divisions");
   if (n.trig > 0) text += fmt::format(", {} sin/cos/tan", n.trig);
   if (n.other > 0) text += ", " + plural(n.other, "other function", "other functions");
+  if (const std::size_t in_loops = dot_products(program); in_loops > 0)
+    text += fmt::format(", {} dot products in loops", in_loops);
   if (!program.formulation.empty())
     text += fmt::format(" ({} formulation)", comment_text(program.formulation));
   return text;
@@ -256,7 +258,7 @@ std::string documented(const Function& function, const Slots& common, std::strin
 
 std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& functions,
                        const EmitOptions& options, const Slots& common) {
-  std::string declarations, externs, sign, sines_and_cosines;
+  std::string declarations, externs, sign, sines_and_cosines, dot_products;
   for (const Function& function : functions) {
     const std::string name(function.signature->name);
     declarations += fill_template(
@@ -270,6 +272,8 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
       if (block.calls_sign && sign.empty()) sign = fill_template("sign.hpp", {}) + "\n";
       if (block.calls_sines_and_cosines && sines_and_cosines.empty())
         sines_and_cosines = fill_template("sines_and_cosines.hpp", {}) + "\n";
+      if (block.calls_dot_products && dot_products.empty())
+        dot_products = fill_template("dot_products.hpp", {}, common) + "\n";
     }
   }
   if (declarations.ends_with("\n\n")) declarations.pop_back();
@@ -278,7 +282,7 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
     description = "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   Slots slots = cpp_constant_slots(mechanism);
   slots["description"] = description;
-  slots["declarations"] = sign + sines_and_cosines + declarations;
+  slots["declarations"] = sign + sines_and_cosines + dot_products + declarations;
   slots["extern_templates"] = externs;
   return fill_template("mechanism_raw.hpp", slots, common);
 }

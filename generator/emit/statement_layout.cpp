@@ -20,6 +20,7 @@ constexpr int kMaxOperations = 16;
 
 StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes)
     : program_(program), size_(program.code.size()) {
+  place_tables();
   collect_uses();
   choose_names();
   assign_blocks(sizes);
@@ -27,12 +28,34 @@ StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes
   collect_angles();
 }
 
-void StatementLayout::collect_uses() {
+void StatementLayout::place_tables() {
   uses_.assign(size_, 0);
+  table_places_.resize(size_);
+  const auto next_place = [&] { return static_cast<std::uint32_t>(crossing_); };
+  const auto add = [&](std::uint32_t v, std::uint32_t place) {
+    table_places_[v].push_back(place);
+    ++uses_[v];
+    ++crossing_;
+  };
+  for (const DotProducts& products : program_.dot_products) {
+    tables_.push_back({next_place(), 0});
+    for (const std::uint32_t v : products.left) add(v, next_place());
+    tables_.back().right = next_place();
+    const auto rows = static_cast<std::uint32_t>(products.right.size()) / products.terms;
+    const std::uint32_t first = next_place();
+    for (std::uint32_t i = 0; i < products.right.size(); ++i)
+      add(products.right[i], first + i % products.terms * rows + i / products.terms);
+  }
+}
+
+void StatementLayout::collect_uses() {
+  // What loops compute has no statements.
+  const std::size_t straight = size_ - program_.dot_product_code;
   results_.resize(size_);
   for (std::uint32_t array = 0; array < program_.outputs.size(); ++array) {
     const auto& values = program_.outputs[array].values;
     for (std::uint32_t k = 0; k < values.size(); ++k) {
+      if (values[k] >= straight) continue;
       results_[values[k]].emplace_back(array, k);
       ++uses_[values[k]];
     }
@@ -66,7 +89,7 @@ void StatementLayout::choose_names() {
       depth[v] = std::max(depth[v], depth[child] + 1);
       operations[v] += operations[child];
     }
-    named_[v] = uses_[v] > 1 || !results_[v].empty() || is_call(instruction.op);
+    named_[v] = uses_[v] > 1 || !results_[v].empty() || !table_places_[v].empty() || is_call(instruction.op);
   }
 }
 
@@ -121,6 +144,10 @@ void StatementLayout::assign_crossings() {
     for (; current < block_[v]; ++current)
       for (const std::uint32_t place : expiring[current]) free_places.push(place);
     if (last[v] <= block_[v]) continue;
+    if (!table_places_[v].empty()) {
+      place_[v] = table_places_[v].front();
+      continue;
+    }
     if (free_places.empty()) free_places.push(static_cast<std::uint32_t>(crossing_++));
     place_[v] = free_places.top();
     free_places.pop();

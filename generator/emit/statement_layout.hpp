@@ -1,6 +1,6 @@
 // Which values of a program get a statement of their own, and in which block of a long function each is
-// computed. In: Program. Out: for every value whether it is live and named, its block, and its place among
-// the values that cross blocks.
+// computed. In: Program. Out: for every value whether it is live and named, its block, and its places in the
+// array w: of values that cross blocks, and of tables whose rows' dot products are computed in loops.
 #pragma once
 
 #include <cstddef>
@@ -46,8 +46,9 @@ class StatementLayout {
   std::uint32_t number(std::uint32_t v) const { return number_[v]; }
   std::uint32_t block(std::uint32_t v) const { return block_[v]; }
   std::uint32_t blocks() const { return blocks_; }
-  /// Place in w, or kNoPlace.
+  /// Place in w from which later blocks take the value, or kNoPlace.
   std::uint32_t place(std::uint32_t v) const { return place_[v]; }
+  /// Size of w.
   std::size_t crossing() const { return crossing_; }
   /// The first sine or cosine. There, those of all angles that are known by then and are wanted in the same
   /// block are computed together, if there are two or more; kNoPlace if there are not.
@@ -62,9 +63,20 @@ class StatementLayout {
   }
   /// A single result and nothing else: `tau[0] = ...` without a name.
   bool result_only(std::uint32_t v) const { return results_[v].size() == 1 && uses_[v] == 1; }
+  /// Places in w that value v has in the tables of dot products. The left tables are row after row, the right
+  /// ones hold the first entries of all rows, then the second ones, and so on.
+  const std::vector<std::uint32_t>& table_places(std::uint32_t v) const { return table_places_[v]; }
+  /// A single entry of a table and nothing else.
+  bool table_only(std::uint32_t v) const { return table_places_[v].size() == 1 && uses_[v] == 1; }
+  /// Where the tables of each set of dot products begin in w.
+  struct TablePlace {
+    std::uint32_t left, right;
+  };
+  const std::vector<TablePlace>& tables() const { return tables_; }
 
  private:
   int operands(std::uint32_t v) const { return operand_count(program_.code[v].op); }
+  void place_tables();
   void collect_uses();
   void choose_names();
   void assign_blocks(const BlockSizes& sizes);
@@ -76,6 +88,8 @@ class StatementLayout {
   std::vector<std::uint32_t> uses_, number_, block_, place_, angle_, angles_;
   std::vector<bool> named_;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
+  std::vector<std::vector<std::uint32_t>> table_places_;
+  std::vector<TablePlace> tables_;
   std::uint32_t blocks_ = 1, trig_call_ = kNoPlace;
   std::size_t crossing_ = 0;
 };

@@ -75,10 +75,16 @@ class Writer {
     // Results that are inputs or constants.
     const std::uint32_t last = layout_.blocks() - 1;
     for (std::uint32_t v = 0; v < size; ++v)
-      if (layout_.live(v) && !layout_.named(v) && !layout_.results(v).empty()) {
+      if (layout_.live(v) && !layout_.named(v) &&
+          !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
         const std::string value = operand(v, last, Binding::sum);
         for (const auto& [array, index] : layout_.results(v)) store(last, array, index, value);
+        for (const std::uint32_t place : layout_.table_places(v)) keep(last, place, value);
       }
+    for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
+      write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
+    if (body_.blocks.size() == 1 && layout_.crossing() > 0)
+      states_[0].lines.insert(0, fmt::format("S w[{}];\n", layout_.crossing()));
     for (std::size_t b = 0; b < body_.blocks.size(); ++b) finish(b);
     body_.crossing = layout_.crossing();
     return std::move(body_);
@@ -100,6 +106,23 @@ class Writer {
 
   void store(std::uint32_t block, std::uint32_t array, std::uint32_t index, std::string_view value) {
     line(block, fmt::format("{}[{}] = {};", signature_.results[array].name, index, value));
+  }
+
+  void keep(std::uint32_t block, std::uint32_t place, std::string_view value) {
+    line(block, fmt::format("w[{}] = {};", place, value));
+  }
+
+  void write_dot_products(std::uint32_t block, const DotProducts& products,
+                          const StatementLayout::TablePlace& tables) {
+    const std::string_view result = signature_.results[products.output].name;
+    const std::size_t rows = products.right.size() / products.terms;
+    for (const DotProducts::Run& run : products.runs) {
+      line(block,
+           fmt::format("dot_products<{0}>(w + {1}, w + {2}, {3}, {4}, {5} + {6}, {5} + {7}, {8});",
+                       products.terms, tables.left + products.terms * run.left, tables.right + run.right,
+                       rows, run.count, result, run.first, run.mirror, run.step));
+    }
+    states_[block].calls.emplace("dot_products");
   }
 
   /// Text of value v for use in `block`, in parentheses if it binds less than `least`. Texts of unnamed
@@ -235,6 +258,10 @@ class Writer {
       binding_[v] = binding;
       return;
     }
+    if (layout_.table_only(v)) {
+      keep(block, layout_.table_places(v).front(), text);
+      return;
+    }
     if (layout_.result_only(v)) {
       const auto& [array, index] = layout_.results(v).front();
       store(block, array, index, text);
@@ -244,7 +271,9 @@ class Writer {
     const bool from_arrays = layout_.angle(v) != kNoPlace;
     const std::string name = from_arrays ? text : fmt::format("t{}", layout_.number(v));
     if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
-    if (layout_.place(v) != kNoPlace) line(block, fmt::format("w[{}] = {};", layout_.place(v), name));
+    const std::vector<std::uint32_t>& in_tables = layout_.table_places(v);
+    for (const std::uint32_t place : in_tables) keep(block, place, name);
+    if (layout_.place(v) != kNoPlace && in_tables.empty()) keep(block, layout_.place(v), name);
     for (const auto& [array, index] : layout_.results(v)) store(block, array, index, name);
   }
 
@@ -254,7 +283,8 @@ class Writer {
     for (const std::string& name : state.calls) {
       block.calls_sign |= name == "sign";
       block.calls_sines_and_cosines |= name == "sines_and_cosines";
-      const bool own = name == "sign" || name == "sines_and_cosines";
+      block.calls_dot_products |= name == "dot_products";
+      const bool own = name == "sign" || name == "sines_and_cosines" || name == "dot_products";
       block.using_lines += fmt::format("using {}::{};\n", own ? "detail" : "::std", name);
     }
     block.statement_lines += state.lines;

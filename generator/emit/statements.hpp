@@ -25,6 +25,7 @@ struct CodeBlock {
   std::size_t statements = 0;
   bool calls_sign = false;
   bool calls_sines_and_cosines = false;
+  bool calls_dot_products = false;
 };
 
 /// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an

@@ -64,6 +64,19 @@ struct OutputArray {
   std::vector<std::uint32_t> values;
 };
 
+/// Elements of one result array that are dot products of the rows of two tables of values, and nothing else.
+struct DotProducts {
+  /// Row `left` with rows `right`, `right` + 1, ..., `count` of them. The i-th is element `first` + i, and
+  /// element `mirror` + i `step`, which may be the same.
+  struct Run {
+    std::uint32_t left, right, count, first, mirror, step;
+  };
+  std::uint32_t output;                    ///< the array
+  std::uint32_t terms;                     ///< in a row
+  std::vector<std::uint32_t> left, right;  ///< row after row
+  std::vector<Run> runs;
+};
+
 struct Program {
   std::string function;  ///< inverse_dynamics, mass_matrix, ...
   std::string formulation;
@@ -72,6 +85,8 @@ struct Program {
   std::vector<double> constants;
   std::vector<InputSlot> inputs;
   std::vector<OutputArray> outputs;
+  std::vector<DotProducts> dot_products;  ///< to be written as loops, see `gather_dot_products`
+  std::uint32_t dot_product_code = 0;     ///< instructions that they are, the last ones of the code
 };
 
 /// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add;

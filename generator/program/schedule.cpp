@@ -128,6 +128,8 @@ Program schedule(Program program) {
     }
   program.code = std::move(code);
   program.constants = std::move(constants);
+  program.dot_products.clear();
+  program.dot_product_code = 0;
   return program;
 }
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <random>
 
 #include "emit/function_signature.hpp"
 #include "program/operation.hpp"
+#include "program/passes.hpp"
+#include "program/program_maker.hpp"
 
 namespace sample {
 
@@ -266,6 +269,44 @@ Sample repeating() {
   s.mechanism.name = "sample_repeats";
   s.programs[0] = recursion(s.mechanism);
   s.programs[1].repeats = true;
+  return s;
+}
+
+/// M of dot products of values of a random program, which are also c.
+Program with_dot_products(const Mechanism& m, std::string_view function, std::size_t operations,
+                          bool symmetric) {
+  std::mt19937_64 random(operations);
+  const auto n = static_cast<std::uint32_t>(m.nv);
+  std::vector<OutputArray> outputs{{"M", n, n, {}}};
+  if (function != "mass_matrix") outputs.push_back({"c", n, 1, {}});
+  ProgramMaker maker(0);
+  maker.program = random_program(std::string(function), slots_of(m, *find_signature(function)),
+                                 std::move(outputs), operations, operations);
+  std::vector<std::vector<std::uint32_t>> left(n), right(n);
+  const std::size_t values = maker.program.code.size();
+  for (std::vector<std::vector<std::uint32_t>>* rows : {&left, &right})
+    for (std::vector<std::uint32_t>& row : *rows)
+      for (int k = 0; k < 5; ++k) row.push_back(static_cast<std::uint32_t>(random() % values));
+  left[2][1] = 0;  // an input
+  std::vector<std::uint32_t>& M = maker.program.outputs[0].values;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = symmetric ? i : 0; j < n; ++j) {
+      M[i * n + j] = append_dot_product(maker, left[i], right[j], j % 2 == 1, random);
+      if (symmetric) M[j * n + i] = M[i * n + j];
+    }
+  return gather_dot_products(schedule(std::move(maker.program)), 1);
+}
+
+Sample looping() {
+  Sample s;
+  Mechanism& m = s.mechanism;
+  m.name = "sample_loops";
+  for (int i = 0; i < 14; ++i)
+    m.coordinates.push_back(coordinate(m, "q" + std::to_string(i), CoordinateType::real, {0.1 * i}));
+  m.bodies.resize(1);
+  m.bodies[0].name = "all";
+  s.programs.push_back(with_dot_products(m, "mass_matrix", 400, true));
+  s.programs.push_back(with_dot_products(m, "mass_matrix_and_bias", 6000, false));
   return s;
 }
 

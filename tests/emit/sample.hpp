@@ -29,6 +29,10 @@ Sample big();
 /// nothing.
 Sample repeating();
 
+/// `sample_loops`: 14 coordinates; mass_matrix and, cut into blocks, mass_matrix_and_bias have dot products
+/// in loops, those of one symmetric.
+Sample looping();
+
 /// `sample_evil`: every_function, each written as blocks that repeat, with this text for the description and
 /// for names. It ends comments and strings if let.
 inline constexpr const char* kEvilText =

@@ -11,6 +11,7 @@
 #include <sample_all/sample_all.hpp>
 #include <sample_big/sample_big.hpp>
 #include <sample_evil/sample_evil.hpp>
+#include <sample_loops/sample_loops_impl.hpp>
 #include <sample_repeats/sample_repeats.hpp>
 #include <span>
 
@@ -286,6 +287,57 @@ TEST(Compiled, RepeatedBlocksGiveTheBitsOfTheInterpreter) {
     for (const double x : tau) finite += std::isfinite(x) ? 1 : 0;
   }
   EXPECT_EQ(finite, 300u);
+}
+
+TEST(Compiled, LoopsGiveTheBitsOfTheInterpreter) {
+  namespace loops = alembert::mechanisms::sample_loops;
+  const sample::Sample s = sample::looping();
+  EXPECT_GT(alembert::dot_products(s.programs[0]), 60u);
+  EXPECT_GT(alembert::dot_products(s.programs[1]), 120u);
+  std::size_t finite = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Arguments a = random_arguments(14, 14, seed);
+    loops::Inputs<double> in;
+    in.t = a.in.t;
+    std::vector<double> M(196);
+    loops::mass_matrix(a.q.data(), in, M.data());
+    expect_same_bits(M, interpreted(s.programs[0], a), "symmetric");
+    for (const double x : M) finite += std::isfinite(x) ? 1 : 0;
+    M.resize(196 + 14);
+    loops::mass_matrix_and_bias(a.q.data(), a.qd.data(), in, M.data(), M.data() + 196);
+    expect_same_bits(M, interpreted(s.programs[1], a), "in blocks");
+    for (const double x : M) finite += std::isfinite(x) ? 1 : 0;
+  }
+  EXPECT_GT(finite, 10000u);
+}
+
+template <class S>
+void expect_sums_in_order() {
+  sample::Random random(5);
+  constexpr int kRows = 11;
+  std::vector<S> left(3), right(3 * kRows);
+  for (std::vector<S>* entries : {&left, &right})
+    for (S& x : *entries) x = static_cast<S>(random.uniform(-1, 1));
+  for (int first = 0; first < kRows; ++first)
+    for (int count = 0; first + count <= kRows; ++count) {
+      std::vector<S> along(kRows, S(7)), across(2 * kRows, S(7));
+      alembert::mechanisms::sample_loops::detail::dot_products<3>(left.data(), right.data() + first, kRows,
+                                                                  count, along.data(), across.data(), 2);
+      for (int i = 0; i < kRows; ++i) {
+        const S* row = right.data() + first + i;
+        const S sum =
+            i < count ? left[0] * row[0] + left[1] * row[kRows] + left[2] * row[2 * kRows] : S(7);
+        EXPECT_EQ(along[static_cast<std::size_t>(i)], sum);
+        EXPECT_EQ(across[static_cast<std::size_t>(2 * i)], sum);
+        EXPECT_EQ(across[static_cast<std::size_t>(2 * i + 1)], S(7));
+      }
+    }
+}
+
+TEST(Compiled, LoopsAddTheirTermsInOrderForEveryScalar) {
+  expect_sums_in_order<float>();
+  expect_sums_in_order<double>();
+  expect_sums_in_order<long double>();
 }
 
 TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <chain/chain.hpp>
 #include <five_bar/five_bar.hpp>
 #include <puma560/puma560.hpp>
 #include <rolling_ellipsoids/rolling_ellipsoids.hpp>
@@ -97,9 +98,7 @@ void append_rows(std::vector<double>& to, const Matrix& matrix) {
 }
 
 template <class M>
-void check(const std::string& name, std::size_t block_operations = alembert::kBlockOperations) {
-  alembert::CompileOptions options;
-  options.block_operations = block_operations;
+alembert::CompiledMechanism check(const std::string& name, alembert::CompileOptions options = {}) {
   options.functions = {
       FunctionKind::inverse_dynamics,     FunctionKind::mass_matrix, FunctionKind::bias,
       FunctionKind::mass_matrix_and_bias, FunctionKind::energy,      FunctionKind::coordinate_rates};
@@ -108,9 +107,8 @@ void check(const std::string& name, std::size_t block_operations = alembert::kBl
         options.functions.end(),
         {FunctionKind::constraints, FunctionKind::body_jacobians, FunctionKind::body_inertias});
   }
-  const std::string path = std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/" + name + ".yaml";
-  const alembert::CompiledMechanism compiled =
-      alembert::compile_mechanism(alembert::read_source(path), options);
+  const std::string path = std::string(ALEMBERT_SOURCE_DIR) + "/" + name + ".yaml";
+  alembert::CompiledMechanism compiled = alembert::compile_mechanism(alembert::read_source(path), options);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const State<M> s = random_state<M>(seed);
     const auto compare = [&](FunctionKind kind, const auto& result) {
@@ -144,28 +142,39 @@ void check(const std::string& name, std::size_t block_operations = alembert::kBl
       compare(FunctionKind::body_inertias, inertias);
     }
   }
+  return compiled;
 }
 
 TEST(CompiledMechanism, Puma560) {
-  check<bits::puma560::Mechanism<>>("puma560");
+  check<bits::puma560::Mechanism<>>("mechanisms/puma560");
 }
 TEST(CompiledMechanism, TreeWithEveryJoint) {
-  check<bits::tree_every_joint::Mechanism<>>("tree_every_joint", 200);  // in blocks that repeat
+  alembert::CompileOptions options;
+  options.block_operations = 200;
+  const auto compiled = check<bits::tree_every_joint::Mechanism<>>("mechanisms/tree_every_joint", options);
+  EXPECT_TRUE(compiled.function(FunctionKind::mass_matrix).program.repeats);
+}
+TEST(CompiledMechanism, ChainWithLoops) {
+  alembert::CompileOptions options;
+  options.loop_results = 60;
+  const auto compiled = check<bits::chain::Mechanism<>>("tests/emit/chain", options);
+  for (const FunctionKind kind : {FunctionKind::mass_matrix, FunctionKind::mass_matrix_and_bias})
+    EXPECT_GT(alembert::dot_products(compiled.function(kind).program), 60u);
 }
 TEST(CompiledMechanism, RuntimeParameters) {
-  check<bits::runtime_parameters::Mechanism<>>("runtime_parameters");
+  check<bits::runtime_parameters::Mechanism<>>("mechanisms/runtime_parameters");
 }
 TEST(CompiledMechanism, RollingEllipsoids) {
   using Model = bits::rolling_ellipsoids::Mechanism<>;
   EXPECT_EQ(Model::kNc, 2);
   EXPECT_STREQ(Model::kConstraintNames[1], "no_slip[1]");
   EXPECT_EQ(Model::kHolonomic, (std::array<bool, 2>{false, false}));
-  check<Model>("paper/rolling_ellipsoids");
+  check<Model>("mechanisms/paper/rolling_ellipsoids");
 }
 TEST(CompiledMechanism, FiveBar) {
   using Model = bits::five_bar::Mechanism<>;
   EXPECT_EQ(Model::kHolonomic, (std::array<bool, 2>{true, true}));
-  check<Model>("paper/five_bar");
+  check<Model>("mechanisms/paper/five_bar");
 }
 
 }  // namespace

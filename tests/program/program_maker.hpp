@@ -50,6 +50,35 @@ class ProgramMaker {
   Program program;
 };
 
+/// sum_k left[k] * right[k], or its negative, with factors, terms and signs in random order.
+inline std::uint32_t append_dot_product(ProgramMaker& m, std::span<const std::uint32_t> left,
+                                        std::span<const std::uint32_t> right, bool negative,
+                                        std::mt19937_64& random) {
+  std::vector<std::pair<std::uint32_t, bool>> terms;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const bool turned = random() % 2 == 0;
+    terms.emplace_back(turned ? m.mul(right[k], left[k]) : m.mul(left[k], right[k]), negative);
+  }
+  const auto take = [&] {
+    std::swap(terms[random() % terms.size()], terms.back());
+    const auto term = terms.back();
+    terms.pop_back();
+    return term;
+  };
+  while (terms.size() > 1) {
+    const auto [a, a_negative] = take();
+    const auto [b, b_negative] = take();
+    const bool minus = random() % 2 == 0;  // what is negated now is put right later
+    if (a_negative == b_negative && minus)
+      terms.emplace_back(m.sub(m.neg(a), b), !a_negative);
+    else if (a_negative == b_negative)
+      terms.emplace_back(m.add(a, b), a_negative);
+    else
+      terms.emplace_back(m.sub(a, b), a_negative);
+  }
+  return terms[0].second ? m.neg(terms[0].first) : terms[0].first;
+}
+
 inline std::size_t output_size(const Program& program) {
   std::size_t n = 0;
   for (const OutputArray& output : program.outputs) n += output.values.size();

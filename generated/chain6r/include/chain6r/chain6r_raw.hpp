@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #ifdef ALEMBERT_VECTOR_TRIG
 #include <alembert/sines_and_cosines.hpp>

@@ -1,0 +1,154 @@
+// Results that are dot products of the same rows are found, whatever the order of their terms.
+#include <gtest/gtest.h>
+
+#include "program/program_maker.hpp"
+
+namespace alembert {
+namespace {
+
+/// How the results of a table of dot products are arranged.
+enum class Places {
+  symmetric,    ///< of rows i <= j, at (i, j) and (j, i)
+  rectangular,  ///< of all rows, at (i, j)
+};
+
+struct Table {
+  Program program;
+  std::size_t products;
+};
+
+/// Dot products of `size` rows and as many others of `terms` values.
+Table table(std::uint32_t size, std::size_t terms, Places places, std::mt19937_64& random) {
+  ProgramMaker m(5);
+  std::vector<std::uint32_t> values;
+  for (std::uint32_t i = 0; i < 5; ++i) values.push_back(m.input(i));
+  while (values.size() < 2000) {
+    const std::uint32_t a = values[random() % values.size()], b = values[random() % values.size()];
+    values.push_back(m.sin(random() % 2 == 0 ? m.add(a, b) : m.mul(a, b)));
+  }
+  const auto row = [&] {
+    std::vector<std::uint32_t> entries;
+    for (std::size_t k = 0; k < terms; ++k) entries.push_back(values[random() % values.size()]);
+    return entries;
+  };
+  std::vector<std::vector<std::uint32_t>> left, right;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    left.push_back(row());
+    right.push_back(row());
+  }
+  left[1][0] = left[0][0];  // as one component of neighbours is the same at times
+  std::vector<std::uint32_t> results(std::size_t{size} * size);
+  std::size_t products = 0;
+  for (std::uint32_t i = 0; i < size; ++i)
+    for (std::uint32_t j = places == Places::symmetric ? i : 0; j < size; ++j) {
+      const std::uint32_t sum = append_dot_product(m, left[i], right[j], i % 3 == 1, random);
+      results[i * size + j] = sum;
+      if (places == Places::symmetric) results[j * size + i] = sum;
+      ++products;
+    }
+  return {m.returning(results), products};
+}
+
+/// Same operations, and the same values but for rounding.
+void expect_equivalent(const Program& given, const Program& gathered, std::mt19937_64& random) {
+  EXPECT_TRUE(is_ordered(gathered));
+  const OperationCount before = count(given), after = count(gathered);
+  EXPECT_EQ(before.mul, after.mul);
+  EXPECT_EQ(before.add, after.add);
+  for (int point = 0; point < 5; ++point) {
+    const std::vector<double> x = random_point(given.inputs.size(), random);
+    const std::vector<Approximate> expected = run_bounded(given, x), found = run_bounded(gathered, x);
+    ASSERT_EQ(expected.size(), found.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (!std::isfinite(expected[i].value) || !std::isfinite(expected[i].error)) continue;
+      EXPECT_LE(std::abs(found[i].value - expected[i].value),
+                2 * (expected[i].error + found[i].error) + 1e-300);
+    }
+  }
+}
+
+/// Every run's results are the dot products of its rows, and the last instructions are theirs.
+void expect_sound(const Program& program) {
+  const std::size_t straight = program.code.size() - program.dot_product_code;
+  std::size_t instructions = 0;
+  for (const DotProducts& products : program.dot_products) {
+    for (const std::vector<std::uint32_t>* rows : {&products.left, &products.right})
+      for (const std::uint32_t v : *rows) EXPECT_LT(v, straight);
+    for (const DotProducts::Run& run : products.runs)
+      for (std::uint32_t i = 0; i < run.count; ++i) {
+        const std::vector<std::uint32_t>& results = program.outputs.at(products.output).values;
+        std::uint32_t v = results.at(run.first + i);
+        EXPECT_EQ(v, results.at(run.mirror + i * run.step));
+        for (std::uint32_t k = products.terms; k-- > 0;) {
+          const Instruction sum = program.code[v];
+          const Instruction product = k == 0 ? sum : program.code[sum.b];
+          EXPECT_EQ(product.op, Operation::mul);
+          EXPECT_EQ(product.a, products.left.at(run.left * products.terms + k));
+          EXPECT_EQ(product.b, products.right.at((run.right + i) * products.terms + k));
+          EXPECT_EQ(sum.op, k == 0 ? Operation::mul : Operation::add);
+          v = sum.a;
+        }
+        instructions += 2 * products.terms - 1;
+      }
+  }
+  EXPECT_EQ(instructions, program.dot_product_code);
+}
+
+TEST(DotProducts, AllOfATableAreFound) {
+  std::mt19937_64 random(11);
+  for (const Places places : {Places::symmetric, Places::rectangular})
+    for (const std::size_t terms : {3u, 6u, 9u}) {
+      const auto [program, products] = table(24, terms, places, random);
+      const Program scheduled = schedule(program), gathered = gather_dot_products(scheduled, 1);
+      expect_equivalent(scheduled, gathered, random);
+      expect_sound(gathered);
+      // But for the last rows of a triangle, which are too short for loops, and where rows have values in
+      // common.
+      EXPECT_GE(20 * (dot_products(gathered) + 6), 19 * products);
+      EXPECT_EQ(dump(gathered), dump(gather_dot_products(scheduled, 1)));
+      // In their former order they are where their rows are known.
+      EXPECT_TRUE(schedule(gathered).dot_products.empty());
+      EXPECT_TRUE(same_outputs(schedule(gathered), gathered, random_point(5, random)));
+    }
+}
+
+TEST(DotProducts, FewerThanTheLeastStayWhereTheyAre) {
+  std::mt19937_64 random(12);
+  const Program scheduled = schedule(table(10, 6, Places::symmetric, random).program);
+  const std::size_t found = dot_products(gather_dot_products(scheduled, 1));
+  EXPECT_GT(found, 40u);
+  EXPECT_EQ(dot_products(gather_dot_products(scheduled, found)), found);
+  EXPECT_EQ(dump(gather_dot_products(scheduled, found + 1)), dump(scheduled));
+}
+
+TEST(DotProducts, WhatElseIsNeededStays) {
+  std::mt19937_64 random(13);
+  Program program = table(12, 4, Places::rectangular, random).program;
+  // One sum has a further use, one product too; one result is a sum and more.
+  std::vector<std::uint32_t>& results = program.outputs[0].values;
+  ProgramMaker m(0);
+  m.program = program;
+  const std::uint32_t sum = results[5], other = results[20];
+  const std::uint32_t twice = m.add(sum, sum), more = m.sin(other);
+  m.program.outputs[0].values[20] = more;
+  m.program.outputs.push_back({"further", 1, 1, {twice}});
+  const Program scheduled = schedule(m.program), gathered = gather_dot_products(scheduled, 1);
+  expect_equivalent(scheduled, gathered, random);
+  expect_sound(gathered);
+  EXPECT_LT(dot_products(gathered), 142u);
+  EXPECT_GT(dot_products(gathered), 120u);
+}
+
+TEST(DotProducts, RandomProgramsKeepTheirValues) {
+  std::mt19937_64 random(14);
+  for (int k = 0; k < 60; ++k) {
+    const Program given =
+        schedule(optimize(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
+    const Program gathered = gather_dot_products(given, 1);
+    expect_equivalent(given, gathered, random);
+    expect_sound(gathered);
+  }
+}
+
+}  // namespace
+}  // namespace alembert
