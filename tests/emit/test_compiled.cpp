@@ -325,8 +325,7 @@ void expect_sums_in_order() {
                                                                   count, along.data(), across.data(), 2);
       for (int i = 0; i < kRows; ++i) {
         const S* row = right.data() + first + i;
-        const S sum =
-            i < count ? left[0] * row[0] + left[1] * row[kRows] + left[2] * row[2 * kRows] : S(7);
+        const S sum = i < count ? left[0] * row[0] + left[1] * row[kRows] + left[2] * row[2 * kRows] : S(7);
         EXPECT_EQ(along[static_cast<std::size_t>(i)], sum);
         EXPECT_EQ(across[static_cast<std::size_t>(2 * i)], sum);
         EXPECT_EQ(across[static_cast<std::size_t>(2 * i + 1)], S(7));

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <bit>
+#include <chain/chain.hpp>
 #include <cmath>
 #include <cstdint>
-#include <chain/chain.hpp>
 #include <five_bar/five_bar.hpp>
 #include <puma560/puma560.hpp>
 #include <rolling_ellipsoids/rolling_ellipsoids.hpp>
