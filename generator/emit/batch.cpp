@@ -103,7 +103,8 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
   const FunctionSignature& signature = *find_signature(program.function);
   // Dot products stand where their rows are known: there are no loops over packs.
   const Program straight = program.dot_products.empty() ? program : schedule(program);
-  const FunctionBody body = function_body(order_for_registers(straight), signature, kBatchBlocks);
+  const FunctionBody body =
+      function_body(order_for_registers(straight, States::many), signature, kBatchBlocks);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
   std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
   const auto add = [&](std::string_view type, std::string_view name, std::size_t size) {

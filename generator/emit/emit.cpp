@@ -10,6 +10,7 @@
 #include "emit/function_signature.hpp"
 #include "emit/literals.hpp"
 #include "emit/names.hpp"
+#include "emit/register_order.hpp"
 #include "emit/repeated_statements.hpp"
 #include "emit/statements.hpp"
 #include "emit/text_template.hpp"
@@ -95,9 +96,10 @@ std::vector<Function> functions_of(const Mechanism& mechanism, std::span<const P
   std::vector<Function> functions;
   const auto add = [&](const Program& program, const FunctionSignature& signature) {
     check_program(program, signature, mechanism);
-    functions.push_back(
-        {&signature, counts_text(program),
-         program.repeats ? repeated_body(program, signature) : function_body(program, signature)});
+    functions.push_back({&signature, counts_text(program),
+                         program.repeats
+                             ? repeated_body(program, signature)
+                             : function_body(order_for_registers(program, States::one), signature)});
   };
   for (const Program& program : programs) {
     if (find_signature(program.function) == nullptr)

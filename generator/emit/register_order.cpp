@@ -23,9 +23,13 @@ constexpr std::size_t kRegisters = 15;
 /// the time is linear.
 constexpr std::uint32_t kLookAhead = 256;
 
-// A choice's weights: a register that becomes free, a value that is in none; and at most so many statements
-// since the last use of an operand.
-constexpr int kFreed = 200, kMissing = 100, kLongAgo = 100;
+// A choice's weights: a register that becomes free, a value that is in none, an operation between the choice
+// and the last result that hangs on it (for one state only); and at most so many statements since the last
+// use of an operand.
+constexpr int kFreed = 200, kMissing = 100, kHeight = 128, kLongAgo = 100;
+
+// A division takes as long as some other operations.
+constexpr int kDivision = 4;
 
 /// One statement: a named value with what is written into it.
 struct Statement {
@@ -33,13 +37,15 @@ struct Statement {
   std::vector<std::uint32_t> reads;    ///< inputs and values of other statements, each once
   std::vector<std::uint32_t> readers;  ///< statements that read its value
   std::uint32_t unknown = 0;           ///< statements still to be written before it
+  int height = 0;                      ///< operations from its first to the last result that needs it
   bool written = false;
 };
 
 class Ordering {
  public:
-  explicit Ordering(const Program& program) : program_(program), size_(program.code.size()) {
+  Ordering(const Program& program, States states) : program_(program), size_(program.code.size()) {
     collect_statements();
+    if (states == States::one) measure_heights();
     result_ = program;
     result_.code.clear();
     result_.constants.clear();
@@ -58,11 +64,21 @@ class Ordering {
       write(best(next));
       while (next < statements_.size() && statements_[next].written) ++next;
     }
+    const std::size_t straight = size_ - program_.dot_product_code;
+    // Results and entries of tables that are inputs or constants.
+    for (const OutputArray& output : program_.outputs)
+      for (const std::uint32_t value : output.values)
+        if (value < straight) emit(value);
+    // What loops compute stays last.
+    for (DotProducts& products : result_.dot_products)
+      for (std::vector<std::uint32_t>* rows : {&products.left, &products.right})
+        for (std::uint32_t& value : *rows) {
+          emit(value);
+          value = place_[value];
+        }
+    for (std::size_t v = straight; v < size_; ++v) emit(static_cast<std::uint32_t>(v));
     for (OutputArray& output : result_.outputs)
-      for (std::uint32_t& value : output.values) {
-        emit(value);  // if it is an input or a constant
-        value = place_[value];
-      }
+      for (std::uint32_t& value : output.values) value = place_[value];
     return std::move(result_);
   }
 
@@ -106,10 +122,21 @@ class Ordering {
     }
   }
 
+  void measure_heights() {
+    std::vector<int> height(size_, 0);
+    for (std::size_t v = size_; v-- > 0;) {
+      height[v] += program_.code[v].op == Operation::div ? kDivision : 1;
+      for (const std::uint32_t operand : operands(static_cast<std::uint32_t>(v)))
+        if (operand != kNoPlace) height[operand] = std::max(height[operand], height[v]);
+    }
+    for (Statement& s : statements_)
+      for (const std::uint32_t v : s.members) s.height = std::max(s.height, height[v]);
+  }
+
   bool in_register(std::uint32_t v) const { return used_at_[v] != kNoPlace; }
 
   int score(const Statement& s) const {
-    int score = 0, age = kLongAgo;
+    int score = kHeight * s.height, age = kLongAgo;
     for (const std::uint32_t v : s.reads) {
       if (!in_register(v)) {
         score -= kMissing;
@@ -188,8 +215,8 @@ class Ordering {
 
 }  // namespace
 
-Program order_for_registers(const Program& program) {
-  return Ordering(program).order();
+Program order_for_registers(const Program& program, States states) {
+  return Ordering(program, states).order();
 }
 
 }  // namespace alembert

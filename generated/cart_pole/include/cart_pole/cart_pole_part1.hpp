@@ -69,15 +69,15 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q
-  const S t0 = cos(q1);
-  const S t1 = sin(q1);
-  const S t2 = S(0.1728) * t0;
+  const S t0 = sin(q1);
+  const S t1 = cos(q1);
+  const S t2 = S(0.1728) * t1;
   M[1] = t2;
   M[2] = t2;
   const S qd1 = qd[1];  // d(q)
   const S f0 = in.wrenches[0];  // wrench(cart).fx
-  c[0] = S(-0.1728) * (qd1 * qd1 * t1) - f0;
-  c[1] = S(-1.695168) * t1;
+  c[0] = S(-0.1728) * (qd1 * qd1 * t0) - f0;
+  c[1] = S(-1.695168) * t0;
   M[0] = S(2.76);
   M[3] = S(0.111044);
 }
@@ -110,12 +110,12 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q
-  const S t0 = cos(q1);
-  W[12] = t0;
-  W[22] = t0;
-  const S t1 = sin(q1);
-  W[14] = t1;
-  W[20] = -t1;
+  const S t0 = sin(q1);
+  W[14] = t0;
+  const S t1 = cos(q1);
+  W[12] = t1;
+  W[22] = t1;
+  W[20] = -t0;
   W[0] = S(1.0);
   W[5] = S(1.0);
   W[10] = S(1.0);

@@ -23,49 +23,51 @@ namespace alembert::mechanisms::moving_base {
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
+  using ::std::cos;
+  using ::std::sin;
   using detail::sines_and_cosines;
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
   const S q1 = q[1];  // q2
   const S t1 = q1 + S(0.09495170634275626);
   const S q0 = q[0];  // q1
-  const S angle[] = {q0, t0, S(3.4) * time, S(6.8) * time, t1};
-  S sine[5], cosine[5];
-  sines_and_cosines(5, angle, sine, cosine);
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S t8 = cosine[4];
-  const S t2 = cosine[0];
+  const S angle[] = {q0, t0, t1};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
+  const S t6 = sin(S(3.4) * time);
+  const S t7 = cos(S(6.8) * time);
   const S t10 = S(0.2) * time + S(0.4);
   const S t3 = sine[0];
   const S t11 = t10 * t3;
+  const S t2 = cosine[0];
+  const S t12 = t2 * t10;
   const S qd0 = qd[0];  // d(q1)
-  const S t12 = S(0.2) * t2 - t11 * qd0;
-  const S t9 = sine[4];
-  const S t13 = t2 * t10;
-  const S t14 = t13 * t8 - t9 * qd0;
+  const S t13 = S(0.2) * t2 - t11 * qd0;
   const S qd1 = qd[1];  // d(q2)
-  const S t15 = qd1 - (t11 - qd1);
-  const S t16 = qdd0 * t8 + t9 * t12 + t14 * t15;
-  const S t17 = t8 * qd0 + t13 * t9;
-  const S t18 = qdd0 * t9 - (t8 * t12 - t15 * t17);
-  const S t6 = sine[2];
+  const S t14 = qd1 - (t11 - qd1);
+  const S t8 = cosine[2];
+  const S t9 = sine[2];
+  const S t15 = t8 * qd0 + t12 * t9;
+  const S t16 = t12 * t8 - t9 * qd0;
+  const S t17 = t12 * t11;
+  const S t18 = t11 * t11;
   const S t19 = S(2.4276) * t6;
+  const S t20 = S(9.81) - S(2.312) * t7;
   const S t4 = cosine[1];
-  const S t20 = t4 * t19;
-  const S t7 = cosine[3];
-  const S t21 = S(9.81) - S(2.312) * t7;
-  const S t22 = t2 * t20 + t3 * t21;
-  const S t23 = t13 * t11;
-  const S t24 = S(0.052737557774322465) * t16 + (t8 * (S(0.0012006741573033712) * t18 + S(0.0324070786516854) * t16 + S(0.10547511554864493) * (t22 - S(0.5) * (t23 - qdd0))) + t9 * (S(0.0008429213483146) * t18 + S(0.0012006741573033712) * t16));
-  const S t25 = t11 * t11;
-  const S t26 = t3 * t20 - t2 * t21;
-  tau[0] = t24 - (S(0.1956) * t23 - (S(0.19935999999999998) * qdd0 - (S(0.0020799999999999924) * (t25 - t13 * t13) + S(8.000000000000003e-05) * t3)) - (S(0.45799999999999996) * t22 + S(0.007999999999999981) * t26));
-  const S t28 = t13 * qd0;
-  const S t29 = t28 + S(0.2) * t3;
-  const S qdd1 = qdd[1];  // dd(q2)
+  const S t21 = t4 * t19;
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S t22 = qdd0 * t8 + t9 * t13 + t16 * t14;
+  const S t23 = qdd0 * t9 - (t8 * t13 - t14 * t15);
+  const S t24 = t12 * qd0;
+  const S t25 = t24 + S(0.2) * t3;
+  const S t26 = t2 * t21 + t3 * t20;
+  const S t27 = t3 * t21 - t2 * t20;
+  const S t28 = S(0.052737557774322465) * t22 + (t8 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t22 + S(0.10547511554864493) * (t26 - S(0.5) * (t17 - qdd0))) + t9 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t22));
+  tau[0] = t28 - (S(0.1956) * t17 - (S(0.19935999999999998) * qdd0 - (S(0.0020799999999999924) * (t18 - t12 * t12) + S(8.000000000000003e-05) * t3)) - (S(0.45799999999999996) * t26 + S(0.007999999999999981) * t27));
   const S t5 = sine[1];
-  const S t30 = S(0.10547511554864493) * (t9 * (t26 - S(0.5) * (t25 + qd0 * qd0)) + t8 * (S(0.5) * (t28 + t29) - t19 * t5));
-  tau[1] = S(0.0012006741573033712) * (t14 * t14 - t17 * t17) + S(0.03325) * (qdd1 - t29) - t14 * (S(0.031564157303370796) * t17) - t30;
+  const S t30 = S(0.10547511554864493) * (t9 * (t27 - S(0.5) * (t18 + qd0 * qd0)) + t8 * (S(0.5) * (t24 + t25) - t19 * t5));
+  const S qdd1 = qdd[1];  // dd(q2)
+  tau[1] = S(0.0012006741573033712) * (t16 * t16 - t15 * t15) + S(0.03325) * (qdd1 - t25) - t16 * (S(0.031564157303370796) * t15) - t30;
 }
 
 // mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
@@ -87,98 +89,102 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
+  using ::std::cos;
+  using ::std::sin;
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
   const S t0 = q1 + S(0.09495170634275626);
   const S time = in.t;  // t
   const S t1 = time * (S(0.1) * time + S(0.4));
   const S q0 = q[0];  // q1
-  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
-  S sine[5], cosine[5];
-  sines_and_cosines(5, angle, sine, cosine);
-  const S t8 = sine[3];
-  const S t10 = S(2.4276) * t8;
-  const S t6 = cosine[2];
-  const S t11 = t6 * t10;
-  const S t2 = cosine[0];
-  const S t9 = cosine[4];
-  const S t12 = S(9.81) - S(2.312) * t9;
+  const S angle[] = {q0, t0, t1};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
+  const S t8 = sin(S(3.4) * time);
+  const S t9 = cos(S(6.8) * time);
+  const S t10 = S(0.2) * time + S(0.4);
   const S t3 = sine[0];
-  const S t13 = t2 * t11 + t3 * t12;
-  const S t14 = t3 * t11 - t2 * t12;
-  const S t15 = S(0.2) * time + S(0.4);
-  const S t16 = t3 * t15;
-  const S t17 = t2 * t15;
-  const S t18 = t16 * t17;
-  const S t19 = t16 * t16;
+  const S t11 = t3 * t10;
+  const S t2 = cosine[0];
+  const S t12 = t2 * t10;
   const S qd0 = qd[0];  // d(q1)
-  const S t20 = S(0.2) * t2 - qd0 * t16;
+  const S t13 = S(0.2) * t2 - qd0 * t11;
+  const S qd1 = qd[1];  // d(q2)
+  const S t14 = qd1 - (t11 - qd1);
+  const S t15 = S(2.4276) * t8;
+  const S t16 = S(9.81) - S(2.312) * t9;
   const S t5 = cosine[1];
   const S t4 = sine[1];
-  const S t21 = t5 * qd0 + t4 * t17;
-  const S qd1 = qd[1];  // d(q2)
-  const S t22 = qd1 - (t16 - qd1);
-  const S t23 = t5 * t20 - t21 * t22;
-  const S t24 = t5 * t17 - t4 * qd0;
-  const S t25 = t4 * t20 + t22 * t24;
-  const S t26 = t4 * (S(0.0008429213483146) * t23 - S(0.0012006741573033712) * t25) + t5 * (S(0.0012006741573033712) * t23 - S(0.0324070786516854) * t25 + S(0.10547511554864493) * (S(0.5) * t18 - t13)) - S(0.052737557774322465) * t25;
-  c[0] = S(0.45799999999999996) * t13 + S(0.007999999999999981) * t14 - (S(0.1956) * t18 + (S(0.0020799999999999924) * (t19 - t17 * t17) + S(8.000000000000003e-05) * t3)) - t26;
-  const S t28 = qd0 * t17;
-  const S t29 = t28 + S(0.2) * t3;
+  const S t17 = t5 * qd0 + t4 * t12;
+  const S t18 = t5 * t12 - t4 * qd0;
+  const S t6 = cosine[2];
+  const S t19 = t6 * t15;
+  const S t20 = t2 * t19 + t3 * t16;
+  const S t21 = t3 * t19 - t2 * t16;
+  const S t22 = t11 * t12;
+  const S t23 = t11 * t11;
+  const S t24 = qd0 * t12;
+  const S t25 = t24 + S(0.2) * t3;
+  const S t26 = t5 * t13 - t17 * t14;
+  const S t27 = t4 * t13 + t14 * t18;
+  const S t28 = t4 * (S(0.0008429213483146) * t26 - S(0.0012006741573033712) * t27) + t5 * (S(0.0012006741573033712) * t26 - S(0.0324070786516854) * t27 + S(0.10547511554864493) * (S(0.5) * t22 - t20)) - S(0.052737557774322465) * t27;
+  c[0] = S(0.45799999999999996) * t20 + S(0.007999999999999981) * t21 - (S(0.1956) * t22 + (S(0.0020799999999999924) * (t23 - t12 * t12) + S(8.000000000000003e-05) * t3)) - t28;
+  const S t30 = S(0.03325) * t25 - S(0.0012006741573033712) * (t18 * t18 - t17 * t17) + t17 * (S(0.031564157303370796) * t18);
   const S t7 = sine[2];
-  const S t30 = S(0.03325) * t29 - S(0.0012006741573033712) * (t24 * t24 - t21 * t21) + t21 * (S(0.031564157303370796) * t24);
-  c[1] = S(-0.10547511554864493) * (t4 * (t14 - S(0.5) * (t19 + qd0 * qd0)) + t5 * (S(0.5) * (t28 + t29) - t10 * t7)) - t30;
+  c[1] = S(-0.10547511554864493) * (t4 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t5 * (S(0.5) * (t24 + t25) - t15 * t7)) - t30;
 }
 
 // mass_matrix_and_bias: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
+  using ::std::cos;
+  using ::std::sin;
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
   const S t0 = q1 + S(0.09495170634275626);
   const S time = in.t;  // t
   const S t1 = time * (S(0.1) * time + S(0.4));
   const S q0 = q[0];  // q1
-  const S angle[] = {q0, t0, t1, S(3.4) * time, S(6.8) * time};
-  S sine[5], cosine[5];
-  sines_and_cosines(5, angle, sine, cosine);
+  const S angle[] = {q0, t0, t1};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
+  const S t8 = sin(S(3.4) * time);
+  const S t9 = cos(S(6.8) * time);
+  const S t10 = S(0.2) * time + S(0.4);
+  const S t3 = sine[0];
+  const S t11 = t3 * t10;
+  const S t2 = cosine[0];
+  const S t12 = t2 * t10;
+  const S qd0 = qd[0];  // d(q1)
+  const S t13 = S(0.2) * t2 - qd0 * t11;
+  const S qd1 = qd[1];  // d(q2)
+  const S t14 = qd1 - (t11 - qd1);
+  const S t15 = S(2.4276) * t8;
+  const S t16 = S(9.81) - S(2.312) * t9;
   const S t4 = cosine[1];
   const S t5 = sine[1];
-  M[0] = S(0.10547511554864493) * t4 + t5 * (S(0.0024013483146067423) * t4 - S(0.0315641573033708) * t5) + S(0.23176707865168542);
-  const S t8 = sine[3];
-  const S t11 = S(2.4276) * t8;
+  const S t17 = t4 * qd0 + t5 * t12;
+  const S t18 = t4 * t12 - t5 * qd0;
   const S t6 = cosine[2];
-  const S t12 = t6 * t11;
-  const S t2 = cosine[0];
-  const S t9 = cosine[4];
-  const S t13 = S(9.81) - S(2.312) * t9;
-  const S t3 = sine[0];
-  const S t14 = t2 * t12 + t3 * t13;
-  const S t15 = t3 * t12 - t2 * t13;
-  const S t16 = S(0.2) * time + S(0.4);
-  const S t17 = t3 * t16;
-  const S t18 = t2 * t16;
-  const S t19 = t17 * t18;
-  const S t20 = t17 * t17;
-  const S qd0 = qd[0];  // d(q1)
-  const S t21 = S(0.2) * t2 - qd0 * t17;
-  const S t22 = t4 * qd0 + t5 * t18;
-  const S qd1 = qd[1];  // d(q2)
-  const S t23 = qd1 - (t17 - qd1);
-  const S t24 = t4 * t21 - t22 * t23;
-  const S t25 = t4 * t18 - t5 * qd0;
-  const S t26 = t5 * t21 + t23 * t25;
-  const S t27 = t5 * (S(0.0008429213483146) * t24 - S(0.0012006741573033712) * t26) + t4 * (S(0.0012006741573033712) * t24 - S(0.0324070786516854) * t26 + S(0.10547511554864493) * (S(0.5) * t19 - t14)) - S(0.052737557774322465) * t26;
-  c[0] = S(0.45799999999999996) * t14 + S(0.007999999999999981) * t15 - (S(0.1956) * t19 + (S(0.0020799999999999924) * (t20 - t18 * t18) + S(8.000000000000003e-05) * t3)) - t27;
-  const S t29 = qd0 * t18;
-  const S t30 = t29 + S(0.2) * t3;
+  const S t19 = t6 * t15;
+  const S t20 = t2 * t19 + t3 * t16;
+  const S t21 = t3 * t19 - t2 * t16;
+  const S t22 = t11 * t12;
+  const S t23 = t11 * t11;
+  const S t24 = qd0 * t12;
+  const S t25 = t24 + S(0.2) * t3;
+  const S t26 = t4 * t13 - t17 * t14;
+  const S t27 = t5 * t13 + t14 * t18;
+  const S t28 = t5 * (S(0.0008429213483146) * t26 - S(0.0012006741573033712) * t27) + t4 * (S(0.0012006741573033712) * t26 - S(0.0324070786516854) * t27 + S(0.10547511554864493) * (S(0.5) * t22 - t20)) - S(0.052737557774322465) * t27;
+  c[0] = S(0.45799999999999996) * t20 + S(0.007999999999999981) * t21 - (S(0.1956) * t22 + (S(0.0020799999999999924) * (t23 - t12 * t12) + S(8.000000000000003e-05) * t3)) - t28;
+  const S t30 = S(0.03325) * t25 - S(0.0012006741573033712) * (t18 * t18 - t17 * t17) + t17 * (S(0.031564157303370796) * t18);
   const S t7 = sine[2];
-  const S t31 = S(0.03325) * t30 - S(0.0012006741573033712) * (t25 * t25 - t22 * t22) + t22 * (S(0.031564157303370796) * t25);
-  c[1] = S(-0.10547511554864493) * (t5 * (t15 - S(0.5) * (t20 + qd0 * qd0)) + t4 * (S(0.5) * (t29 + t30) - t11 * t7)) - t31;
+  c[1] = S(-0.10547511554864493) * (t5 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t4 * (S(0.5) * (t24 + t25) - t15 * t7)) - t30;
+  M[0] = S(0.10547511554864493) * t4 + t5 * (S(0.0024013483146067423) * t4 - S(0.0315641573033708) * t5) + S(0.23176707865168542);
+  M[3] = S(0.03325);
   M[1] = S(0.0);
   M[2] = S(0.0);
-  M[3] = S(0.03325);
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
@@ -194,48 +200,49 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
+  using ::std::cos;
   using detail::sines_and_cosines;
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
   const S t1 = S(6.8) * time;
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S angle[] = {q0, q1, S(3.4) * time, t0, t1};
-  S sine[5], cosine[5];
-  sines_and_cosines(5, angle, sine, cosine);
-  const S t6 = cosine[2];
-  const S t7 = sine[3];
-  const S t11 = t6 * t7;
-  const S t12 = S(0.714) * t11;
-  const S t13 = S(0.2) * time + S(0.4);
-  const S t2 = sine[0];
-  const S t14 = t13 * t2;
-  const S t15 = t12 + S(0.5) * t14;
-  const S t4 = sine[1];
-  const S t8 = cosine[3];
-  const S t16 = S(0.714) * (t6 * t8);
-  const S t9 = sine[4];
-  const S t17 = S(0.34) * t9;
+  const S angle[] = {q0, q1, t0, t1};
+  S sine[4], cosine[4];
+  sines_and_cosines(4, angle, sine, cosine);
+  const S t6 = cos(S(3.4) * time);
+  const S t11 = S(0.2) * time + S(0.4);
   const S t3 = cosine[0];
-  const S t18 = t2 * t16 - t3 * t17;
-  const S t5 = cosine[1];
-  const S t19 = t4 * t15 + t5 * t18;
-  const S t20 = t2 * t17 + t16 * t3;
+  const S t12 = t11 * t3;
+  const S t2 = sine[0];
+  const S t13 = t11 * t2;
   const S qd0 = qd[0];  // d(q1)
-  const S t21 = t20 - S(0.5) * qd0;
-  const S t22 = t15 * t5 - t4 * t18;
-  const S t23 = t13 * t3;
-  const S t24 = t5 * qd0 + t4 * t23;
-  const S t25 = t5 * t23 - t4 * qd0;
+  const S t14 = t13 * (S(0.00208) * t12 - (S(0.07308) * t13 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t13 - S(0.07416) * qd0) + t12 * (S(0.00208) * t13 - S(0.00228) * t12);
+  const S t5 = cosine[1];
+  const S t4 = sine[1];
+  const S t15 = t5 * qd0 + t4 * t12;
+  const S t16 = t5 * t12 - t4 * qd0;
   const S qd1 = qd[1];  // d(q2)
-  const S t26 = t14 - qd1;
-  const S t27 = t14 * (S(0.00208) * t23 - (S(0.07308) * t14 - S(0.0004) * qd0)) + qd0 * (S(0.0004) * t14 - S(0.07416) * qd0) + t23 * (S(0.00208) * t14 - S(0.00228) * t23);
-  const S t28 = qd0 * (S(0.008) * t18 + S(0.208) * t20);
-  const S t29 = S(0.5) * (t24 * (S(0.0018) * t25 + S(0.03255) * t24) + t26 * (S(0.03325) * t26) + t25 * (S(0.0011) * t25 + S(0.0018) * t24) - t27) - t28;
-  const S t30 = t26 * (S(0.105) * t22 - S(0.01) * t19);
-  const S t31 = S(0.4) * (t20 * t20 + t11 * (S(0.509796) * t11) + t18 * t18) + (t12 * (S(0.208) * t14 - S(0.008) * t23) + t29) + t30;
-  e[0] = S(0.25) * (t19 * t19 + (t21 * t21 + t22 * t22)) - (t21 * (S(0.105) * t24 + S(0.01) * t25) - t31);
-  const S t10 = cosine[4];
+  const S t17 = t13 - qd1;
+  const S t8 = cosine[2];
+  const S t18 = S(0.714) * (t6 * t8);
+  const S t7 = sine[2];
+  const S t19 = t6 * t7;
+  const S t9 = sine[3];
+  const S t20 = S(0.34) * t9;
+  const S t21 = t2 * t18 - t3 * t20;
+  const S t22 = t2 * t20 + t18 * t3;
+  const S t23 = S(0.714) * t19;
+  const S t24 = t23 + S(0.5) * t13;
+  const S t25 = qd0 * (S(0.008) * t21 + S(0.208) * t22);
+  const S t26 = S(0.5) * (t15 * (S(0.0018) * t16 + S(0.03255) * t15) + t17 * (S(0.03325) * t17) + t16 * (S(0.0011) * t16 + S(0.0018) * t15) - t14) - t25;
+  const S t27 = t22 - S(0.5) * qd0;
+  const S t28 = t4 * t24 + t5 * t21;
+  const S t29 = t24 * t5 - t4 * t21;
+  const S t30 = t17 * (S(0.105) * t29 - S(0.01) * t28);
+  const S t31 = S(0.4) * (t22 * t22 + t19 * (S(0.509796) * t19) + t21 * t21) + (t23 * (S(0.208) * t13 - S(0.008) * t12) + t26) + t30;
+  e[0] = S(0.25) * (t28 * t28 + (t27 * t27 + t29 * t29)) - (t27 * (S(0.105) * t15 + S(0.01) * t16) - t31);
+  const S t10 = cosine[3];
   const S t33 = S(0.05) * t10;
   e[1] = S(4.905) * (t33 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t33 - (S(0.01) * t2 + S(0.26) * t3));
 }
@@ -243,58 +250,60 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
 // body_poses: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
+  using ::std::cos;
+  using ::std::sin;
   using detail::sines_and_cosines;
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
   const S q0 = q[0];  // q1
   const S q1 = q[1];  // q2
-  const S angle[] = {q0, q1, t0, S(3.4) * time, S(6.8) * time};
-  S sine[5], cosine[5];
-  sines_and_cosines(5, angle, sine, cosine);
+  const S angle[] = {q0, q1, t0};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
   W[22] = cosine[0];
   W[0] = cosine[2];
   W[5] = cosine[2];
   W[17] = cosine[2];
   W[4] = sine[2];
-  const S t6 = sine[2];
-  const S t9 = -t6;
-  W[1] = t9;
-  W[13] = t9;
-  const S t7 = sine[3];
-  const S t10 = S(0.21) * t7;
-  W[3] = t10;
-  W[15] = t10;
-  const S t8 = cosine[4];
-  const S t11 = S(0.05) * t8;
-  W[11] = t11;
-  W[23] = t11;
+  const S t7 = sin(S(3.4) * time);
+  const S t8 = cos(S(6.8) * time);
   const S t5 = cosine[2];
-  const S t1 = cosine[0];
-  const S t12 = t5 * t1;
-  W[12] = t12;
-  W[24] = t12;
   const S t2 = sine[0];
-  const S t13 = t5 * t2;
-  W[14] = t13;
-  const S t14 = t6 * t1;
-  W[16] = t14;
-  W[28] = t14;
-  const S t15 = t6 * t2;
-  W[18] = t15;
-  const S t16 = -t2;
-  W[20] = t16;
-  W[32] = t16;
+  const S t9 = t5 * t2;
+  W[14] = t9;
+  const S t6 = sine[2];
+  const S t10 = t6 * t2;
+  W[18] = t10;
+  const S t11 = -t2;
+  W[20] = t11;
+  W[32] = t11;
+  const S t12 = -t6;
+  W[1] = t12;
+  W[13] = t12;
+  W[31] = S(-0.5) * t10;
+  const S t14 = S(0.21) * t7;
+  W[3] = t14;
+  W[15] = t14;
+  W[27] = t14 - S(0.5) * t9;
+  const S t16 = S(0.05) * t8;
+  W[11] = t16;
+  W[23] = t16;
+  const S t1 = cosine[0];
+  W[35] = t16 - S(0.5) * t1;
+  const S t18 = t5 * t1;
+  W[12] = t18;
+  W[24] = t18;
+  const S t19 = t6 * t1;
+  W[16] = t19;
+  W[28] = t19;
   const S t3 = sine[1];
   const S t4 = cosine[1];
-  W[25] = t13 * t3 - t6 * t4;
-  W[26] = t6 * t3 + t13 * t4;
-  W[27] = t10 - S(0.5) * t13;
-  W[29] = t5 * t4 + t15 * t3;
-  W[30] = t15 * t4 - t5 * t3;
-  W[31] = S(-0.5) * t15;
+  W[25] = t9 * t3 - t6 * t4;
+  W[26] = t6 * t3 + t9 * t4;
+  W[29] = t5 * t4 + t10 * t3;
+  W[30] = t10 * t4 - t5 * t3;
   W[33] = t1 * t3;
   W[34] = t1 * t4;
-  W[35] = t11 - S(0.5) * t1;
   W[2] = S(0.0);
   W[6] = S(0.0);
   W[7] = S(0.0);

@@ -71,9 +71,9 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::cos;
   const S q0 = q[0];  // q
   const S t0 = cos(q0);
+  e[1] = S(-5.35626) * t0;
   const S qd0 = qd[0];  // d(q)
   e[0] = S(0.15291) * (qd0 * qd0);
-  e[1] = S(-5.35626) * t0;
 }
 
 // body_poses: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation).
@@ -82,12 +82,12 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   using ::std::cos;
   using ::std::sin;
   const S q0 = q[0];  // q
-  const S t0 = cos(q0);
-  W[0] = t0;
-  W[10] = t0;
-  const S t1 = sin(q0);
-  W[2] = t1;
-  W[8] = -t1;
+  const S t0 = sin(q0);
+  W[2] = t0;
+  const S t1 = cos(q0);
+  W[0] = t1;
+  W[10] = t1;
+  W[8] = -t0;
   W[1] = S(0.0);
   W[3] = S(0.0);
   W[4] = S(0.0);
