@@ -90,6 +90,12 @@ std::string dump(const Program& program) {
   for (const OutputArray& output : program.outputs)
     for (std::size_t k = 0; k < output.values.size(); ++k)
       fmt::format_to(out, "{}[{}] = t{}\n", output.name, k, output.values[k]);
+  for (const DotProducts& products : program.dot_products)
+    for (const DotProducts::Run& run : products.runs)
+      fmt::format_to(out,
+                     "loop: {0}[{1} + i], {0}[{2} + {3} i] for i < {4}: left row {5}, right row {6} + i\n",
+                     program.outputs[products.output].name, run.first, run.mirror, run.step, run.count,
+                     run.left, run.right);
   return text;
 }
 

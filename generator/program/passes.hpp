@@ -74,7 +74,7 @@ void interpret(const Program& program, std::span<const double> inputs, std::span
 void verify(const Program& program, std::span<const OutputExpressions> outputs,
             std::span<const SymbolBinding> bindings);
 
-/// One instruction a line, for --dump.
+/// One instruction a line, then results and loops, for --dump.
 std::string dump(const Program& program);
 
 }  // namespace alembert

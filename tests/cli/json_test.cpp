@@ -51,6 +51,25 @@ TEST(Report, FormulationCanBeChosen) {
   }
 }
 
+TEST(Report, TellsWhichFunctionsHaveLoops) {
+  const TemporaryFolder folder;
+  const std::string of =
+      " --functions inverse_dynamics,mass_matrix " ALEMBERT_SOURCE_DIR "/tests/emit/chain.yaml";
+  const auto loops = [&](const std::string& options) {
+    const CommandResult result = alembert(folder, "report --json " + options + of);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json functions = json::parse(result.out)["functions"];
+    EXPECT_FALSE(functions["inverse_dynamics"].contains("dot_products"));
+    return functions["mass_matrix"].value("dot_products", 0);
+  };
+  const int found = loops("");
+  EXPECT_GT(found, 60);
+  EXPECT_EQ(loops("--loop-results " + std::to_string(found)), found);
+  EXPECT_EQ(loops("--loop-results " + std::to_string(found + 1)), 0);
+  EXPECT_EQ(loops("--loop-results 0"), 0);
+  EXPECT_THAT(alembert(folder, "report" + of).out, HasSubstr("dot products in loops (--loop-results 30)"));
+}
+
 TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {
   const TemporaryFolder folder;
   const CommandResult result = alembert(
