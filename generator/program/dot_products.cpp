@@ -28,7 +28,7 @@ constexpr std::uint32_t kShortestRun = 4;
 // With fewer, reading and writing is most of the work.
 constexpr std::size_t kFewestTerms = 3;
 
-// As many other results are looked at for a first row.
+// For a first row, so many results are looked at that have one of its values.
 constexpr std::size_t kTries = 16;
 
 struct Term {
@@ -262,12 +262,13 @@ class Gathering {
   static std::optional<Row> shared_row(const Sum& sum,
                                        const std::map<std::uint32_t, std::vector<const Sum*>>& with) {
     std::optional<Row> best;
-    std::ptrdiff_t most = 1;
+    std::ptrdiff_t most = 0;
     for (const std::uint32_t v : {sum.terms[0].a, sum.terms[0].b}) {
-      const std::vector<const Sum*>& others = with.at(v);
-      for (std::size_t i = 0; i < std::min(others.size(), kTries); ++i) {
+      const std::span<const Sum*const> all = with.at(v), others = all.first(std::min(all.size(), kTries));
+      for (const Sum* other : others) {
+        if (other == &sum) continue;
         const auto in_other = [&](std::uint32_t x) {
-          return std::ranges::any_of(others[i]->terms,
+          return std::ranges::any_of(other->terms,
                                      [&](const Term& term) { return term.a == x || term.b == x; });
         };
         Row row{{v, false}};
