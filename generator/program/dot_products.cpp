@@ -6,6 +6,7 @@
 // one factor of each product in it are its dot products with the rows of what is left; those rows lead to
 // further ones. A first row is what two results have in common.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -40,7 +41,7 @@ struct Term {
 struct Sum {
   std::uint32_t value;
   std::uint32_t output;
-  std::vector<std::uint32_t> places;  ///< two elements of the output, ascending, or the same one twice
+  std::array<std::uint32_t, 2> places;  ///< elements of the output, ascending, or one twice
   std::vector<Term> terms;
   std::uint32_t left = kNone, right = kNone;  ///< rows, once they are known
 };
@@ -150,6 +151,7 @@ class Gathering {
   };
 
   void find_sums() {
+    constexpr std::uint32_t kTooMany = 3;  // places of a result, or in another array
     const std::size_t size = program_.code.size();
     std::vector<std::uint32_t> uses(size, 0), results(size, 0);
     for (const Instruction& c : program_.code) {
@@ -162,14 +164,13 @@ class Gathering {
       const std::vector<std::uint32_t>& values = program_.outputs[output].values;
       for (std::uint32_t place = 0; place < values.size(); ++place) {
         const std::uint32_t v = values[place];
-        ++results[v];
-        Sum& sum = candidates.try_emplace(v, Sum{v, output, {}, {}}).first->second;
-        if (sum.output == output) sum.places.push_back(place);
+        Sum& sum = candidates.try_emplace(v, Sum{v, output, {place, place}, {}}).first->second;
+        sum.places[1] = place;
+        results[v] += sum.output == output ? 1 : kTooMany;
       }
     }
     for (auto& [v, sum] : candidates) {
-      if (uses[v] > 0 || results[v] > 2 || sum.places.size() != results[v]) continue;
-      if (sum.places.size() == 1) sum.places.push_back(sum.places[0]);
+      if (uses[v] > 0 || results[v] >= kTooMany) continue;
       if (collect_terms(sum, uses, results) && sum.terms.size() >= kFewestTerms)
         sums_.push_back(std::move(sum));
     }
@@ -305,7 +306,7 @@ class Gathering {
 
   /// The run of two neighbouring sums, if their places are neighbours too.
   static std::optional<DotProducts::Run> run_of(const Sum& one, const Sum& next) {
-    const std::vector<std::uint32_t>&a = one.places, &b = next.places;
+    const std::array<std::uint32_t, 2>&a = one.places, &b = next.places;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t other = 1 - k;
       if (b[k] == a[k] + 1 && b[other] > a[other])

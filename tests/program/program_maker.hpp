@@ -123,6 +123,15 @@ inline std::vector<Approximate> run_bounded(const Program& program, std::span<co
   return result;
 }
 
+/// Whether outputs differ by no more than their rounding errors; those without a finite value or bound are
+/// not compared.
+inline bool same_but_for_rounding(const Program& x, const Program& y, std::span<const double> inputs) {
+  return std::ranges::equal(run_bounded(x, inputs), run_bounded(y, inputs), [](Approximate a, Approximate b) {
+    if (!std::isfinite(a.value) || !std::isfinite(a.error)) return true;
+    return std::abs(a.value - b.value) <= 2 * (a.error + b.error) + 1e-300;
+  });
+}
+
 inline std::vector<double> random_point(std::size_t size, std::mt19937_64& random) {
   std::vector<double> x(size);
   for (double& value : x) value = 0.25 + 1.5 * (static_cast<double>(random() >> 11) * 0x1p-53);

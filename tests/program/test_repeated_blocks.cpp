@@ -88,16 +88,8 @@ TEST(AlignRepeats, ValuesAndCountsStay) {
     EXPECT_TRUE(aligned.repeats);
     const OperationCount before = count(given), after = count(aligned);
     EXPECT_LE(weighted(after), weighted(before));
-    for (int point = 0; point < 5; ++point) {
-      const std::vector<double> x = random_point(given.inputs.size(), random);
-      const std::vector<Approximate> expected = run_bounded(given, x), found = run_bounded(aligned, x);
-      ASSERT_EQ(expected.size(), found.size());
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (!std::isfinite(expected[i].value) || !std::isfinite(expected[i].error)) continue;
-        EXPECT_LE(std::abs(found[i].value - expected[i].value),
-                  2 * (expected[i].error + found[i].error) + 1e-300);
-      }
-    }
+    for (int point = 0; point < 5; ++point)
+      EXPECT_TRUE(same_but_for_rounding(given, aligned, random_point(given.inputs.size(), random)));
   }
 }
 
