@@ -16,8 +16,8 @@
 namespace alembert {
 
 /// Operations from which a function is written as blocks that repeat: straight-line code of so many takes a
-/// compiler more than a minute. Below, blocks compile faster and are smaller, but run slower: for the mass
-/// matrix and bias of chains of 48 and 96 joints 2.2 and 1.8 times.
+/// compiler more than a minute. Below, blocks compile faster and are smaller, but run slower: for chains of
+/// 48 joints inverse dynamics 1.5 times, forward dynamics and the mass matrix 5 and 11 times.
 inline constexpr std::size_t kBlockOperations = 300000;
 
 /// Results from which dot products of the same rows are written as loops: for the mass matrix of a chain of
