@@ -47,7 +47,7 @@ function(_alembert_generator command_variable depends_variable)
 endfunction()
 
 # Flags of generated code. Unoptimised, straight-line code of this length is many times slower: they do not wait for the build
-# type. The time of long functions is that of fetching their code, which the options for GCC make a tenth shorter.
+# type. The time of long functions is that of fetching their code, which the options for GCC make shorter.
 function(_alembert_optimise target)
   target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O2;-fno-math-errno>"
                          "$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize;-frename-registers;-fno-omit-frame-pointer>")

@@ -125,11 +125,12 @@ Program without_unused_inputs(Program program) {
 }
 
 /// Straight on, with dot products as loops, or as blocks that repeat.
-Program in_final_order(Program program, const CompileOptions& options) {
-  Program scheduled = schedule(program);
+Program in_final_order(const CompiledFunction& function, const CompileOptions& options) {
+  Program scheduled = schedule(function.program);
   if (options.loop_results > 0) scheduled = gather_dot_products(scheduled, options.loop_results);
-  if (weight(count(scheduled)) - scheduled.dot_product_code <= options.block_operations) return scheduled;
-  return schedule(align_repeats(program));
+  const std::size_t in_loops = scheduled.dot_product_code;
+  if (weight(function.count) - in_loops <= options.block_operations) return scheduled;
+  return schedule(align_repeats(function.program));
 }
 
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {
@@ -277,7 +278,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
         best_outputs = std::move(outputs);
       }
     }
-    best->program = in_final_order(std::move(best->program), options);
+    best->program = in_final_order(*best, options);
     if (dumping("schedule")) *options.dump << dump(best->program);
     verify(best->program, best_outputs, bindings);
     best->program = without_unused_inputs(std::move(best->program));

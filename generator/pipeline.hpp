@@ -15,13 +15,13 @@
 
 namespace alembert {
 
-/// Operations from which a function is written as blocks that repeat: straight-line code of so many takes a
-/// compiler more than a minute. Below, blocks compile faster and are smaller, but run slower: for chains of
-/// 48 joints inverse dynamics 1.5 times, forward dynamics and the mass matrix 5 and 11 times.
+/// Operations, those of loops apart, from which a function is written as blocks that repeat: straight-line
+/// code of so many takes a compiler more than a minute. Below, blocks compile faster and are smaller, but run
+/// slower, forward dynamics and the mass matrix of long chains several times.
 inline constexpr std::size_t kBlockOperations = 300000;
 
-/// Results from which dot products of the same rows are written as loops: for the mass matrix of a chain of
-/// 12 joints loops take as long as straight code, from 16 on they are shorter and faster.
+/// Results from which dot products of the same rows are written as loops. At about this number, that of a
+/// chain of 12 joints, loops are shorter than straight code and as fast.
 inline constexpr std::size_t kLoopResults = 30;
 
 struct CompileOptions {

@@ -43,6 +43,7 @@ struct Sum {
   std::uint32_t output;
   std::array<std::uint32_t, 2> places;  ///< elements of the output, ascending, or one twice
   std::vector<Term> terms;
+  std::vector<std::uint32_t> members;         ///< itself and all values that it alone needs
   std::uint32_t left = kNone, right = kNone;  ///< rows, once they are known
 };
 
@@ -164,7 +165,7 @@ class Gathering {
       const std::vector<std::uint32_t>& values = program_.outputs[output].values;
       for (std::uint32_t place = 0; place < values.size(); ++place) {
         const std::uint32_t v = values[place];
-        Sum& sum = candidates.try_emplace(v, Sum{v, output, {place, place}, {}}).first->second;
+        Sum& sum = candidates.try_emplace(v, Sum{v, output, {place, place}, {}, {}}).first->second;
         sum.places[1] = place;
         results[v] += sum.output == output ? 1 : kTooMany;
       }
@@ -184,6 +185,7 @@ class Gathering {
       const auto [v, negative] = left.back();
       left.pop_back();
       if (v != sum.value && (uses[v] > 1 || results[v] > 0)) return false;
+      sum.members.push_back(v);
       const Instruction& c = program_.code[v];
       if (c.op == Operation::mul) {
         sum.terms.push_back({c.a, c.b, negative});
@@ -230,7 +232,7 @@ class Gathering {
   }
 
   static bool resolve(Sum& sum, Table& left, Table& right) {
-    std::optional<Row> unknown_left, unknown_right;
+    std::optional<Row> unknown_right;
     for (const std::uint32_t v : {sum.terms[0].a, sum.terms[0].b}) {
       for (const std::uint32_t number : left.with(v)) {
         const std::optional<Row> other = other_row(sum, left[number]);
@@ -375,7 +377,8 @@ class Gathering {
     const std::size_t size = program_.code.size();
     std::vector<bool> inside(size, false), negated(size, false);
     for (const Group& group : groups_) {
-      for (const Sum& sum : group.sums) mark(sum.value, inside);
+      for (const Sum& sum : group.sums)
+        for (const std::uint32_t v : sum.members) inside[v] = true;
       for (const std::vector<Row>* rows : {&group.left, &group.right})
         for (const Row& row : *rows)
           for (const Entry& entry : row)
@@ -425,20 +428,6 @@ class Gathering {
       out.dot_products.push_back(std::move(products));
     }
     out.dot_product_code = static_cast<std::uint32_t>(out.code.size() - straight);
-  }
-
-  /// Marks a sum and all that it alone needs.
-  void mark(std::uint32_t value, std::vector<bool>& inside) const {
-    std::vector<std::uint32_t> left{value};
-    while (!left.empty()) {
-      const std::uint32_t v = left.back();
-      left.pop_back();
-      inside[v] = true;
-      const Instruction& c = program_.code[v];
-      if (c.op == Operation::mul) continue;
-      left.push_back(c.a);
-      if (operand_count(c.op) > 1) left.push_back(c.b);
-    }
   }
 
   const Program& program_;

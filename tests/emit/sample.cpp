@@ -155,6 +155,17 @@ Program random_function(const Mechanism& mechanism, const FunctionSignature& sig
                         operations, seed, smooth);
 }
 
+/// A body over so many real coordinates.
+Mechanism one_body(std::string name, int coordinates) {
+  Mechanism m;
+  m.name = std::move(name);
+  for (int i = 0; i < coordinates; ++i)
+    m.coordinates.push_back(coordinate(m, "q" + std::to_string(i), CoordinateType::real, {0.1 * i}));
+  m.bodies.resize(1);
+  m.bodies[0].name = "all";
+  return m;
+}
+
 }  // namespace
 
 Sample every_function() {
@@ -216,12 +227,7 @@ Sample evil() {
 
 Sample big() {
   Sample s;
-  Mechanism& m = s.mechanism;
-  m.name = "sample_big";
-  for (int i = 0; i < 6; ++i)
-    m.coordinates.push_back(coordinate(m, "q" + std::to_string(i), CoordinateType::real, {0.1 * i}));
-  m.bodies.resize(1);
-  m.bodies[0].name = "all";
+  Mechanism& m = s.mechanism = one_body("sample_big", 6);
   s.programs.push_back(random_function(m, *find_signature("inverse_dynamics"), 20000, 100));
   s.programs.push_back(random_function(m, *find_signature("mass_matrix"), 9000, 101));
   return s;
@@ -299,12 +305,7 @@ Program with_dot_products(const Mechanism& m, std::string_view function, std::si
 
 Sample looping() {
   Sample s;
-  Mechanism& m = s.mechanism;
-  m.name = "sample_loops";
-  for (int i = 0; i < 14; ++i)
-    m.coordinates.push_back(coordinate(m, "q" + std::to_string(i), CoordinateType::real, {0.1 * i}));
-  m.bodies.resize(1);
-  m.bodies[0].name = "all";
+  Mechanism& m = s.mechanism = one_body("sample_loops", 14);
   s.programs.push_back(with_dot_products(m, "mass_matrix", 400, true));
   s.programs.push_back(with_dot_products(m, "mass_matrix_and_bias", 6000, false));
   return s;

@@ -115,19 +115,21 @@ TEST(DotProducts, FewerThanTheLeastStayWhereTheyAre) {
 
 TEST(DotProducts, WhatElseIsNeededStays) {
   std::mt19937_64 random(13);
-  Program program = table(12, 4, Places::rectangular, random).program;
-  // One sum has a further use, one product too; one result is a sum and more.
-  std::vector<std::uint32_t>& results = program.outputs[0].values;
   ProgramMaker m(0);
-  m.program = program;
-  const std::uint32_t sum = results[5], other = results[20];
-  const std::uint32_t twice = m.add(sum, sum), more = m.sin(other);
-  m.program.outputs[0].values[20] = more;
-  m.program.outputs.push_back({"further", 1, 1, {twice}});
+  m.program = table(12, 4, Places::rectangular, random).program;
+  // One sum has a further use, and a product of another; one result is more than a sum.
+  const std::vector<std::uint32_t> results = m.program.outputs[0].values;
+  std::uint32_t product = results[40];
+  while (m.program.code[product].op != Operation::mul) product = m.program.code[product].a;
+  const std::uint32_t further = m.add(m.add(results[5], results[5]), m.cos(product));
+  m.program.outputs[0].values[20] = m.sin(results[20]);
+  m.program.outputs.push_back({"further", 1, 1, {further}});
   const Program scheduled = schedule(m.program), gathered = gather_dot_products(scheduled, 1);
   expect_equivalent(scheduled, gathered, random);
   expect_sound(gathered);
   EXPECT_LT(dot_products(gathered), 142u);
+  for (const std::uint32_t place : {5u, 20u, 40u})
+    EXPECT_LT(gathered.outputs[0].values[place], gathered.code.size() - gathered.dot_product_code);
   EXPECT_GT(dot_products(gathered), 120u);
 }
 
