@@ -5,7 +5,7 @@
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias
 #                          [SCALARS double float]  types to compile for; default both
-#                          [FORMULATION auto|factored|reduced] [BLOCK_OPERATIONS n] [LOOP_RESULTS n]
+#                          [FORMULATION auto|factored|reduced] [LOOP_OPERATIONS n] [LOOP_RESULTS n]
 #                          [PARTS n]               source files to spread large functions over; default 4
 #                          [FP_CONTRACT off|on|fast]   -ffp-contract of the generated code; default: the compiler's
 #                          [TRIG vector|library]   sines and cosines of double: vectorised by alembert/sines_and_cosines.hpp
@@ -88,7 +88,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;BLOCK_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
+                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;LOOP_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -176,8 +176,8 @@ function(alembert_add_mechanism)
   if(arg_FORMULATION)
     list(APPEND options --formulation ${arg_FORMULATION})
   endif()
-  if(DEFINED arg_BLOCK_OPERATIONS)
-    list(APPEND options --block-operations ${arg_BLOCK_OPERATIONS})
+  if(DEFINED arg_LOOP_OPERATIONS)
+    list(APPEND options --loop-operations ${arg_LOOP_OPERATIONS})
   endif()
   if(DEFINED arg_LOOP_RESULTS)
     list(APPEND options --loop-results ${arg_LOOP_RESULTS})

@@ -20,7 +20,7 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
   CompileOptions options;
   options.formulation = common.formulation;
   options.passes = common.passes;
-  options.block_operations = common.block_operations;
+  options.loop_operations = common.loop_operations;
   options.loop_results = common.loop_results;
   options.functions = std::move(functions);
   if (common.verbose) options.talk = &std::cerr;
@@ -79,8 +79,8 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
       ->delimiter(',')
       ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling", "articulation"}));
   command
-      ->add_option("--block-operations", common.block_operations,
-                   "functions of more operations are written as blocks that repeat, not straight on")
+      ->add_option("--loop-operations", common.loop_operations,
+                   "in functions of more operations, steps that do the same are written as loops")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command

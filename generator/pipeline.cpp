@@ -124,13 +124,12 @@ Program without_unused_inputs(Program program) {
   return program;
 }
 
-/// Straight on, with dot products as loops, or as blocks that repeat.
+/// Straight on, or with dot products and steps that repeat as loops.
 Program in_final_order(const CompiledFunction& function, const CompileOptions& options) {
-  Program scheduled = schedule(function.program);
-  if (options.loop_results > 0) scheduled = gather_dot_products(scheduled, options.loop_results);
-  const std::size_t in_loops = scheduled.dot_product_code;
-  if (weight(function.count) - in_loops <= options.block_operations) return scheduled;
-  return schedule(align_repeats(function.program));
+  Program program = schedule(function.program);
+  if (options.loop_results > 0) program = gather_dot_products(program, options.loop_results);
+  const std::size_t straight = weight(function.count) - program.dot_product_code;
+  return straight > options.loop_operations ? reroll(program) : program;
 }
 
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {

@@ -15,10 +15,9 @@
 
 namespace alembert {
 
-/// Operations, those of loops apart, from which a function is written as blocks that repeat: straight-line
-/// code of so many takes a compiler more than a minute. Below, blocks compile faster and are smaller, but run
-/// slower, forward dynamics and the mass matrix of long chains several times.
-inline constexpr std::size_t kBlockOperations = 300000;
+/// Operations, dot products apart, from which steps that do the same are written as loops: straight code of
+/// so many is about to become longer than the caches of instructions, and then takes the time of fetching it.
+inline constexpr std::size_t kLoopOperations = 2500;
 
 /// Results from which dot products of the same rows are written as loops. At about this number, that of a
 /// chain of 12 joints, loops are shorter than straight code and as fast.
@@ -28,10 +27,10 @@ struct CompileOptions {
   std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
   Passes passes;                           ///< --without
   std::vector<FunctionKind> functions;     ///< in the order wanted
-  std::size_t block_operations = kBlockOperations;  ///< functions of more are written as repeated blocks
-  std::size_t loop_results = kLoopResults;          ///< so many dot products are written as loops; 0: none
-  std::ostream* talk = nullptr;                     ///< time, nodes and operations of each stage (--verbose)
-  std::ostream* dump = nullptr;                     ///< what a stage made (--dump)
+  std::size_t loop_operations = kLoopOperations;  ///< functions of more have loops over steps
+  std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
+  std::ostream* talk = nullptr;                   ///< time, nodes and operations of each stage (--verbose)
+  std::ostream* dump = nullptr;                   ///< what a stage made (--dump)
   std::string dump_stage;  ///< load, kinematics, equations, lower, optimise or schedule
 };
 

@@ -14,11 +14,11 @@ namespace alembert {
 
 /// Options that every command has.
 struct CommonOptions {
-  std::string file;                                 ///< description; `-` is standard input
-  std::optional<Formulation> formulation;           ///< none: auto
-  std::size_t block_operations = kBlockOperations;  ///< --block-operations
-  std::size_t loop_results = kLoopResults;          ///< --loop-results
-  Passes passes;                                    ///< all, without those named by --without
+  std::string file;                               ///< description; `-` is standard input
+  std::optional<Formulation> formulation;         ///< none: auto
+  std::size_t loop_operations = kLoopOperations;  ///< --loop-operations
+  std::size_t loop_results = kLoopResults;        ///< --loop-results
+  Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
   std::string dump_stage;
 };

@@ -66,7 +66,8 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
           {"trig", f.count.trig}, {"other", f.count.other}, {"formulation", to_string(f.formulation)}};
       if (const std::size_t n = dot_products(f.program); n > 0)
         out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
-      if (f.program.repeats) out["functions"][std::string(to_string(f.kind))]["repeats"] = true;
+      if (const std::size_t n = operations_in_loops(f.program); n > 0)
+        out["functions"][std::string(to_string(f.kind))]["in_loops"] = n;
     }
     fmt::print("{}\n", out.dump(2));
     return 0;
@@ -84,9 +85,9 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
     if (const std::size_t n = dot_products(f.program); n > 0)
       fmt::print("{} has {} dot products in loops (--loop-results {})\n", to_string(f.kind), n,
                  common.loop_results);
-    if (f.program.repeats)
-      fmt::print("{} is written as blocks that repeat (--block-operations {})\n", to_string(f.kind),
-                 common.block_operations);
+    if (const std::size_t n = operations_in_loops(f.program); n > 0)
+      fmt::print("{} has {} operations in loops over steps (--loop-operations {})\n", to_string(f.kind), n,
+                 common.loop_operations);
   }
   fmt::print("\n{}", kConvention);
   return 0;

@@ -11,7 +11,6 @@
 #include "emit/literals.hpp"
 #include "emit/names.hpp"
 #include "emit/register_order.hpp"
-#include "emit/repeated_statements.hpp"
 #include "emit/statements.hpp"
 #include "emit/text_template.hpp"
 #include "program/passes.hpp"
@@ -50,6 +49,8 @@ std::string counts_text(const Program& program) {
   if (n.other > 0) text += ", " + plural(n.other, "other function", "other functions");
   if (const std::size_t in_loops = dot_products(program); in_loops > 0)
     text += fmt::format(", {} dot products in loops", in_loops);
+  if (const std::size_t in_loops = operations_in_loops(program); in_loops > 0)
+    text += fmt::format(", {} operations in loops over steps", in_loops);
   if (!program.formulation.empty())
     text += fmt::format(" ({} formulation)", comment_text(program.formulation));
   return text;
@@ -97,9 +98,7 @@ std::vector<Function> functions_of(const Mechanism& mechanism, std::span<const P
   const auto add = [&](const Program& program, const FunctionSignature& signature) {
     check_program(program, signature, mechanism);
     functions.push_back({&signature, counts_text(program),
-                         program.repeats
-                             ? repeated_body(program, signature)
-                             : function_body(order_for_registers(program, States::one), signature)});
+                         function_body(order_for_registers(program, States::one), signature)});
   };
   for (const Program& program : programs) {
     if (find_signature(program.function) == nullptr)
@@ -133,66 +132,12 @@ std::string instantiation(std::string_view keyword, std::string_view function,
   return out;
 }
 
-/// `S* v, const Index* at, const double* constants, S* M, S* c`
-std::string repeat_parameters(const Function& function, bool unused_allowed) {
-  const std::string unused = unused_allowed ? "[[maybe_unused]] " : "";
-  std::string out =
-      fmt::format("{0}S* v, {0}const {1}* at, {0}const double* constants", unused, function.body.index_type);
-  for (const ResultArray& result : function.signature->results)
-    out += fmt::format(", {}S* {}", unused, result.name);
-  return out;
-}
-
-/// The blocks of a function in which they repeat, and the function that calls them.
-std::vector<Unit> repeated_units(const Function& function, const std::string& parameters,
-                                 const std::string& instantiations, const EmitOptions& options,
-                                 const Slots& common) {
-  const std::string name(function.signature->name), index = function.body.index_type;
-  std::vector<Unit> units;
-  std::string declarations;
-  for (std::size_t i = 0; i < function.body.blocks.size(); ++i) {
-    const CodeBlock& code = function.body.blocks[i];
-    const std::string block = fmt::format("{}_block{}", name, i + 1);
-    const std::string start = fmt::format("ALEMBERT_NOINLINE const {}* {}(", index, block);
-    const Slots slots{{"block", block},
-                      {"index", index},
-                      {"arguments", wrapped_after(start, repeat_parameters(function, true))},
-                      {"using", code.using_lines},
-                      {"statements", code.statement_lines}};
-    std::string instances;
-    for (const std::string& scalar : options.scalars) {
-      std::string types = fmt::format("{0}*, const {1}*, const double*", scalar, index);
-      for (std::size_t r = 0; r < function.signature->results.size(); ++r)
-        types += fmt::format(", {}*", scalar);
-      instances += fmt::format("template const {}* detail::{}<{}>({});\n", index, block, scalar, types);
-    }
-    units.push_back({fill_template("function_repeat.hpp", slots, common), instances, code.statements});
-    declarations += fmt::format(
-        "template <class S>\nconst {}* {}({});\n", index, block,
-        wrapped_after(fmt::format("const {}* {}(", index, block), repeat_parameters(function, false)));
-  }
-  const Slots slots{{"function", name},
-                    {"counts", function.counts},
-                    {"arguments", parameters},
-                    {"block_count", std::to_string(function.body.blocks.size())},
-                    {"call_count", std::to_string(function.body.calls)},
-                    {"crossing_count", std::to_string(function.body.crossing)},
-                    {"tables", function.body.tables},
-                    {"block_declarations", declarations},
-                    {"statements", function.body.driver}};
-  units.push_back(
-      {fill_template("function_repeats.hpp", slots, common), instantiations, function.body.blocks.size()});
-  return units;
-}
-
 std::vector<Unit> units_of(const Function& function, const EmitOptions& options, const Slots& common) {
   const FunctionSignature& signature = *function.signature;
   const std::string name(signature.name);
   const std::string parameters = wrapped_after("void " + name + "(", cpp_parameters(signature, true));
   const std::string instantiations = instantiation("template", name, signature, options.scalars, false);
   const std::vector<CodeBlock>& blocks = function.body.blocks;
-  if (!function.body.driver.empty())
-    return repeated_units(function, parameters, instantiations, options, common);
   if (blocks.size() == 1) {
     const Slots slots{{"function", name},
                       {"counts", function.counts},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,6 +53,9 @@ class Ordering {
     place_.assign(size_, kNoPlace);
     used_at_.assign(size_, kNoPlace);
   }
+
+  /// Instructions in their new order.
+  const std::vector<std::uint32_t>& instructions() const { return instructions_; }
 
   Program order() {
     // All angles are known before the first sine.
@@ -173,6 +177,7 @@ class Ordering {
     if (operand_count(c.op) > 1) c.b = place_[c.b];
     place_[v] = static_cast<std::uint32_t>(result_.code.size());
     result_.code.push_back(c);
+    instructions_.push_back(v);
   }
 
   void write(std::uint32_t number) {
@@ -204,6 +209,7 @@ class Ordering {
   const Program& program_;
   std::size_t size_;
   Program result_;
+  std::vector<std::uint32_t> instructions_;
   std::vector<Statement> statements_;
   std::uint32_t leading_ = 0;             // statements up to the last of the call for all angles
   std::uint32_t time_ = 0;                // statements written
@@ -213,10 +219,148 @@ class Ordering {
   std::vector<std::uint32_t> place_;      // of an instruction: in the result
 };
 
+/// Orders what lies between loops, and one iteration of each, which stands for all.
+class LoopOrdering {
+ public:
+  explicit LoopOrdering(const Program& program)
+      : program_(program), size_(static_cast<std::uint32_t>(program.code.size())), segment_(size_, 0) {}
+
+  Program order() {
+    divide();
+    std::uint32_t begin = 0;
+    for (const Loop& loop : program_.loops) {
+      straight(begin, loop.first);
+      begin = loop.first + loop.length * loop.count;
+      const std::vector<std::uint32_t> one = ordered(loop.first, loop.first + loop.length);
+      loops_.push_back({static_cast<std::uint32_t>(order_.size()), loop.length, loop.count});
+      for (std::uint32_t k = 0; k < loop.count; ++k)
+        for (const std::uint32_t v : one) order_.push_back(v + k * loop.length);
+    }
+    straight(begin, size_ - program_.dot_product_code);
+    for (std::uint32_t v = size_ - program_.dot_product_code; v < size_; ++v) order_.push_back(v);
+    return rearranged();
+  }
+
+ private:
+  /// segment_: a number for each iteration and each stretch of straight code. Leaves go first.
+  void divide() {
+    std::uint32_t begin = 0, segment = 1;
+    const auto number = [&](std::uint32_t end) {
+      for (std::uint32_t v = begin; v < end; ++v) segment_[v] = is_leaf(program_.code[v].op) ? 0 : segment;
+      begin = end;
+      ++segment;
+    };
+    for (const Loop& loop : program_.loops) {
+      number(loop.first);
+      for (std::uint32_t k = 1; k <= loop.count; ++k) number(loop.first + k * loop.length);
+    }
+    number(size_ - program_.dot_product_code);
+    number(size_);
+    wanted_.assign(size_, false);
+    for (std::uint32_t v = 0; v < size_; ++v) {
+      const Instruction& c = program_.code[v];
+      const int count = operand_count(c.op);
+      if (count > 0 && segment_[c.a] != segment_[v]) wanted_[c.a] = true;
+      if (count > 1 && segment_[c.b] != segment_[v]) wanted_[c.b] = true;
+    }
+    for (const OutputArray& output : program_.outputs)
+      for (const std::uint32_t v : output.values) wanted_[v] = true;
+    for (const DotProducts& products : program_.dot_products)
+      for (const auto* rows : {&products.left, &products.right})
+        for (const std::uint32_t v : *rows) wanted_[v] = true;
+    for (std::uint32_t v = 0; v < size_; ++v)
+      if (segment_[v] == 0) order_.push_back(v);
+  }
+
+  void straight(std::uint32_t begin, std::uint32_t end) {
+    const std::vector<std::uint32_t> part = ordered(begin, end);
+    order_.insert(order_.end(), part.begin(), part.end());
+  }
+
+  /// A program of these instructions alone, with what they take from elsewhere as its inputs.
+  std::vector<std::uint32_t> ordered(std::uint32_t begin, std::uint32_t end) {
+    Program part;
+    part.function = program_.function;
+    part.outputs.push_back({"values", 0, 1, {}});
+    std::vector<std::uint32_t> origin;
+    std::map<std::uint32_t, std::uint32_t> place;
+    const auto take = [&](std::uint32_t v) {
+      if (const auto known = place.find(v); known != place.end()) return known->second;
+      Instruction c = program_.code[v];
+      if (c.op == Operation::constant) {
+        part.constants.push_back(program_.constants[c.a]);
+        c.a = static_cast<std::uint32_t>(part.constants.size() - 1);
+      } else {
+        part.inputs.push_back({ArgumentKind::parameter, static_cast<std::uint32_t>(part.inputs.size()), ""});
+        c = {Operation::input, static_cast<std::uint32_t>(part.inputs.size() - 1), 0};
+      }
+      part.code.push_back(c);
+      origin.push_back(kNoPlace);
+      return place.emplace(v, static_cast<std::uint32_t>(part.code.size() - 1)).first->second;
+    };
+    for (std::uint32_t v = begin; v < end; ++v) {
+      Instruction c = program_.code[v];
+      if (is_leaf(c.op)) continue;
+      if (operand_count(c.op) > 0) c.a = take(c.a);
+      if (operand_count(c.op) > 1) c.b = take(c.b);
+      place[v] = static_cast<std::uint32_t>(part.code.size());
+      part.code.push_back(c);
+      origin.push_back(v);
+      if (wanted_[v] || wanted_in_loop(v)) part.outputs[0].values.push_back(place[v]);
+    }
+    part.outputs[0].rows = static_cast<std::uint32_t>(part.outputs[0].values.size());
+    Ordering ordering(part, States::one);
+    ordering.order();
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t i : ordering.instructions())
+      if (origin[i] != kNoPlace) out.push_back(origin[i]);
+    return out;
+  }
+
+  /// Whether any iteration's value of the same place is wanted elsewhere.
+  bool wanted_in_loop(std::uint32_t v) const {
+    for (const Loop& loop : program_.loops) {
+      if (v < loop.first || v >= loop.first + loop.length) continue;
+      for (std::uint32_t k = 0; k < loop.count; ++k)
+        if (wanted_[v + k * loop.length]) return true;
+    }
+    return false;
+  }
+
+  Program rearranged() const {
+    Program out = program_;
+    std::vector<std::uint32_t> place(size_, 0);
+    for (std::uint32_t i = 0; i < size_; ++i) place[order_[i]] = i;
+    for (std::uint32_t i = 0; i < size_; ++i) {
+      Instruction c = program_.code[order_[i]];
+      if (operand_count(c.op) > 0) c.a = place[c.a];
+      if (operand_count(c.op) > 1) c.b = place[c.b];
+      out.code[i] = c;
+    }
+    const auto move = [&](std::vector<std::uint32_t>& values) {
+      for (std::uint32_t& v : values) v = place[v];
+    };
+    for (OutputArray& output : out.outputs) move(output.values);
+    for (DotProducts& products : out.dot_products) {
+      move(products.left);
+      move(products.right);
+    }
+    out.loops = loops_;
+    return out;
+  }
+
+  const Program& program_;
+  std::uint32_t size_;
+  std::vector<std::uint32_t> segment_;
+  std::vector<bool> wanted_;  // by another segment, or as a result
+  std::vector<std::uint32_t> order_;
+  std::vector<Loop> loops_;
+};
+
 }  // namespace
 
 Program order_for_registers(const Program& program, States states) {
-  return Ordering(program, states).order();
+  return program.loops.empty() ? Ordering(program, states).order() : LoopOrdering(program).order();
 }
 
 }  // namespace alembert

@@ -1,14 +1,17 @@
 // Which values of a program get a statement of their own, and in which block of a long function each is
 // computed. In: Program. Out: for every value whether it is live and named, its block, and its places in the
-// array w: of values that cross blocks, and of tables whose rows' dot products are computed in loops.
+// array w: of values that cross blocks, of tables whose rows' dot products are computed in loops, and of what
+// loops find and leave there (loop_layout.hpp). A loop is a block of its own.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "emit/loop_layout.hpp"
 #include "program/operation.hpp"
 #include "program/program.hpp"
 
@@ -63,8 +66,8 @@ class StatementLayout {
   }
   /// A single result and nothing else: `tau[0] = ...` without a name.
   bool result_only(std::uint32_t v) const { return results_[v].size() == 1 && uses_[v] == 1; }
-  /// Places in w that value v has in the tables of dot products. The left tables are row after row, the right
-  /// ones hold the first entries of all rows, then the second ones, and so on.
+  /// Places in w that value v has in the tables of dot products and for loops. The left tables are row after
+  /// row, the right ones hold the first entries of all rows, then the second ones, and so on.
   const std::vector<std::uint32_t>& table_places(std::uint32_t v) const { return table_places_[v]; }
   /// A single entry of a table and nothing else.
   bool table_only(std::uint32_t v) const { return table_places_[v].size() == 1 && uses_[v] == 1; }
@@ -73,6 +76,13 @@ class StatementLayout {
     std::uint32_t left, right;
   };
   const std::vector<TablePlace>& tables() const { return tables_; }
+  /// The loops, if the program has some.
+  const std::optional<LoopLayout>& loops() const { return loops_; }
+  /// First value of the loop that v is in.
+  std::uint32_t first_of_loop(std::uint32_t v) const { return loop(v)->first; }
+  /// Place in w of the sines of the call for all angles, which the cosines follow; kNoPlace if they are
+  /// local.
+  std::uint32_t trig_place() const { return trig_place_; }
 
  private:
   int operands(std::uint32_t v) const { return operand_count(program_.code[v].op); }
@@ -82,6 +92,17 @@ class StatementLayout {
   void assign_blocks(const BlockSizes& sizes);
   void assign_crossings();
   void collect_angles();
+  void place_loops();
+  const Loop* loop(std::uint32_t v) const {
+    return loop_[v] == kNoPlace ? nullptr : &program_.loops[loop_[v]];
+  }
+  /// The same value of the first iteration.
+  std::uint32_t in_first(std::uint32_t v) const {
+    return loop(v)->first + (v - loop(v)->first) % loop(v)->length;
+  }
+  bool same_iteration(std::uint32_t v, std::uint32_t w) const {
+    return loop_[v] == loop_[w] && v - in_first(v) == w - in_first(w);
+  }
 
   const Program& program_;
   std::size_t size_;
@@ -90,7 +111,9 @@ class StatementLayout {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
   std::vector<std::vector<std::uint32_t>> table_places_;
   std::vector<TablePlace> tables_;
-  std::uint32_t blocks_ = 1, trig_call_ = kNoPlace;
+  std::vector<std::uint32_t> loop_;  // of a value, or kNoPlace
+  std::optional<LoopLayout> loops_;
+  std::uint32_t blocks_ = 1, trig_call_ = kNoPlace, trig_place_ = kNoPlace;
   std::size_t crossing_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -70,17 +71,20 @@ class Writer {
     binding_.assign(size, Binding::primary);
     body_.blocks.resize(layout_.blocks());
     states_.resize(layout_.blocks());
-    for (std::uint32_t v = 0; v < size; ++v)
-      if (layout_.live(v)) write_value(v);
-    // Results that are inputs or constants.
-    const std::uint32_t last = layout_.blocks() - 1;
-    for (std::uint32_t v = 0; v < size; ++v)
-      if (layout_.live(v) && !layout_.named(v) &&
-          !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
-        const std::string value = operand(v, last, Binding::sum);
-        for (const auto& [array, index] : layout_.results(v)) store(last, array, index, value);
-        for (const std::uint32_t place : layout_.table_places(v)) keep(last, place, value);
+    std::size_t loop = 0;
+    // Loops read them.
+    if (layout_.loops()) write_leaves(0);
+    for (std::uint32_t v = 0; v < size; ++v) {
+      if (loop < program_.loops.size() && v == program_.loops[loop].first) {
+        write_loop(loop);
+        v += program_.loops[loop].length * program_.loops[loop].count - 1;
+        ++loop;
+      } else if (layout_.live(v)) {
+        write_value(v);
       }
+    }
+    const std::uint32_t last = layout_.blocks() - 1;
+    layout_.loops() ? write_late(last) : write_leaves(last);
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
     if (body_.blocks.size() == 1 && layout_.crossing() > 0)
@@ -94,12 +98,13 @@ class Writer {
   struct BlockState {
     std::set<std::pair<ArgumentKind, std::uint32_t>> inputs;  ///< loaded so far
     std::set<std::uint32_t> loaded;                           ///< values of earlier blocks
+    std::map<std::string, std::string> elements;              ///< what a loop has read, with its name
     std::set<std::string> calls;
     std::string lines;
   };
 
   void line(std::uint32_t block, std::string_view text) {
-    states_[block].lines += text;
+    states_[block].lines += prefix_lines(text, indent_);
     states_[block].lines += '\n';
     ++body_.blocks[block].statements;
   }
@@ -110,6 +115,89 @@ class Writer {
 
   void keep(std::uint32_t block, std::uint32_t place, std::string_view value) {
     line(block, fmt::format("w[{}] = {};", place, value));
+  }
+
+  /// Results and entries of tables that are inputs or constants.
+  void write_leaves(std::uint32_t block) {
+    for (std::uint32_t v = 0; v < program_.code.size(); ++v)
+      if (layout_.live(v) && is_leaf(program_.code[v].op) &&
+          !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
+        const std::string value = operand(v, block, Binding::sum);
+        for (const auto& [array, index] : layout_.results(v)) store(block, array, index, value);
+        for (const std::uint32_t place : layout_.table_places(v)) keep(block, place, value);
+      }
+  }
+
+  /// What loops leave for straight code to put in its place.
+  void write_late(std::uint32_t block) {
+    for (std::uint32_t v = 0; v < program_.code.size(); ++v)
+      if (layout_.loops()->loop(v) != kNoPlace && !layout_.results(v).empty())
+        for (const auto& [array, index] : layout_.results(v))
+          store(block, array, index, fmt::format("w[{}]", layout_.place(v)));
+    for (const auto& [v, place] : layout_.loops()->late())
+      keep(block, place, fmt::format("w[{}]", layout_.place(v)));
+  }
+
+  void write_loop(std::size_t number) {
+    const Loop& loop = program_.loops[number];
+    const LoopBody& body = layout_.loops()->bodies()[number];
+    const std::uint32_t block = layout_.block(loop.first);
+    if (body.columns > 0) {
+      std::string numbers;
+      for (const double c : body.constants) numbers += number_literal(c) + ", ";
+      numbers.resize(numbers.size() - 2);
+      line(block, fmt::format("static constexpr double table[] = {{\n    {}}};", wrap_list(numbers, 4, 4)));
+    }
+    line(block, fmt::format("for (int k = 0; k < {}; ++k) {{", loop.count));
+    indent_ = "  ";
+    if (body.columns > 0) line(block, fmt::format("const double* const row = table + {} * k;", body.columns));
+    for (std::uint32_t v = loop.first; v < loop.first + loop.length; ++v) write_value(v);
+    indent_ = "";
+    line(block, "}");
+  }
+
+  static std::string index_text(const Element& e) {
+    if (e.step == 0) return std::to_string(e.first);
+    const std::int64_t size = e.step < 0 ? -e.step : e.step;
+    const std::string moving = size == 1 ? "k" : fmt::format("{} * k", size);
+    if (e.first == 0 && e.step > 0) return moving;
+    return fmt::format("{} {} {}", e.first, e.step < 0 ? '-' : '+', moving);
+  }
+
+  static std::string array_text(ArgumentKind kind, const Element& e) {
+    InputSlot slot{kind, 0, ""};
+    std::string text = input_source(slot);
+    const std::size_t index = text.rfind("[0]");
+    return index == std::string::npos ? text : text.substr(0, index + 1) + index_text(e) + "]";
+  }
+
+  /// Operand k of value v for use in `block`.
+  std::string operand_of(std::uint32_t v, std::size_t k, std::uint32_t block, Binding least) {
+    const Instruction& c = program_.code[v];
+    const std::uint32_t value = k == 0 ? c.a : c.b;
+    if (!layout_.loops() || layout_.loops()->loop(v) == kNoPlace) return operand(value, block, least);
+    const LoopOperand& o =
+        layout_.loops()->bodies()[layout_.loops()->loop(v)].operands[v - layout_.first_of_loop(v)][k];
+    switch (o.kind) {
+      case LoopOperand::Kind::inside:
+      case LoopOperand::Kind::literal:
+        return operand(value, block, least);
+      case LoopOperand::Kind::constant:
+        return fmt::format("S(row[{}])", o.index);
+      case LoopOperand::Kind::input:
+        return read_once(block, array_text(o.array, o.element));
+      case LoopOperand::Kind::memory:
+        return read_once(block, fmt::format("w[{}]", index_text(o.element)));
+    }
+    throw InternalError("emit: operand of unknown kind");
+  }
+
+  /// The name of an element that a loop reads.
+  std::string read_once(std::uint32_t block, const std::string& element) {
+    auto& names = states_[block].elements;
+    const auto [entry, fresh] = names.try_emplace(element, fmt::format("x{}", names.size()));
+    if (fresh) line(block, fmt::format("const S {} = {};", entry->second, element));
+    return entry->second;
   }
 
   void write_dot_products(std::uint32_t block, const DotProducts& products,
@@ -154,10 +242,10 @@ class Writer {
     return binding_[v] < least ? fmt::format("({})", text) : text;
   }
 
-  std::string binary(const Instruction& c, std::uint32_t block, std::string_view sign, Binding left,
+  std::string binary(std::uint32_t v, std::uint32_t block, std::string_view sign, Binding left,
                      Binding right) {
-    const std::string a = operand(c.a, block, left);
-    const std::string b = operand(c.b, block, right);
+    const std::string a = operand_of(v, 0, block, left);
+    const std::string b = operand_of(v, 1, block, right);
     return fmt::format("{} {} {}", a, sign, b);
   }
 
@@ -183,13 +271,23 @@ class Writer {
         list += (list.empty() ? "" : ", ") + operand(angle, block, Binding::sum);
       line(block, fmt::format("const S angle[] = {{{}}};", list));
     }
-    line(block, fmt::format("S sine[{0}], cosine[{0}];", angles.size()));
-    line(block, fmt::format("sines_and_cosines({}, {}, sine, cosine);", angles.size(), source));
+    const std::size_t sines = layout_.trig_place();
+    if (sines != kNoPlace) {
+      line(block, fmt::format("sines_and_cosines({}, {}, w + {}, w + {});", angles.size(), source, sines,
+                              sines + angles.size()));
+    } else {
+      line(block, fmt::format("S sine[{0}], cosine[{0}];", angles.size()));
+      line(block, fmt::format("sines_and_cosines({}, {}, sine, cosine);", angles.size(), source));
+    }
     states_[block].calls.emplace("sines_and_cosines");
   }
 
   std::string from_trig_call(std::uint32_t v) const {
-    return fmt::format("{}[{}]", program_.code[v].op == Operation::sin ? "sine" : "cosine", layout_.angle(v));
+    const bool sine = program_.code[v].op == Operation::sin;
+    if (layout_.trig_place() != kNoPlace)
+      return fmt::format("w[{}]",
+                         layout_.trig_place() + layout_.angle(v) + (sine ? 0 : layout_.angles().size()));
+    return fmt::format("{}[{}]", sine ? "sine" : "cosine", layout_.angle(v));
   }
 
   std::string call(std::uint32_t v, std::uint32_t block) {
@@ -198,9 +296,9 @@ class Writer {
     if (layout_.angle(v) != kNoPlace) return from_trig_call(v);
     const std::string_view name = operation_name(c.op);
     states_[block].calls.emplace(name);
-    const std::string a = operand(c.a, block, Binding::sum);
+    const std::string a = operand_of(v, 0, block, Binding::sum);
     if (operand_count(c.op) == 1) return fmt::format("{}({})", name, a);
-    const std::string b = operand(c.b, block, Binding::sum);
+    const std::string b = operand_of(v, 1, block, Binding::sum);
     return fmt::format("{}({}, {})", name, a, b);
   }
 
@@ -215,23 +313,23 @@ class Writer {
         return;
       // Operators of equal rank associate to the left, as the text on the right of one is put in parentheses.
       case Operation::add:
-        text = binary(c, block, "+", Binding::sum, Binding::product);
+        text = binary(v, block, "+", Binding::sum, Binding::product);
         binding = Binding::sum;
         break;
       case Operation::sub:
-        text = binary(c, block, "-", Binding::sum, Binding::product);
+        text = binary(v, block, "-", Binding::sum, Binding::product);
         binding = Binding::sum;
         break;
       case Operation::mul:
-        text = binary(c, block, "*", Binding::product, Binding::sign);
+        text = binary(v, block, "*", Binding::product, Binding::sign);
         binding = Binding::product;
         break;
       case Operation::div:
-        text = binary(c, block, "/", Binding::product, Binding::sign);
+        text = binary(v, block, "/", Binding::product, Binding::sign);
         binding = Binding::product;
         break;
       case Operation::neg:
-        text = fmt::format("-{}", operand(c.a, block, Binding::primary));
+        text = fmt::format("-{}", operand_of(v, 0, block, Binding::primary));
         binding = Binding::sign;
         break;
       case Operation::sqrt:
@@ -258,6 +356,10 @@ class Writer {
       binding_[v] = binding;
       return;
     }
+    if (layout_.loops() && layout_.loops()->loop(v) != kNoPlace) {
+      write_in_loop(v, block, text);
+      return;
+    }
     if (layout_.table_only(v)) {
       keep(block, layout_.table_places(v).front(), text);
       return;
@@ -273,8 +375,21 @@ class Writer {
     if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
     const std::vector<std::uint32_t>& in_tables = layout_.table_places(v);
     for (const std::uint32_t place : in_tables) keep(block, place, name);
-    if (layout_.place(v) != kNoPlace && in_tables.empty()) keep(block, layout_.place(v), name);
+    const bool there = from_arrays && layout_.trig_place() != kNoPlace;
+    if (layout_.place(v) != kNoPlace && in_tables.empty() && !there) keep(block, layout_.place(v), name);
     for (const auto& [array, index] : layout_.results(v)) store(block, array, index, name);
+  }
+
+  void write_in_loop(std::uint32_t v, std::uint32_t block, const std::string& text) {
+    const LoopBody& body = layout_.loops()->bodies()[layout_.loops()->loop(v)];
+    const std::uint32_t i = v - layout_.first_of_loop(v);
+    std::vector<std::string> targets;
+    for (const Element& e : body.stores[i]) targets.push_back(fmt::format("w[{}]", index_text(e)));
+    for (const auto& [array, e] : body.results[i])
+      targets.push_back(fmt::format("{}[{}]", signature_.results[array].name, index_text(e)));
+    const std::string name = fmt::format("t{}", layout_.number(v));
+    line(block, fmt::format("const S {} = {};", name, text));
+    for (const std::string& target : targets) line(block, fmt::format("{} = {};", target, name));
   }
 
   void finish(std::size_t b) {
@@ -296,6 +411,7 @@ class Writer {
   StatementLayout layout_;
   FunctionBody body_;
   std::vector<BlockState> states_;
+  std::string indent_;
   std::vector<std::string> text_;
   std::vector<Binding> binding_;
 };

@@ -29,14 +29,10 @@ struct CodeBlock {
 };
 
 /// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an
-/// array w. Blocks that repeat: `driver` calls them (repeated_statements.hpp), and `crossing` is the size of
-/// v.
+/// array w.
 struct FunctionBody {
   std::vector<CodeBlock> blocks;
   std::size_t crossing = 0;
-  std::string driver, tables;  ///< of blocks that repeat, otherwise empty
-  std::string index_type;      ///< of their tables
-  std::size_t calls = 0;       ///< of blocks in one call of the function
 };
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,

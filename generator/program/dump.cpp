@@ -90,6 +90,9 @@ std::string dump(const Program& program) {
   for (const OutputArray& output : program.outputs)
     for (std::size_t k = 0; k < output.values.size(); ++k)
       fmt::format_to(out, "{}[{}] = t{}\n", output.name, k, output.values[k]);
+  for (const Loop& loop : program.loops)
+    fmt::format_to(out, "loop: {} iterations of {} instructions from t{}\n", loop.count, loop.length,
+                   loop.first);
   for (const DotProducts& products : program.dot_products)
     for (const DotProducts::Run& run : products.runs)
       fmt::format_to(out,

@@ -39,11 +39,6 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
 /// except that 0*x and x - x are 0 whatever x is.
 Program optimize(Program program);
 
-/// Stage `align`, for programs that are to be written as repeated blocks: orders operands and places signs by
-/// a local rule, so that parts with the same structure become the same instructions. Same additions,
-/// multiplications and functions; negations may be more. Values are the same but for their sign of zero.
-Program align_repeats(const Program& program);
-
 /// Stage `schedule`: orders instructions depth first from the outputs, sin and cos of one argument adjacent,
 /// and drops those that no output needs. Same values, bit for bit.
 Program schedule(Program program);
@@ -53,6 +48,15 @@ Program schedule(Program program);
 /// long enough runs to be worth a loop; otherwise the program stays as it is. Same operations; sums may be
 /// rounded in another order.
 Program gather_dot_products(const Program& program, std::size_t least);
+
+/// Stage `reroll`, after `schedule` and gathering: steps that do the same on other values, as those of a
+/// recursion along a chain, become iterations of loops; the rest stays straight code around them. Same
+/// operations and values, but for the sign of zero; signs are placed anew, and negations may be more. Without
+/// such steps the program stays as it is.
+Program reroll(const Program& program);
+
+/// How many additions and multiplications a program has in loops over steps.
+std::size_t operations_in_loops(const Program& program);
 
 /// How many dot products a program has in loops.
 std::size_t dot_products(const Program& program);

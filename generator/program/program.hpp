@@ -77,14 +77,21 @@ struct DotProducts {
   std::vector<Run> runs;
 };
 
+/// Instructions `first`, `first` + 1, ... of a program: `count` iterations of `length` each. Instruction i is
+/// in all of them the same operation, each operand in all the same instruction of its own iteration, or in
+/// none.
+struct Loop {
+  std::uint32_t first, length, count;
+};
+
 struct Program {
   std::string function;  ///< inverse_dynamics, mass_matrix, ...
   std::string formulation;
-  bool repeats = false;  ///< to be written as blocks that repeat, see `align_repeats`
   std::vector<Instruction> code;
   std::vector<double> constants;
   std::vector<InputSlot> inputs;
   std::vector<OutputArray> outputs;
+  std::vector<Loop> loops;                ///< to be written as such, see `reroll`; ascending, without overlap
   std::vector<DotProducts> dot_products;  ///< to be written as loops, see `gather_dot_products`
   std::uint32_t dot_product_code = 0;     ///< instructions that they are, the last ones of the code
 };

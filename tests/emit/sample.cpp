@@ -219,7 +219,6 @@ Sample evil() {
   s.mechanism.parameters[0].name = kEvilText;
   for (Program& program : s.programs) {
     program.formulation = kEvilText;
-    program.repeats = true;
     for (InputSlot& slot : program.inputs) slot.name = kEvilText;
   }
   return s;
@@ -230,51 +229,6 @@ Sample big() {
   Mechanism& m = s.mechanism = one_body("sample_big", 6);
   s.programs.push_back(random_function(m, *find_signature("inverse_dynamics"), 20000, 100));
   s.programs.push_back(random_function(m, *find_signature("mass_matrix"), 9000, 101));
-  return s;
-}
-
-/// A recursion: six values from the six before, by operations that are the same in each of many steps, with
-/// the sine and cosine of a coordinate and with constants and wiring across steps that are not.
-Program recursion(const Mechanism& m) {
-  Random random(77);
-  Program p;
-  p.function = "inverse_dynamics";
-  p.repeats = true;
-  const auto append = [&](Operation op, std::uint32_t a, std::uint32_t b) {
-    p.code.push_back({op, a, b});
-    return static_cast<std::uint32_t>(p.code.size() - 1);
-  };
-  std::vector<std::uint32_t> x, sines, cosines;
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(m.nq); ++i) {
-    p.inputs.push_back({ArgumentKind::q, i, "q"});
-    x.push_back(append(Operation::input, i, 0));
-  }
-  for (std::size_t i = 0; i < 6; ++i) sines.push_back(append(Operation::sin, x[i], 0));
-  for (std::size_t i = 0; i < 6; ++i) cosines.push_back(append(Operation::cos, x[i], 0));
-  for (std::uint32_t step = 0; step < 200; ++step) {
-    const std::uint32_t s = sines[random.below(6)], c = cosines[random.below(6)];
-    for (std::size_t i = 0; i < 6; ++i) {
-      p.constants.push_back(random.uniform(0.1, 0.9));
-      const std::uint32_t k =
-          append(Operation::constant, static_cast<std::uint32_t>(p.constants.size() - 1), 0);
-      const std::size_t j = (i + 1) % 6;
-      const std::uint32_t sx = append(Operation::mul, s, x[i]), cy = append(Operation::mul, c, x[j]);
-      const std::uint32_t sum = append(i % 2 == 0 ? Operation::add : Operation::sub, sx, cy);
-      const std::uint32_t scaled = append(Operation::mul, k, sum);
-      // Now and then what is a constant in other steps is a value.
-      const std::uint32_t other = step % 17 == 5 ? x[i] : k;
-      x[i] = append(Operation::add, append(Operation::neg, scaled, 0), other);
-    }
-  }
-  p.outputs.push_back({"tau", 6, 1, x});
-  return p;
-}
-
-Sample repeating() {
-  Sample s = big();
-  s.mechanism.name = "sample_repeats";
-  s.programs[0] = recursion(s.mechanism);
-  s.programs[1].repeats = true;
   return s;
 }
 
@@ -301,6 +255,35 @@ Program with_dot_products(const Mechanism& m, std::string_view function, std::si
       if (symmetric) M[j * n + i] = M[i * n + j];
     }
   return gather_dot_products(schedule(std::move(maker.program)), 1);
+}
+
+/// A recursion along the coordinates, and M of dot products of its values.
+Program steps(const Mechanism& m, std::string_view function, std::uint64_t seed) {
+  const auto n = static_cast<std::uint32_t>(m.nv);
+  ChainMaker chain(n, seed);
+  chain.m.program.function = function;
+  if (function == "mass_matrix_and_bias") {
+    // No speeds' rates: other coordinates in their place.
+    for (InputSlot& slot : chain.m.program.inputs)
+      if (slot.kind == ArgumentKind::qdd) slot.kind = ArgumentKind::q;
+    std::mt19937_64 random(seed);
+    OutputArray M{"M", n, n, std::vector<std::uint32_t>(std::size_t{n} * n)};
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = i; j < n; ++j)
+        M.values[i * n + j] = M.values[j * n + i] =
+            append_dot_product(chain.m, chain.rows[i], chain.rows[j], i % 2 == 1, random);
+    chain.m.program.outputs[0].name = "c";
+    chain.m.program.outputs.insert(chain.m.program.outputs.begin(), M);
+  }
+  return reroll(gather_dot_products(schedule(chain.m.program), 1));
+}
+
+Sample stepping() {
+  Sample s;
+  Mechanism& m = s.mechanism = one_body("sample_steps", 24);
+  s.programs.push_back(steps(m, "inverse_dynamics", 1));
+  s.programs.push_back(steps(m, "mass_matrix_and_bias", 2));
+  return s;
 }
 
 Sample looping() {

@@ -25,16 +25,16 @@ Sample every_function();
 /// are cut into blocks.
 Sample big();
 
-/// `sample_repeats`: big, as blocks that repeat: inverse_dynamics is a recursion, mass_matrix repeats
-/// nothing.
-Sample repeating();
+/// `sample_steps`: 24 coordinates; inverse_dynamics and mass_matrix_and_bias are recursions along them in
+/// loops, and M has dot products.
+Sample stepping();
 
 /// `sample_loops`: 14 coordinates; mass_matrix and, cut into blocks, mass_matrix_and_bias have dot products
 /// in loops, those of one symmetric.
 Sample looping();
 
-/// `sample_evil`: every_function, each written as blocks that repeat, with this text for the description and
-/// for names. It ends comments and strings if let.
+/// `sample_evil`: every_function with this text for the description and for names. It ends comments and
+/// strings if let.
 inline constexpr const char* kEvilText =
     "x*/\n#error \"\\ ?\?/\xE2\x80\xAE\\\n#error b // /* \r\n#error c \\";
 Sample evil();

@@ -12,7 +12,7 @@
 #include <sample_big/sample_big.hpp>
 #include <sample_evil/sample_evil.hpp>
 #include <sample_loops/sample_loops_impl.hpp>
-#include <sample_repeats/sample_repeats.hpp>
+#include <sample_steps/sample_steps.hpp>
 #include <span>
 
 #include "alembert/energy.hpp"
@@ -273,20 +273,23 @@ TEST(Compiled, ConstraintsAndBodiesGoThroughTheLayers) {
   EXPECT_STREQ(alembert::mechanisms::sample_evil::kConstraintNames[2], sample::kEvilText);
 }
 
-TEST(Compiled, RepeatedBlocksGiveTheBitsOfTheInterpreter) {
-  namespace repeats = alembert::mechanisms::sample_repeats;
-  const sample::Sample s = sample::repeating();
+TEST(Compiled, LoopsOverStepsGiveTheBitsOfTheInterpreter) {
+  namespace steps = alembert::mechanisms::sample_steps;
+  constexpr int n = 24;
+  const sample::Sample s = sample::stepping();
+  for (const alembert::Program& program : s.programs) EXPECT_GE(program.loops.size(), 2u);
+  EXPECT_GT(alembert::dot_products(s.programs[1]), 100u);
   std::size_t finite = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Arguments a = random_arguments(6, 6, seed);
-    std::vector<double> tau(6), M(36);
-    repeats::inverse_dynamics(a.q.data(), a.qd.data(), a.qdd.data(), {}, tau.data());
-    expect_same_bits(tau, interpreted(s.programs[0], a), "recursion");
-    repeats::mass_matrix(a.q.data(), {}, M.data());
-    expect_same_bits(M, interpreted(s.programs[1], a), "without repeats");
+    const Arguments a = random_arguments(n, n, seed);
+    std::vector<double> tau(n), M_and_c(n * n + n);
+    steps::inverse_dynamics(a.q.data(), a.qd.data(), a.qdd.data(), {}, tau.data());
+    expect_same_bits(tau, interpreted(s.programs[0], a), "inverse_dynamics");
+    steps::mass_matrix_and_bias(a.q.data(), a.qd.data(), {}, M_and_c.data(), M_and_c.data() + n * n);
+    expect_same_bits(M_and_c, interpreted(s.programs[1], a), "mass_matrix_and_bias");
     for (const double x : tau) finite += std::isfinite(x) ? 1 : 0;
   }
-  EXPECT_EQ(finite, 300u);
+  EXPECT_EQ(finite, 50u * n);
 }
 
 TEST(Compiled, LoopsGiveTheBitsOfTheInterpreter) {

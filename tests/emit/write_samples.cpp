@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   try {
     alembert::EmitOptions options;
     for (const sample::Sample& s :
-         {sample::every_function(), sample::evil(), sample::big(), sample::repeating(), sample::looping()}) {
+         {sample::every_function(), sample::evil(), sample::big(), sample::stepping(), sample::looping()}) {
       options.parts = 3;
       alembert::write_files(alembert::emit_mechanism(s.mechanism, s.programs, options), argv[1]);
     }

@@ -79,6 +79,82 @@ inline std::uint32_t append_dot_product(ProgramMaker& m, std::span<const std::ui
   return terms[0].second ? m.neg(terms[0].first) : terms[0].first;
 }
 
+/// A recursion along a chain of n steps, outwards and back inwards, on elements of q, qd and qdd. Factors and
+/// terms stand in random order and signs are placed at random, here and there with a negation, which changes
+/// no value. The results are one of each step; rows[i] are three values of step i.
+class ChainMaker {
+ public:
+  ChainMaker(std::uint32_t n, std::uint64_t seed) : m(0), random_(seed) {
+    constexpr std::size_t kWidth = 4;
+    std::vector<std::uint32_t> q, qd, qdd, sine, cosine;
+    const auto inputs = [&](ArgumentKind kind, std::vector<std::uint32_t>& values) {
+      for (std::uint32_t i = 0; i < n; ++i) {
+        m.program.inputs.push_back({kind, i, ""});
+        values.push_back(m.input(static_cast<std::uint32_t>(m.program.inputs.size() - 1)));
+      }
+    };
+    inputs(ArgumentKind::q, q);
+    inputs(ArgumentKind::qd, qd);
+    inputs(ArgumentKind::qdd, qdd);
+    for (std::uint32_t i = 0; i < n; ++i) sine.push_back(m.sin(q[i]));
+    for (std::uint32_t i = 0; i < n; ++i) cosine.push_back(m.cos(q[i]));
+    std::vector<Signed> x(kWidth), y(kWidth);
+    std::vector<std::vector<Signed>> forces(n);
+    for (std::size_t k = 0; k < kWidth; ++k) x[k] = y[k] = constant();
+    const auto rotate = [&](std::vector<Signed>& v, std::uint32_t i, bool inverse) {
+      for (std::size_t k = 0; k < kWidth; k += 2) {
+        const Signed s{sine[i], inverse}, c{cosine[i]}, a = v[k], b = v[k + 1];
+        v[k] = sum(product(c, a), product(s, b));
+        v[k + 1] = sum(product(c, b), negated(product(s, a)));
+      }
+    };
+    for (std::uint32_t i = 0; i < n; ++i) {
+      rotate(x, i, false);
+      x[0] = sum(x[0], product(constant(), {qd[i]}));
+      x[2] = sum(sum(x[2], product(x[0], {qd[i]})), {qdd[i]});
+      x[3] = sum(x[3], sum(product(constant(), x[1]), product(constant(), x[2])));
+      rows.push_back({plain(x[0]), plain(x[2]), plain(x[3])});
+      forces[i] = {sum(x[0], product(x[1], x[2])), product(constant(), x[1]), negated(x[2]), x[3]};
+    }
+    std::vector<std::uint32_t> results(n);
+    for (std::uint32_t i = n; i-- > 0;) {
+      for (std::size_t k = 0; k < kWidth; ++k) y[k] = sum(y[k], forces[i][k]);
+      results[i] = plain(sum(y[0], product(constant(), y[3])));
+      rotate(y, i, true);
+    }
+    m.program.outputs = {{"tau", n, 1, results}};
+  }
+
+  ProgramMaker m;
+  std::vector<std::vector<std::uint32_t>> rows;
+
+ private:
+  /// A value or its negative.
+  struct Signed {
+    std::uint32_t value = 0;
+    bool negative = false;
+  };
+  static Signed negated(Signed a) { return {a.value, !a.negative}; }
+  bool coin() { return random_() % 2 == 0; }
+  Signed constant() {
+    return {m.constant((coin() ? 1 : -1) * (0.1 + static_cast<double>(random_() % 800) * 1e-3))};
+  }
+  Signed product(Signed a, Signed b) {
+    if (coin()) std::swap(a, b);
+    return {m.mul(a.value, b.value), a.negative != b.negative};
+  }
+  Signed sum(Signed a, Signed b) {
+    if (coin()) std::swap(a, b);
+    Signed out = a.negative == b.negative ? Signed{m.add(a.value, b.value), a.negative}
+                                          : Signed{m.sub(a.value, b.value), a.negative};
+    if (random_() % 8 == 0) out = {m.neg(out.value), !out.negative};
+    return out;
+  }
+  std::uint32_t plain(Signed a) { return a.negative ? m.neg(a.value) : a.value; }
+
+  std::mt19937_64 random_;
+};
+
 inline std::size_t output_size(const Program& program) {
   std::size_t n = 0;
   for (const OutputArray& output : program.outputs) n += output.values.size();

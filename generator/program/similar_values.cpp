@@ -1,0 +1,260 @@
+// Finds values that correspond to each other, see the header.
+//
+// Correspondence grows from the inputs: from a pair to the only pair of like users, and to the operands,
+// until nothing more follows. What is ambiguous waits until one of the possibilities is known.
+#include "program/similar_values.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "program/operation.hpp"
+
+namespace alembert {
+namespace {
+
+// Levels of operations in which corresponding values agree.
+constexpr int kDepth = 3;
+
+// Coordinates of a step.
+constexpr std::uint32_t kLongestShift = 8;
+
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// Values are of one class if they come about by the same operations, kDepth levels deep, whatever the signs,
+/// constants and elements of inputs are.
+std::vector<std::uint64_t> classes_of(const UnsignedProgram& program) {
+  std::vector<std::uint64_t> own(program.size());
+  for (std::uint32_t v = 0; v < program.size(); ++v) {
+    const Instruction& c = program.program().code[v];
+    const auto kind =
+        c.op == Operation::input ? static_cast<std::uint64_t>(program.program().inputs[c.a].kind) + 1 : 0;
+    own[v] = mixed(static_cast<std::uint64_t>(program.op(v)) + 64 * kind + 1);
+  }
+  std::vector<std::uint64_t> current = own, next = own;
+  for (int level = 0; level < kDepth; ++level) {
+    for (std::uint32_t v = 0; v < program.size(); ++v) {
+      std::uint64_t sum = 0, weight = 1;
+      for (const auto& operand : program.operands(v)) {
+        sum += weight * mixed(current[operand.value]);
+        if (!program.commutes(v)) weight += 2;
+      }
+      if (!program.operands(v).empty()) next[v] = mixed(own[v] ^ sum);
+    }
+    current = next;
+  }
+  return current;
+}
+
+class Growth {
+ public:
+  Growth(const UnsignedProgram& program, const std::vector<std::uint64_t>& classes,
+         const std::vector<std::vector<std::uint32_t>>& users, std::uint32_t shift)
+      : program_(program), classes_(classes), users_(users) {
+    map_.shift = shift;
+    map_.next.assign(program.size(), kNoValue);
+    map_.previous.assign(program.size(), kNoValue);
+  }
+
+  Correspondence grow() {
+    start();
+    for (std::size_t known = kNoValue; known != map_.size;) {
+      known = map_.size;
+      while (!queue_.empty()) {
+        const auto [a, b] = queue_.front();
+        queue_.pop_front();
+        follow(a, b);
+      }
+      for (const auto& [a, b] : std::exchange(ambiguous_, {})) follow(a, b);
+    }
+    return std::move(map_);
+  }
+
+ private:
+  using Operand = UnsignedProgram::Operand;
+
+  static bool is_shifted(ArgumentKind kind) {
+    return kind == ArgumentKind::q || kind == ArgumentKind::qd || kind == ArgumentKind::qdd ||
+           kind == ArgumentKind::tau;
+  }
+
+  const InputSlot* input(std::uint32_t v) const {
+    const Instruction& c = program_.program().code[v];
+    return c.op == Operation::input ? &program_.program().inputs[c.a] : nullptr;
+  }
+
+  void start() {
+    std::map<std::pair<ArgumentKind, std::uint32_t>, std::uint32_t> at;
+    for (std::uint32_t v = 0; v < program_.size(); ++v)
+      if (const InputSlot* slot = input(v); slot != nullptr && is_shifted(slot->kind))
+        at.emplace(std::pair(slot->kind, slot->index), v);
+    for (const auto& [element, v] : at)
+      if (const auto other = at.find({element.first, element.second + map_.shift}); other != at.end())
+        propose(v, other->second);
+  }
+
+  bool possible(std::uint32_t a, std::uint32_t b) const {
+    if (map_.next[a] == b) return true;
+    if (a == b || classes_[a] != classes_[b] || program_.constant(a)) return false;
+    if (map_.next[a] != kNoValue || map_.previous[b] != kNoValue) return false;
+    const InputSlot *from = input(a), *to = input(b);
+    if (from == nullptr) return true;
+    return from->kind == to->kind && from->kind != ArgumentKind::time &&
+           (!is_shifted(from->kind) || from->index + map_.shift == to->index);
+  }
+
+  void propose(std::uint32_t a, std::uint32_t b) {
+    if (map_.next[a] == b || !possible(a, b)) return;
+    map_.next[a] = b;
+    map_.previous[b] = a;
+    ++map_.size;
+    queue_.emplace_back(a, b);
+  }
+
+  void follow(std::uint32_t a, std::uint32_t b) {
+    bool done = follow_operands(a, b);
+    done &= follow_users(a, b);
+    if (!done) ambiguous_.emplace_back(a, b);
+  }
+
+  /// How much speaks for two operands being a pair: known, reached over one operand of theirs, or possible;
+  /// none if they are not.
+  std::optional<int> evidence(std::uint32_t a, std::uint32_t b) const {
+    if (program_.constant(a) || program_.constant(b))
+      return program_.constant(a) && program_.constant(b) ? std::optional(0) : std::nullopt;
+    if (map_.next[a] == b) return 2;
+    if (a == b) return 0;
+    if (!possible(a, b)) return std::nullopt;
+    for (const Operand& x : program_.operands(a))
+      for (const Operand& y : program_.operands(b))
+        if (map_.next[x.value] == y.value) return 1;
+    return 0;
+  }
+
+  bool follow_operands(std::uint32_t a, std::uint32_t b) {
+    const auto from = program_.operands(a), to = program_.operands(b);
+    if (!program_.commutes(a)) {
+      for (std::size_t k = 0; k < from.size(); ++k) propose(from[k].value, to[k].value);
+      return true;
+    }
+    const auto total = [&](std::size_t first, std::size_t second) -> std::optional<int> {
+      const auto x = evidence(from[0].value, to[first].value), y = evidence(from[1].value, to[second].value);
+      return x && y ? std::optional(*x + *y) : std::nullopt;
+    };
+    const std::optional<int> straight = total(0, 1), crossed = total(1, 0);
+    if (straight == crossed) return !straight;
+    const std::size_t first = straight > crossed ? 0 : 1;
+    propose(from[0].value, to[first].value);
+    propose(from[1].value, to[1 - first].value);
+    return true;
+  }
+
+  bool follow_users(std::uint32_t a, std::uint32_t b) {
+    bool done = true;
+    for (const std::uint32_t user : users_[a]) {
+      if (map_.next[user] != kNoValue) continue;
+      const auto like = [&](std::uint32_t other) { return classes_[other] == classes_[user]; };
+      const auto of_a = std::ranges::count_if(users_[a], like), of_b = std::ranges::count_if(users_[b], like);
+      if (of_a == 1 && of_b == 1) {
+        propose(user, *std::ranges::find_if(users_[b], like));
+        continue;
+      }
+      // All operands known: the only user that has what corresponds to them. A sum and a difference of the
+      // same two values are told apart by what they are used for.
+      const auto match = only(users_[b], [&](std::uint32_t other) {
+        return like(other) && map_.previous[other] == kNoValue && operands_known(user, other);
+      });
+      const bool alone = match != kNoValue && only(users_[a], [&](std::uint32_t other) {
+                                                return like(other) && map_.next[other] == kNoValue &&
+                                                       operands_known(other, match);
+                                              }) == user;
+      if (alone) propose(user, match);
+      done &= alone || of_b == 0;
+    }
+    return done;
+  }
+
+  /// The only one of which the condition holds, or kNoValue.
+  template <class Condition>
+  static std::uint32_t only(const std::vector<std::uint32_t>& values, const Condition& condition) {
+    std::uint32_t found = kNoValue;
+    for (const std::uint32_t v : values)
+      if (condition(v)) {
+        if (found != kNoValue) return kNoValue;
+        found = v;
+      }
+    return found;
+  }
+
+  bool operands_known(std::uint32_t a, std::uint32_t b) const {
+    const auto from = program_.operands(a), to = program_.operands(b);
+    const auto pair = [&](std::size_t i, std::size_t k) { return map_.next[from[i].value] == to[k].value; };
+    if (from.size() == 1) return pair(0, 0);
+    return (pair(0, 0) && pair(1, 1)) || (program_.commutes(a) && pair(0, 1) && pair(1, 0));
+  }
+
+  const UnsignedProgram& program_;
+  const std::vector<std::uint64_t>& classes_;
+  const std::vector<std::vector<std::uint32_t>>& users_;
+  Correspondence map_;
+  std::deque<std::pair<std::uint32_t, std::uint32_t>> queue_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ambiguous_;
+};
+
+}  // namespace
+
+UnsignedProgram::UnsignedProgram(const Program& program) : program_(program) {
+  plain_.resize(size());
+  operands_.resize(size());
+  for (std::uint32_t v = 0; v < size(); ++v) {
+    const Instruction& c = program.code[v];
+    if (c.op == Operation::neg) {
+      plain_[v] = {plain_[c.a].value, !plain_[c.a].negative};
+      continue;
+    }
+    plain_[v] = {v, false};
+    if (operand_count(c.op) > 0) operands_[v][0] = plain_[c.a];
+    if (operand_count(c.op) > 1) operands_[v][1] = plain_[c.b];
+    if (c.op == Operation::sub) operands_[v][1].negative = !operands_[v][1].negative;
+  }
+}
+
+std::vector<std::uint32_t> UnsignedProgram::wanted() const {
+  std::vector<std::uint32_t> out;
+  for (const OutputArray& output : program_.outputs)
+    for (const std::uint32_t v : output.values)
+      if (v < size()) out.push_back(v);
+  for (const DotProducts& products : program_.dot_products)
+    for (const std::vector<std::uint32_t>* rows : {&products.left, &products.right})
+      out.insert(out.end(), rows->begin(), rows->end());
+  return out;
+}
+
+std::span<const UnsignedProgram::Operand> UnsignedProgram::operands(std::uint32_t v) const {
+  const Operation op = program_.code[v].op;
+  if (op == Operation::neg) return {};
+  return std::span(operands_[v]).first(static_cast<std::size_t>(operand_count(op)));
+}
+
+Correspondence corresponding_values(const UnsignedProgram& program) {
+  const std::vector<std::uint64_t> classes = classes_of(program);
+  std::vector<std::vector<std::uint32_t>> users(program.size());
+  for (std::uint32_t v = 0; v < program.size(); ++v)
+    for (const auto& operand : program.operands(v))
+      if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
+  Correspondence best;
+  for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
+    Correspondence found = Growth(program, classes, users, shift).grow();
+    if (shift == 1 || found.size > best.size) best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace alembert

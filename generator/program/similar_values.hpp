@@ -1,0 +1,65 @@
+// Which values of a program come about in the same way one step further along: in a recursion along a chain
+// the angular velocity of a body and that of the next. In: a program. Out: for each value the one that it
+// corresponds to in the next step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "program/program.hpp"
+
+namespace alembert {
+
+inline constexpr std::uint32_t kNoValue = std::numeric_limits<std::uint32_t>::max();
+
+/// A program without its signs: negations are none, differences are sums.
+class UnsignedProgram {
+ public:
+  struct Operand {
+    std::uint32_t value;
+    bool negative;
+  };
+
+  explicit UnsignedProgram(const Program& program);
+
+  /// Dot products in loops, which come last, are no values here.
+  std::uint32_t size() const {
+    return static_cast<std::uint32_t>(program_.code.size()) - program_.dot_product_code;
+  }
+  const Program& program() const { return program_; }
+  /// Operation of a value; sums for differences. Negations remain, and no operand is one.
+  Operation op(std::uint32_t v) const {
+    return program_.code[v].op == Operation::sub ? Operation::add : program_.code[v].op;
+  }
+  std::span<const Operand> operands(std::uint32_t v) const;
+  bool constant(std::uint32_t v) const { return program_.code[v].op == Operation::constant; }
+  bool leaf(std::uint32_t v) const { return constant(v) || program_.code[v].op == Operation::input; }
+  bool commutes(std::uint32_t v) const { return op(v) == Operation::add || op(v) == Operation::mul; }
+  /// What an instruction is before its negation.
+  Operand plain(std::uint32_t v) const { return plain_[v]; }
+  /// Instructions that are wanted as they are: results and rows of dot products.
+  std::vector<std::uint32_t> wanted() const;
+
+ private:
+  const Program& program_;
+  std::vector<Operand> plain_;
+  std::vector<std::array<Operand, 2>> operands_;
+};
+
+/// A partial, injective map between values; `shift` is how far apart the elements of q, qd, qdd and tau are
+/// that correspond to each other. Values with the same operations a few levels deep correspond if what they
+/// are computed from does, or what is computed from them.
+struct Correspondence {
+  std::uint32_t shift = 0;
+  std::vector<std::uint32_t> next, previous;  ///< of a value, or kNoValue
+  std::size_t size = 0;                       ///< values that have a next one
+  bool along(std::uint32_t v) const { return next[v] != kNoValue || previous[v] != kNoValue; }
+};
+
+/// The correspondence that most values have, of those with short shifts. The same program gives the same.
+Correspondence corresponding_values(const UnsignedProgram& program);
+
+}  // namespace alembert

@@ -1,0 +1,100 @@
+// Steps that do the same are found and become loops: same values, same operations, iterations that are alike.
+#include <gtest/gtest.h>
+
+#include "program/program_maker.hpp"
+
+namespace alembert {
+namespace {
+
+/// Loops do not overlap; their iterations have the same operations on the same values of their own, or on
+/// none.
+void expect_sound(const Program& program) {
+  ASSERT_TRUE(is_ordered(program));
+  std::uint32_t free = 0;
+  for (const Loop& loop : program.loops) {
+    ASSERT_GE(loop.first, free);
+    ASSERT_GT(loop.count, 1u);
+    free = loop.first + loop.length * loop.count;
+    ASSERT_LE(free, program.code.size() - program.dot_product_code);
+    for (std::uint32_t k = 1; k < loop.count; ++k)
+      for (std::uint32_t i = 0; i < loop.length; ++i) {
+        const std::uint32_t begin = loop.first + k * loop.length;
+        const Instruction &x = program.code[loop.first + i], &y = program.code[begin + i];
+        ASSERT_EQ(x.op, y.op);
+        const auto inside = [](std::uint32_t v, std::uint32_t first) {
+          return v >= first ? v - first + 1 : 0;
+        };
+        const int operands = operand_count(x.op);
+        if (operands > 0) {
+          ASSERT_EQ(inside(x.a, loop.first), inside(y.a, begin));
+        }
+        if (operands > 1) {
+          ASSERT_EQ(inside(x.b, loop.first), inside(y.b, begin));
+        }
+      }
+  }
+}
+
+void expect_same(const Program& given, const Program& rerolled, std::mt19937_64& random) {
+  expect_sound(rerolled);
+  const OperationCount before = count(given), after = count(rerolled);
+  EXPECT_EQ(after.mul, before.mul);
+  EXPECT_EQ(after.add, before.add);
+  EXPECT_EQ(after.div, before.div);
+  EXPECT_EQ(after.trig, before.trig);
+  EXPECT_EQ(after.other, before.other);
+  for (int point = 0; point < 5; ++point)
+    EXPECT_TRUE(same_outputs(given, rerolled, random_point(given.inputs.size(), random)));
+  EXPECT_EQ(dump(reroll(given)), dump(rerolled));
+}
+
+TEST(Reroll, ARecursionBecomesLoopsWhateverItsSignsAndOrder) {
+  std::mt19937_64 random(3);
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const std::uint32_t n = 12 + static_cast<std::uint32_t>(seed);
+    const Program given = schedule(ChainMaker(n, seed).m.program);
+    const Program rerolled = reroll(given);
+    expect_same(given, rerolled, random);
+    EXPECT_GE(rerolled.loops.size(), 2u);
+    // The ends of the chain apart, from which matching values are told a few operations deep.
+    EXPECT_GE(operations_in_loops(rerolled) * n, count(given).arithmetic() * (n - 9)) << n;
+  }
+}
+
+TEST(Reroll, DotProductsStayBehindTheLoops) {
+  std::mt19937_64 random(4);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    constexpr std::uint32_t n = 20;
+    ChainMaker chain(n, seed);
+    std::vector<std::uint32_t> M(std::size_t{n} * n);
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = i; j < n; ++j)
+        M[i * n + j] = M[j * n + i] =
+            append_dot_product(chain.m, chain.rows[i], chain.rows[j], i % 2 == 1, random);
+    chain.m.program.outputs = {{"M", n, n, M}};
+    const Program given = gather_dot_products(schedule(chain.m.program), 1);
+    const Program rerolled = reroll(given);
+    expect_same(given, rerolled, random);
+    EXPECT_FALSE(rerolled.loops.empty());
+    EXPECT_EQ(dot_products(rerolled), dot_products(given));
+    EXPECT_GT(dot_products(rerolled), n * n / 4u);
+  }
+}
+
+TEST(Reroll, OtherProgramsKeepTheirValues) {
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 40; ++k) {
+    const Program given =
+        schedule(optimize(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
+    expect_same(given, reroll(given), random);
+  }
+  EXPECT_TRUE(reroll(Program{}).code.empty());
+}
+
+TEST(Reroll, FewStepsStayStraight) {
+  const Program given = schedule(ChainMaker(4, 1).m.program);
+  EXPECT_EQ(dump(reroll(given)), dump(given));
+}
+
+}  // namespace
+}  // namespace alembert
