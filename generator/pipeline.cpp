@@ -129,7 +129,10 @@ Program in_final_order(const CompiledFunction& function, const CompileOptions& o
   Program program = schedule(function.program);
   if (options.loop_results > 0) program = gather_dot_products(program, options.loop_results);
   const std::size_t straight = weight(function.count) - program.dot_product_code;
-  return straight > options.loop_operations ? reroll(program) : program;
+  if (straight <= options.loop_operations) return program;
+  // Few steps among much else are not worth their way through memory.
+  Program rerolled = reroll(program);
+  return 2 * operations_in_loops(rerolled) >= straight ? rerolled : program;
 }
 
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {

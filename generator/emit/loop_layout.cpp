@@ -162,8 +162,7 @@ LoopOperand LoopLayout::operand_of(std::uint32_t loop, std::uint32_t i, std::siz
     possible_ = false;
     return out;
   }
-  // The track in which to look, until places are known.
-  out.index = found->track;
+  out.index = found->track;  // until places are known
   out.element = {found->position, direction};
   return out;
 }
@@ -211,20 +210,21 @@ std::optional<LoopLayout::Position> LoopLayout::find_track(const std::vector<std
   std::vector<std::uint32_t> wanted = values;
   const bool same = std::ranges::all_of(values, [&](std::uint32_t v) { return v == values[0]; });
   if (same) wanted.resize(1);
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    for (std::size_t n = 0; n < where_[wanted[k]].size(); ++n) {
-      const Position there = where_[wanted[k]][n];
-      for (const int d : {1, -1}) {
-        const int start = there.position - d * static_cast<int>(k);
-        if (!arrange(there.track, start, d, wanted)) continue;
-        direction = same ? 0 : d;
-        return Position{there.track, start};
+  for (const bool more_stores : {false, true})
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      for (std::size_t n = 0; n < where_[wanted[k]].size(); ++n) {
+        const Position there = where_[wanted[k]][n];
+        for (const int d : {1, -1}) {
+          const int start = there.position - d * static_cast<int>(k);
+          if (!arrange(there.track, start, d, wanted, more_stores)) continue;
+          direction = same ? 0 : d;
+          return Position{there.track, start};
+        }
       }
-    }
   tracks_.emplace_back();
   const auto number = static_cast<std::uint32_t>(tracks_.size() - 1);
   direction = same ? 0 : 1;
-  return arrange(number, 0, 1, wanted) ? std::optional(Position{number, 0}) : std::nullopt;
+  return arrange(number, 0, 1, wanted, true) ? std::optional(Position{number, 0}) : std::nullopt;
 }
 
 bool LoopLayout::add(Additions& additions, const Track& track, int position, std::uint32_t v) const {
@@ -253,13 +253,14 @@ int LoopLayout::direction_of_row(const std::vector<std::uint32_t>& values, std::
 }
 
 bool LoopLayout::arrange(std::uint32_t number, int position, int direction,
-                         const std::vector<std::uint32_t>& values) {
+                         const std::vector<std::uint32_t>& values, bool more_stores) {
   const Track& track = tracks_[number];
   Additions additions;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const int here = position + direction * static_cast<int>(k);
     const std::uint32_t v = values[k];
     if (at(track, here) == v) continue;
+    if (!more_stores && loop_[v] != kNoPlace) return false;
     if (!add(additions, track, here, v)) return false;
     if (loop_[v] == kNoPlace) continue;
     // A loop leaves a value in all iterations or in none.
@@ -280,6 +281,20 @@ std::int64_t LoopLayout::place(const Position& position) const {
   return track.first + track.step * position.position;
 }
 
+/// What the iteration before has computed need not come from memory, which takes longer than an operation.
+void LoopLayout::find_carried() {
+  for (std::uint32_t l = 0; l < program_.loops.size(); ++l)
+    for (std::uint32_t i = 0; i < program_.loops[l].length; ++i)
+      for (std::size_t k = 0; k < 2; ++k) {
+        LoopOperand& o = bodies_[l].operands[i][k];
+        if (o.kind != LoopOperand::Kind::memory) continue;
+        const std::uint32_t second = operand(value(l, 1, i), k);
+        if (loop_[second] != l || iteration(second) != 0) continue;
+        o.kind = LoopOperand::Kind::carried;
+        o.index = second - program_.loops[l].first;
+      }
+}
+
 void LoopLayout::assign_places() {
   for (Track& track : tracks_) {
     if (track.fixed) continue;
@@ -293,6 +308,7 @@ void LoopLayout::assign_places() {
           const Track& track = tracks_[o.index];
           o.element = {track.first + track.step * o.element.first, track.step * o.element.step};
         }
+  find_carried();
   for (std::uint32_t v = 0; v < where_.size(); ++v)
     for (const Position& position : where_[v])
       places_[v].push_back(static_cast<std::uint32_t>(place(position)));

@@ -32,6 +32,7 @@ struct LoopOperand {
     constant,  ///< column `index` of the loop's table of constants
     input,     ///< element of an argument
     memory,    ///< element of w
+    carried,   ///< value `index` of the iteration before; of the first one, the element of w
   } kind = Kind::inside;
   std::uint32_t index = 0;
   ArgumentKind array = ArgumentKind::q;
@@ -108,13 +109,16 @@ class LoopLayout {
   LoopOperand operand_of(std::uint32_t loop, std::uint32_t i, std::size_t k);
   std::optional<LoopOperand> input_of(const std::vector<std::uint32_t>& values) const;
   std::optional<Position> find_track(const std::vector<std::uint32_t>& values, int& direction);
-  bool arrange(std::uint32_t track, int position, int direction, const std::vector<std::uint32_t>& values);
+  /// Puts values side by side if they fit; loops store no more than they do unless they may.
+  bool arrange(std::uint32_t track, int position, int direction, const std::vector<std::uint32_t>& values,
+               bool more_stores);
   bool add(Additions& additions, const Track& track, int position, std::uint32_t v) const;
   int direction_of_row(const std::vector<std::uint32_t>& values, std::size_t k, int direction) const;
   std::uint32_t at(const Track& track, int position) const;
   void set(std::uint32_t track, int position, std::uint32_t v);
   std::int64_t place(const Position& position) const;
   void assign_places();
+  void find_carried();
   void find_stores();
 
   const Program& program_;

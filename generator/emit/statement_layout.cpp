@@ -249,8 +249,6 @@ void StatementLayout::place_loops() {
   }
   loops_.emplace(program_, std::move(fixed), crossing_);
   crossing_ = loops_->end();
-  if (!loops_->possible())
-    throw InternalError("emit: the values of loops of " + program_.function + " have no order");
   for (std::uint32_t v = 0; v < size_; ++v) {
     if (loop(v) != nullptr) {
       table_places_[v].clear();

@@ -148,10 +148,18 @@ class Writer {
       numbers.resize(numbers.size() - 2);
       line(block, fmt::format("static constexpr double table[] = {{\n    {}}};", wrap_list(numbers, 4, 4)));
     }
+    // What an iteration hands to the next, by value and element.
+    std::map<std::pair<std::uint32_t, std::int64_t>, std::string> carried;
+    for (const auto& pair : body.operands)
+      for (const LoopOperand& o : pair)
+        if (o.kind == LoopOperand::Kind::carried)
+          carried.try_emplace({o.index, o.element.first}, read_carried(block, o, "S"));
     line(block, fmt::format("for (int k = 0; k < {}; ++k) {{", loop.count));
     indent_ = "  ";
     if (body.columns > 0) line(block, fmt::format("const double* const row = table + {} * k;", body.columns));
     for (std::uint32_t v = loop.first; v < loop.first + loop.length; ++v) write_value(v);
+    for (const auto& [from, name] : carried)
+      line(block, fmt::format("{} = t{};", name, layout_.number(loop.first + from.first)));
     indent_ = "";
     line(block, "}");
   }
@@ -188,15 +196,26 @@ class Writer {
         return read_once(block, array_text(o.array, o.element));
       case LoopOperand::Kind::memory:
         return read_once(block, fmt::format("w[{}]", index_text(o.element)));
+      case LoopOperand::Kind::carried:
+        return read_carried(block, o, "const S");
     }
     throw InternalError("emit: operand of unknown kind");
   }
 
   /// The name of an element that a loop reads.
   std::string read_once(std::uint32_t block, const std::string& element) {
+    return named_element(block, element, element, "const S");
+  }
+  /// The name of what iterations hand over, which begins as an element of w.
+  std::string read_carried(std::uint32_t block, const LoopOperand& o, std::string_view type) {
+    return named_element(block, fmt::format("{} {}", o.index, o.element.first),
+                         fmt::format("w[{}]", o.element.first), type);
+  }
+  std::string named_element(std::uint32_t block, const std::string& key, const std::string& element,
+                            std::string_view type) {
     auto& names = states_[block].elements;
-    const auto [entry, fresh] = names.try_emplace(element, fmt::format("x{}", names.size()));
-    if (fresh) line(block, fmt::format("const S {} = {};", entry->second, element));
+    const auto [entry, fresh] = names.try_emplace(key, fmt::format("x{}", names.size()));
+    if (fresh) line(block, fmt::format("{} {} = {};", type, entry->second, element));
     return entry->second;
   }
 
@@ -420,6 +439,11 @@ class Writer {
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,
                            const BlockSizes& sizes) {
+  if (const StatementLayout layout(program, sizes); layout.loops() && !layout.loops()->possible()) {
+    Program straight = program;
+    straight.loops.clear();
+    return Writer(straight, signature, sizes).write();
+  }
   return Writer(program, signature, sizes).write();
 }
 

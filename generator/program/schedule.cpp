@@ -128,6 +128,7 @@ Program schedule(Program program) {
     }
   program.code = std::move(code);
   program.constants = std::move(constants);
+  program.loops.clear();
   program.dot_products.clear();
   program.dot_product_code = 0;
   return program;

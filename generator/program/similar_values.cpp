@@ -15,9 +15,6 @@
 namespace alembert {
 namespace {
 
-// Levels of operations in which corresponding values agree.
-constexpr int kDepth = 3;
-
 // Coordinates of a step.
 constexpr std::uint32_t kLongestShift = 8;
 
@@ -28,18 +25,20 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Values are of one class if they come about by the same operations, kDepth levels deep, whatever the signs,
+using Classes = std::vector<std::uint64_t>;
+
+/// Values are of one class if they come about by the same operations so many levels deep, whatever the signs,
 /// constants and elements of inputs are.
-std::vector<std::uint64_t> classes_of(const UnsignedProgram& program) {
-  std::vector<std::uint64_t> own(program.size());
+Classes classes_of(const UnsignedProgram& program, int depth) {
+  Classes own(program.size());
   for (std::uint32_t v = 0; v < program.size(); ++v) {
     const Instruction& c = program.program().code[v];
     const auto kind =
         c.op == Operation::input ? static_cast<std::uint64_t>(program.program().inputs[c.a].kind) + 1 : 0;
     own[v] = mixed(static_cast<std::uint64_t>(program.op(v)) + 64 * kind + 1);
   }
-  std::vector<std::uint64_t> current = own, next = own;
-  for (int level = 0; level < kDepth; ++level) {
+  Classes current = own, next = own;
+  for (int level = 0; level < depth; ++level) {
     for (std::uint32_t v = 0; v < program.size(); ++v) {
       std::uint64_t sum = 0, weight = 1;
       for (const auto& operand : program.operands(v)) {
@@ -55,27 +54,32 @@ std::vector<std::uint64_t> classes_of(const UnsignedProgram& program) {
 
 class Growth {
  public:
-  Growth(const UnsignedProgram& program, const std::vector<std::uint64_t>& classes,
-         const std::vector<std::vector<std::uint32_t>>& users, std::uint32_t shift)
-      : program_(program), classes_(classes), users_(users) {
+  Growth(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users,
+         std::uint32_t shift)
+      : program_(program), users_(users) {
     map_.shift = shift;
     map_.next.assign(program.size(), kNoValue);
     map_.previous.assign(program.size(), kNoValue);
   }
 
-  Correspondence grow() {
+  void grow(const Classes& classes) {
+    classes_ = &classes;
     start();
+    ambiguous_.clear();
+    for (std::uint32_t v = 0; v < program_.size(); ++v)
+      if (map_.next[v] != kNoValue) ambiguous_.emplace_back(v, map_.next[v]);
     for (std::size_t known = kNoValue; known != map_.size;) {
       known = map_.size;
+      for (const auto& [a, b] : std::exchange(ambiguous_, {})) follow(a, b);
       while (!queue_.empty()) {
         const auto [a, b] = queue_.front();
         queue_.pop_front();
         follow(a, b);
       }
-      for (const auto& [a, b] : std::exchange(ambiguous_, {})) follow(a, b);
     }
-    return std::move(map_);
   }
+
+  Correspondence found() { return std::move(map_); }
 
  private:
   using Operand = UnsignedProgram::Operand;
@@ -102,7 +106,7 @@ class Growth {
 
   bool possible(std::uint32_t a, std::uint32_t b) const {
     if (map_.next[a] == b) return true;
-    if (a == b || classes_[a] != classes_[b] || program_.constant(a)) return false;
+    if (a == b || (*classes_)[a] != (*classes_)[b] || program_.constant(a)) return false;
     if (map_.next[a] != kNoValue || map_.previous[b] != kNoValue) return false;
     const InputSlot *from = input(a), *to = input(b);
     if (from == nullptr) return true;
@@ -160,7 +164,7 @@ class Growth {
     bool done = true;
     for (const std::uint32_t user : users_[a]) {
       if (map_.next[user] != kNoValue) continue;
-      const auto like = [&](std::uint32_t other) { return classes_[other] == classes_[user]; };
+      const auto like = [&](std::uint32_t other) { return (*classes_)[other] == (*classes_)[user]; };
       const auto of_a = std::ranges::count_if(users_[a], like), of_b = std::ranges::count_if(users_[b], like);
       if (of_a == 1 && of_b == 1) {
         propose(user, *std::ranges::find_if(users_[b], like));
@@ -201,7 +205,7 @@ class Growth {
   }
 
   const UnsignedProgram& program_;
-  const std::vector<std::uint64_t>& classes_;
+  const Classes* classes_ = nullptr;
   const std::vector<std::vector<std::uint32_t>>& users_;
   Correspondence map_;
   std::deque<std::pair<std::uint32_t, std::uint32_t>> queue_;
@@ -243,15 +247,18 @@ std::span<const UnsignedProgram::Operand> UnsignedProgram::operands(std::uint32_
   return std::span(operands_[v]).first(static_cast<std::size_t>(operand_count(op)));
 }
 
-Correspondence corresponding_values(const UnsignedProgram& program) {
-  const std::vector<std::uint64_t> classes = classes_of(program);
+Correspondence corresponding_values(const UnsignedProgram& program, std::span<const int> depths) {
+  std::vector<Classes> classes;
+  for (const int depth : depths) classes.push_back(classes_of(program, depth));
   std::vector<std::vector<std::uint32_t>> users(program.size());
   for (std::uint32_t v = 0; v < program.size(); ++v)
     for (const auto& operand : program.operands(v))
       if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
   Correspondence best;
   for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
-    Correspondence found = Growth(program, classes, users, shift).grow();
+    Growth growth(program, users, shift);
+    for (const Classes& alike : classes) growth.grow(alike);
+    Correspondence found = growth.found();
     if (shift == 1 || found.size > best.size) best = std::move(found);
   }
   return best;

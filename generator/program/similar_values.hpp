@@ -59,7 +59,9 @@ struct Correspondence {
   bool along(std::uint32_t v) const { return next[v] != kNoValue || previous[v] != kNoValue; }
 };
 
-/// The correspondence that most values have, of those with short shifts. The same program gives the same.
-Correspondence corresponding_values(const UnsignedProgram& program);
+/// The correspondence that most values have, of those with short shifts. First come values with the same
+/// operations depths[0] levels deep, then depths[1], ...: deep ones tell apart what is used alike, shallow
+/// ones reach farther towards the ends of a chain. The same program gives the same.
+Correspondence corresponding_values(const UnsignedProgram& program, std::span<const int> depths);
 
 }  // namespace alembert

@@ -11,6 +11,7 @@
 #include "emit/function_signature.hpp"
 #include "emit/sample.hpp"
 #include "emit/statements.hpp"
+#include "program/program_maker.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -205,9 +206,6 @@ TEST(Emit, ProgramsThatDoNotFitAreDefects) {
   EXPECT_NO_THROW(emit([](Programs&) {}));
 }
 
-// That the output of sample::evil() compiles, and names come through it, is in test_compiled.cpp.
-
-}  // namespace
 TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   const sample::Sample s = sample::stepping();
   const Program& program = s.programs[0];
@@ -220,4 +218,23 @@ TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   EXPECT_LT(statements, program.code.size() - in_loops);
 }
 
+TEST(Emit, LoopsThatReadInNoOrderAreWrittenStraightOn) {
+  ProgramMaker m(4);
+  m.program.function = "inverse_dynamics";
+  std::vector<std::uint32_t> x, y, z;
+  for (std::uint32_t i = 0; i < 4; ++i) x.push_back(m.input(i));
+  for (std::uint32_t i = 0; i < 4; ++i) y.push_back(m.mul(x[i], x[i]));
+  for (const std::uint32_t i : {0, 2, 1, 3}) z.push_back(m.add(y[i], y[i]));
+  Program program = m.returning(z);
+  const FunctionSignature& signature = *find_signature("inverse_dynamics");
+  const std::string straight = function_body(program, signature).blocks[0].statement_lines;
+  program.loops = {{y[0], 1, 4}, {z[0], 1, 4}};
+  const FunctionBody body = function_body(program, signature);
+  ASSERT_EQ(body.blocks.size(), 1u);
+  EXPECT_EQ(body.blocks[0].statement_lines, straight);
+}
+
+// That the output of sample::evil() compiles, and names come through it, is in test_compiled.cpp.
+
+}  // namespace
 }  // namespace alembert
