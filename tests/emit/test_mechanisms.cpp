@@ -163,9 +163,8 @@ TEST(CompiledMechanism, ChainWithLoops) {
   const auto compiled = check<bits::chain::Mechanism<>>("tests/emit/chain", options);
   for (const FunctionKind kind : {FunctionKind::mass_matrix, FunctionKind::mass_matrix_and_bias})
     EXPECT_GT(alembert::dot_products(compiled.function(kind).program), 60u);
-  for (const FunctionKind kind :
-       {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics})
-    EXPECT_GT(alembert::operations_in_loops(compiled.function(kind).program), 300u);
+  for (const FunctionKind kind : {FunctionKind::inverse_dynamics, FunctionKind::forward_dynamics})
+    EXPECT_GT(alembert::operations_in_loops(compiled.function(kind).program), 1000u);
 }
 TEST(CompiledMechanism, RuntimeParameters) {
   check<bits::runtime_parameters::Mechanism<>>("mechanisms/runtime_parameters");
