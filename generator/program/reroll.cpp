@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -84,11 +84,11 @@ class Rerolling {
   void number_steps() {
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (sweep_[v] != kAhead || !map_.along(v)) continue;
+      step_[v] = extreme(v, step_, true);
       const Instruction& c = program_.code[v];
-      if (c.op == Operation::input)
-        step_[v] = static_cast<int>(program_.inputs[c.a].index / map_.shift);
-      else
-        step_[v] = extreme(v, step_, true);
+      if (c.op != Operation::input) continue;
+      const InputSlot& slot = program_.inputs[c.a];
+      if (is_of_coordinate(slot.kind)) step_[v] = static_cast<int>(slot.index / map_.shift);
     }
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) number_steps(sweep);
   }
@@ -183,18 +183,25 @@ class Rerolling {
     }
     for (std::vector<int>* list : {&begins, &ends}) {
       std::ranges::sort(*list);
-      list->erase(std::ranges::unique(*list).begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
     }
+    // Rows that end there or before, and that begin before.
+    std::vector<std::size_t> ended(covering.size(), 0), begun(covering.size() + 1, 0);
+    for (const Row& row : rows) {
+      ++ended[static_cast<std::size_t>(row.end)];
+      ++begun[static_cast<std::size_t>(row.begin) + 1];
+    }
+    std::partial_sum(ended.begin(), ended.end(), ended.begin());
+    std::partial_sum(begun.begin(), begun.end(), begun.begin());
     std::vector<Range> ranges;
     for (const int begin : begins)
       for (const int end : ends) {
-        if (end - begin < static_cast<int>(kFewestSteps) || at(begin, end) < kFewestValues) continue;
-        const auto cut = std::ranges::count_if(rows, [&](const Row& row) {
-          return row.begin < end && row.end > begin && (row.begin > begin || row.end < end);
-        });
+        const std::size_t all = at(begin, end);
+        if (end - begin < static_cast<int>(kFewestSteps) || all < kFewestValues) continue;
+        const std::size_t touching =
+            begun[static_cast<std::size_t>(end)] - ended[static_cast<std::size_t>(begin)];
         const auto steps_saved = static_cast<std::size_t>(end - begin - 1);
-        ranges.push_back(
-            {begin, end, at(begin, end) * steps_saved, static_cast<std::size_t>(cut) * steps_saved});
+        ranges.push_back({begin, end, all * steps_saved, (touching - all) * steps_saved});
       }
     std::ranges::stable_sort(ranges, std::ranges::greater(), &Range::promise);
     while (!ranges.empty()) {

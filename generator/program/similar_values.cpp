@@ -84,11 +84,6 @@ class Growth {
  private:
   using Operand = UnsignedProgram::Operand;
 
-  static bool is_shifted(ArgumentKind kind) {
-    return kind == ArgumentKind::q || kind == ArgumentKind::qd || kind == ArgumentKind::qdd ||
-           kind == ArgumentKind::tau;
-  }
-
   const InputSlot* input(std::uint32_t v) const {
     const Instruction& c = program_.program().code[v];
     return c.op == Operation::input ? &program_.program().inputs[c.a] : nullptr;
@@ -97,7 +92,7 @@ class Growth {
   void start() {
     std::map<std::pair<ArgumentKind, std::uint32_t>, std::uint32_t> at;
     for (std::uint32_t v = 0; v < program_.size(); ++v)
-      if (const InputSlot* slot = input(v); slot != nullptr && is_shifted(slot->kind))
+      if (const InputSlot* slot = input(v); slot != nullptr && is_of_coordinate(slot->kind))
         at.emplace(std::pair(slot->kind, slot->index), v);
     for (const auto& [element, v] : at)
       if (const auto other = at.find({element.first, element.second + map_.shift}); other != at.end())
@@ -111,7 +106,7 @@ class Growth {
     const InputSlot *from = input(a), *to = input(b);
     if (from == nullptr) return true;
     return from->kind == to->kind && from->kind != ArgumentKind::time &&
-           (!is_shifted(from->kind) || from->index + map_.shift == to->index);
+           (!is_of_coordinate(from->kind) || from->index + map_.shift == to->index);
   }
 
   void propose(std::uint32_t a, std::uint32_t b) {

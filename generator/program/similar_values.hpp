@@ -49,6 +49,12 @@ class UnsignedProgram {
   std::vector<std::array<Operand, 2>> operands_;
 };
 
+/// Inputs that belong to a coordinate, in the order of the coordinates.
+constexpr bool is_of_coordinate(ArgumentKind kind) {
+  return kind == ArgumentKind::q || kind == ArgumentKind::qd || kind == ArgumentKind::qdd ||
+         kind == ArgumentKind::tau;
+}
+
 /// A partial, injective map between values; `shift` is how far apart the elements of q, qd, qdd and tau are
 /// that correspond to each other. Values with the same operations a few levels deep correspond if what they
 /// are computed from does, or what is computed from them.

@@ -68,6 +68,13 @@ TEST(Report, TellsWhichFunctionsHaveLoops) {
   EXPECT_EQ(loops("--loop-results " + std::to_string(found + 1)), 0);
   EXPECT_EQ(loops("--loop-results 0"), 0);
   EXPECT_THAT(alembert(folder, "report" + of).out, HasSubstr("dot products in loops (--loop-results 30)"));
+
+  const json steps = json::parse(alembert(folder, "report --json --loop-operations 300" + of).out);
+  EXPECT_GT(steps["functions"]["inverse_dynamics"].value("in_loops", 0), 1000);
+  EXPECT_THAT(alembert(folder, "report --loop-operations 300" + of).out,
+              HasSubstr("operations in loops over steps (--loop-operations 300)"));
+  const json straight = json::parse(alembert(folder, "report --json" + of).out);
+  EXPECT_FALSE(straight["functions"]["inverse_dynamics"].contains("in_loops"));
 }
 
 TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {
