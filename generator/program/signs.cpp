@@ -127,25 +127,33 @@ class Signs {
   bool is_free(std::uint32_t v) const { return values_.op(v) == Operation::add || is_product(v); }
   bool is_result(std::uint32_t v) const { return results_[v][0] || results_[v][1]; }
 
-  void set(std::uint32_t v, bool is_minus) { sign_[v] = is_minus ? minus : plus; }
+  /// Sets a sign; what it decides about operands comes with `spread`.
+  void settle(std::uint32_t v, bool is_minus) {
+    sign_[v] = is_minus ? minus : plus;
+    if (is_free(v)) open_.push_back(v);
+  }
 
   /// Lets an operand enter with this sign if it can.
   void settle(Operand o, bool is_minus) {
     if (!constant(o) && !find(o.value)) settle(o.value, o.negative != is_minus);
   }
 
-  void settle(std::uint32_t v, bool is_minus) {
-    set(v, is_minus);
-    const auto [a, b] = operands(v);
-    if (values_.op(v) == Operation::add) {
-      settle(a, is_minus);
-      settle(b, is_minus);
-    } else if (!constant(a) && !constant(b)) {
-      if (known(b)) {
-        settle(a, is_minus != negative(b));
-      } else {
-        settle(a, false);
-        settle(b, is_minus != negative(a));
+  void spread() {
+    while (!open_.empty()) {
+      const std::uint32_t v = open_.back();
+      open_.pop_back();
+      const bool is_minus = sign_[v] == minus;
+      const auto [a, b] = operands(v);
+      if (values_.op(v) == Operation::add) {
+        settle(a, is_minus);
+        settle(b, is_minus);
+      } else if (!constant(a) && !constant(b)) {
+        if (known(b)) {
+          settle(a, is_minus != negative(b));
+        } else {
+          settle(a, false);
+          settle(b, is_minus != negative(a));
+        }
       }
     }
   }
@@ -156,13 +164,11 @@ class Signs {
     const auto [a, b] = operands(v);
     if (values_.op(v) == Operation::add) {
       if (!known(a) && !known(b)) return false;
-      const bool first = known(a);
-      set(v, negative(first ? a : b));
-      settle(first ? b : a, sign_[v] == minus);
+      settle(v, negative(known(a) ? a : b));
       return true;
     }
     if (constant(a) || constant(b) || !known(a) || !known(b)) return false;
-    set(v, negative(a) != negative(b));
+    settle(v, negative(a) != negative(b));
     return true;
   }
 
@@ -231,18 +237,23 @@ class Signs {
     for (const std::uint32_t v : part) {
       if (values_.constant(v)) continue;
       if (!is_free(v)) {
-        set(v, false);
+        settle(v, false);
         for (const Operand& o : values_.operands(v)) settle(o, false);
       } else if (!follow(v)) {
         find(v);
       }
+      spread();
     }
     // What nothing decides: first what is like something, or something like it.
-    for (const std::uint32_t v : part)
+    for (const std::uint32_t v : part) {
       if (!values_.constant(v) && is_like_[v] && !follow(v) && !find(v)) settle(v, false);
-    for (std::size_t i = part.size(); i-- > 0;)
+      spread();
+    }
+    for (std::size_t i = part.size(); i-- > 0;) {
       if (const std::uint32_t v = part[i]; !values_.constant(v) && !find(v))
         settle(v, results_[v][1] && !results_[v][0]);
+      spread();
+    }
   }
 
   /// Takes the sign from the value of another step, if it is known.
@@ -423,6 +434,7 @@ class Signs {
   std::span<const std::uint32_t> order_;
   const std::vector<bool>& swapped_;
   std::vector<Sign> sign_;
+  std::vector<std::uint32_t> open_;   // have a sign that their operands are yet to follow
   std::vector<Operand> like_;         // of a value: that of another step, and whether its sign is the other
   std::vector<bool> is_like_;         // it is like another or another like it
   std::vector<std::uint32_t> place_;  // of a value in the code
