@@ -22,15 +22,27 @@ std::optional<Element> linear(const Numbers& numbers) {
 
 }  // namespace
 
+std::vector<std::uint32_t> loop_numbers(const Program& program) {
+  std::vector<std::uint32_t> numbers(program.code.size(), kNoPlace);
+  for (std::uint32_t l = 0; l < program.loops.size(); ++l)
+    std::fill_n(numbers.begin() + program.loops[l].first, program.loops[l].length * program.loops[l].count,
+                l);
+  return numbers;
+}
+
 LoopLayout::LoopLayout(const Program& program, std::vector<Fixed> fixed, std::size_t first_place)
     : program_(program),
       end_(first_place),
-      loop_(program.code.size(), kNoPlace),
+      loop_(loop_numbers(program)),
       bodies_(program.loops.size()),
       where_(program.code.size()),
       places_(program.code.size()),
       results_late_(program.code.size(), false) {
-  number_loops();
+  for (std::uint32_t l = 0; l < program.loops.size(); ++l) {
+    bodies_[l].operands.resize(program.loops[l].length);
+    bodies_[l].stores.resize(program.loops[l].length);
+    bodies_[l].results.resize(program.loops[l].length);
+  }
   add_fixed(std::move(fixed));
   find_results();
   add_rows();
@@ -46,16 +58,6 @@ int LoopLayout::operands(std::uint32_t v) const {
 
 bool LoopLayout::is_constant(std::uint32_t v) const {
   return program_.code[v].op == Operation::constant;
-}
-
-void LoopLayout::number_loops() {
-  for (std::uint32_t l = 0; l < program_.loops.size(); ++l) {
-    const Loop& loop = program_.loops[l];
-    std::fill_n(loop_.begin() + loop.first, loop.length * loop.count, l);
-    bodies_[l].operands.resize(loop.length);
-    bodies_[l].stores.resize(loop.length);
-    bodies_[l].results.resize(loop.length);
-  }
 }
 
 void LoopLayout::add_fixed(std::vector<Fixed> fixed) {

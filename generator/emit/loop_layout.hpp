@@ -48,6 +48,9 @@ struct LoopBody {
   std::uint32_t columns = 0;                                            ///< of that table
 };
 
+/// For each instruction the number of the loop that it is in, or kNoPlace.
+std::vector<std::uint32_t> loop_numbers(const Program& program);
+
 class LoopLayout {
  public:
   /// Values that lie side by side whatever the loops want: element i at `first` + i `step`.
@@ -101,7 +104,6 @@ class LoopLayout {
   bool is_constant(std::uint32_t v) const;
   double constant(std::uint32_t v) const { return program_.constants[program_.code[v].a]; }
 
-  void number_loops();
   void add_fixed(std::vector<Fixed> fixed);
   void find_results();
   void add_rows();

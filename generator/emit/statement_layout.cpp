@@ -19,9 +19,7 @@ constexpr int kMaxOperations = 16;
 }  // namespace
 
 StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes)
-    : program_(program), size_(program.code.size()), loop_(size_, kNoPlace) {
-  for (std::uint32_t l = 0; l < program.loops.size(); ++l)
-    std::fill_n(loop_.begin() + program.loops[l].first, program.loops[l].length * program.loops[l].count, l);
+    : program_(program), size_(program.code.size()), loop_(loop_numbers(program)) {
   place_tables();
   collect_uses();
   choose_names();

@@ -65,6 +65,9 @@ class Writer {
   Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes)
       : program_(program), signature_(signature), layout_(program, sizes) {}
 
+  /// Whether the values of loops, if there are loops, can be arranged.
+  bool possible() const { return !layout_.loops() || layout_.loops()->possible(); }
+
   FunctionBody write() {
     const std::size_t size = program_.code.size();
     text_.resize(size);
@@ -439,12 +442,11 @@ class Writer {
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,
                            const BlockSizes& sizes) {
-  if (const StatementLayout layout(program, sizes); layout.loops() && !layout.loops()->possible()) {
-    Program straight = program;
-    straight.loops.clear();
-    return Writer(straight, signature, sizes).write();
-  }
-  return Writer(program, signature, sizes).write();
+  Writer writer(program, signature, sizes);
+  if (writer.possible()) return writer.write();
+  Program straight = program;
+  straight.loops.clear();
+  return Writer(straight, signature, sizes).write();
 }
 
 }  // namespace alembert
