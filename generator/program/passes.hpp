@@ -51,8 +51,8 @@ Program gather_dot_products(const Program& program, std::size_t least);
 
 /// Stage `reroll`, after `schedule` and gathering: steps that do the same on other values, as those of a
 /// recursion along a chain, become iterations of loops; the rest stays straight code around them. Same
-/// operations and values, but for the sign of zero; signs are placed anew, and negations may be more. Without
-/// such steps the program stays as it is.
+/// operations; sums and products of three or more may be rounded in another order, signs are placed anew, and
+/// negations may be more. Without such steps the program stays as it is.
 Program reroll(const Program& program);
 
 /// How many additions and multiplications a program has in loops over steps.

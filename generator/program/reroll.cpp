@@ -1,10 +1,11 @@
 // Stage `reroll`: steps that do the same become iterations of loops. Scheduled program in; the same
 // operations out, ordered so that iterations follow each other, with the loops beside them.
 //
-// Values that correspond (similar_values.hpp) form rows, one value a step. Steps are numbered by the
-// coordinates that a value depends on: by the last one in a sweep outwards, by the first one in a sweep
-// inwards, which start from what earlier sweeps have. A loop is what a sweep has in all of a range of steps.
-// The rest, mostly the ends of a chain, is straight code before, between and after.
+// First sums and products are put together alike in all steps (align_sums). Values that correspond
+// (similar_values.hpp) form rows, one value a step. Steps are numbered by the coordinates that a value
+// depends on: by the last one in a sweep outwards, by the first one in a sweep inwards, which start from what
+// earlier sweeps have. A loop is what a sweep has in all of a range of steps. The rest, mostly the ends of a
+// chain, is straight code before, between and after.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -55,9 +56,9 @@ class Rerolling {
  public:
   explicit Rerolling(const Program& program) : program_(program), values_(program), size_(values_.size()) {}
 
-  Program run(std::span<const int> depths) {
+  Program run(std::uint32_t shift, std::span<const int> depths) {
     find_ahead();
-    map_ = corresponding_values(values_, depths);
+    map_ = corresponding_values(values_, shift, depths);
     number_steps();
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) find_loops(sweep);
     std::ranges::stable_sort(loops_, std::ranges::greater(), &Body::saved);
@@ -396,11 +397,15 @@ Program reroll(const Program& program) {
   static constexpr std::array<std::span<const int>, 4> kWays{kGoingUp, std::span(kGoingUp).subspan(2, 1),
                                                              std::span(kGoingUp).subspan(3, 1),
                                                              std::span(kGoingUp).subspan(4)};
+  const UnsignedProgram flat(program, UnsignedProgram::Form::flattened);
+  const std::uint32_t shift = shift_of_steps(flat, kGoingUp);
   Program best = program;
-  for (const std::span<const int> depths : kWays)
-    if (Program found = Rerolling(program).run(depths);
+  for (const std::span<const int> depths : kWays) {
+    const Program aligned = align_sums(program, shift, depths);
+    if (Program found = Rerolling(aligned).run(shift, depths);
         operations_in_loops(found) > operations_in_loops(best))
       best = std::move(found);
+  }
   return best;
 }
 

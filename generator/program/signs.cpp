@@ -6,6 +6,7 @@
 #include <bit>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -14,20 +15,15 @@
 namespace alembert {
 namespace {
 
-/// Whether the signs of two values differ, for pairs of values that follow each other from step to step:
-/// linear equations modulo 2, brought into echelon form as they come.
-class SignChanges {
+/// Signs of values, related by linear equations modulo 2, which are brought into echelon form as they come.
+class SignEquations {
  public:
-  /// The unknown of a pair.
-  std::uint32_t unknown(std::uint32_t v, std::uint32_t w) {
-    const auto [entry, fresh] =
-        unknowns_.try_emplace(std::minmax(v, w), static_cast<std::uint32_t>(rows_.size()));
-    if (fresh) rows_.emplace_back();
-    return entry->second;
-  }
+  explicit SignEquations(std::size_t size) : unknown_(size, kNoValue) {}
 
-  /// The sum of these unknowns is `odd`. What contradicts earlier equations is left out.
-  void add(std::vector<std::uint32_t> sum, bool odd) {
+  /// The sum of the signs of these values is `odd`. What contradicts earlier equations is left out.
+  void add(const std::vector<std::uint32_t>& values, bool odd) {
+    std::vector<std::uint32_t> sum;
+    for (const std::uint32_t v : values) sum.push_back(unknown(v));
     std::ranges::sort(sum);
     for (std::size_t i = 0; i + 1 < sum.size();) {
       if (sum[i] == sum[i + 1])
@@ -50,16 +46,16 @@ class SignChanges {
     }
   }
 
-  /// Pairs of values with the solution; unknowns that are free are even.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> solution() const {
-    std::vector<bool> values;
+  /// A solution, by value; signs that are free are even.
+  std::vector<bool> solution() const {
+    std::vector<bool> signs;
     for (const Row& row : rows_) {
-      bool value = row.odd;
-      for (const std::uint32_t other : row.others) value = value != values[other];
-      values.push_back(value);
+      bool sign = row.odd;
+      for (const std::uint32_t other : row.others) sign = sign != signs[other];
+      signs.push_back(sign);
     }
-    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> out;
-    for (const auto& [pair, unknown] : unknowns_) out.emplace(pair, values[unknown]);
+    std::vector<bool> out;
+    for (const std::uint32_t number : unknown_) out.push_back(number != kNoValue && signs[number]);
     return out;
   }
 
@@ -69,7 +65,16 @@ class SignChanges {
     std::vector<std::uint32_t> others;
     bool odd = false, known = false;
   };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> unknowns_;
+
+  std::uint32_t unknown(std::uint32_t v) {
+    if (unknown_[v] == kNoValue) {
+      unknown_[v] = static_cast<std::uint32_t>(rows_.size());
+      rows_.emplace_back();
+    }
+    return unknown_[v];
+  }
+
+  std::vector<std::uint32_t> unknown_;  // of a value
   std::vector<Row> rows_;
 };
 
@@ -89,6 +94,14 @@ class Signs {
   }
 
   Program write(std::span<const Steps> ranges) {
+    is_inside_.assign(values_.size(), false);
+    for (const Steps& steps : ranges)
+      for (std::size_t i = steps.first; i < steps.first + steps.length * steps.count; ++i)
+        is_inside_[order_[i]] = true;
+    argument_.assign(values_.size(), unknown);
+    for (std::uint32_t v = 0; v < values_.size(); ++v)
+      if (!is_free(v))
+        for (const Operand& o : values_.operands(v)) argument_[o.value] = o.negative ? minus : plus;
     relate(ranges);
     choose(ranges);
     std::size_t begin = 0;
@@ -125,11 +138,15 @@ class Signs {
 
   /// It or its negative can be computed with as many operations.
   bool is_free(std::uint32_t v) const { return values_.op(v) == Operation::add || is_product(v); }
+  /// Its negative can be had for a negation ahead of the loops.
+  bool can_turn(std::uint32_t v) const { return !is_free(v) && !values_.constant(v) && !is_inside_[v]; }
+  bool has_choice(std::uint32_t v) const { return is_free(v) || can_turn(v); }
   bool is_result(std::uint32_t v) const { return results_[v][0] || results_[v][1]; }
 
   /// Sets a sign; what it decides about operands comes with `spread`.
   void settle(std::uint32_t v, bool is_minus) {
     sign_[v] = is_minus ? minus : plus;
+    if (has_kin_[v] && kin_sign_[kin(v)] == unknown) kin_sign_[kin(v)] = is_minus != odd_[v] ? minus : plus;
     if (is_free(v)) open_.push_back(v);
   }
 
@@ -161,6 +178,7 @@ class Signs {
   /// The sign of a value, if anything but constants decides it.
   bool find(std::uint32_t v) {
     if (sign_[v] != unknown) return true;
+    if (!is_free(v)) return false;
     const auto [a, b] = operands(v);
     if (values_.op(v) == Operation::add) {
       if (!known(a) && !known(b)) return false;
@@ -173,51 +191,54 @@ class Signs {
   }
 
   void relate(std::span<const Steps> ranges) {
-    SignChanges changes;
+    SignEquations equations(values_.size());
     for (const Steps& steps : ranges)
       for (std::size_t i = steps.first; i + steps.length < steps.first + steps.length * steps.count; ++i)
-        relate(order_[i], order_[i + steps.length], changes);
-    // If nothing speaks against it, none or all are wanted with the other sign.
-    for (const Steps& steps : ranges)
-      for (std::size_t i = steps.first; i + steps.length < steps.first + steps.length * steps.count; ++i) {
-        const std::uint32_t v = order_[i], w = order_[i + steps.length];
-        if (is_free(v) && is_result(v) && is_result(w))
-          changes.add({changes.unknown(v, w)}, results_[v][1] != results_[w][1]);
-      }
-    std::vector<std::size_t> time(values_.size(), 0);
-    for (std::size_t i = 0; i < order_.size(); ++i) time[order_[i]] = i;
-    like_.assign(values_.size(), {kNoValue, false});
-    is_like_.assign(values_.size(), false);
-    for (const auto& [pair, differ] : changes.solution()) {
-      is_like_[pair.first] = is_like_[pair.second] = true;
-      const bool forward = time[pair.first] < time[pair.second];
-      const std::uint32_t first = forward ? pair.first : pair.second,
-                          second = forward ? pair.second : pair.first;
-      if (like_[second].value == kNoValue || time[first] > time[like_[second].value])
-        like_[second] = {first, differ};
+        relate(order_[i], order_[i + steps.length], equations);
+    // If nothing speaks against it, none or all are wanted with the other sign, and nothing is turned.
+    for (const auto& [v, w] : related_) {
+      if (is_inside_[v] && is_inside_[w] && is_result(v) && is_result(w))
+        equations.add({v, w}, results_[v][1] != results_[w][1]);
+      if (can_turn(v) || can_turn(w)) equations.add({v, w}, false);
     }
+    odd_ = equations.solution();
+    kin_.resize(values_.size());
+    std::iota(kin_.begin(), kin_.end(), 0u);
+    for (const auto& [v, w] : related_) kin_[kin(v)] = kin(w);
+    has_kin_.assign(values_.size(), false);
+    for (const auto& [v, w] : related_) has_kin_[v] = has_kin_[w] = true;
+    kin_sign_.assign(values_.size(), unknown);
+  }
+
+  /// One that stands for all values whose signs are related.
+  std::uint32_t kin(std::uint32_t v) {
+    while (kin_[v] != v) v = kin_[v] = kin_[kin_[v]];
+    return v;
   }
 
   /// v in one step is w in the next: the sign of each operand, relative to that of the value, has to stay.
-  void relate(std::uint32_t v, std::uint32_t w, SignChanges& changes) {
+  void relate(std::uint32_t v, std::uint32_t w, SignEquations& equations) {
     const bool product = is_product(v);
-    std::vector<std::uint32_t> unknowns;
+    std::vector<std::uint32_t> signs;
     bool odd = false;
-    if (is_free(v)) unknowns.push_back(changes.unknown(v, w));
-    const std::size_t own = unknowns.size();
+    const auto add = [&](std::uint32_t x, std::uint32_t y) {
+      signs.insert(signs.end(), {x, y});
+      related_.emplace_back(x, y);
+    };
+    if (is_free(v)) add(v, w);
+    const std::size_t own = signs.size();
     for (std::size_t k = 0; k < values_.operands(v).size(); ++k) {
       const Operand a = operand(v, k), b = operand(w, k);
       if (constant(a) && product) return;
       if (constant(a)) continue;
-      if (a.value != b.value && is_free(a.value) && is_free(b.value))
-        unknowns.push_back(changes.unknown(a.value, b.value));
+      if (a.value != b.value && has_choice(a.value) && has_choice(b.value)) add(a.value, b.value);
       odd = odd != (a.negative != b.negative);
       if (product) continue;
-      changes.add(unknowns, odd);
-      unknowns.resize(own);
+      equations.add(signs, odd);
+      signs.resize(own);
       odd = false;
     }
-    if (product) changes.add(unknowns, odd);
+    if (product) equations.add(signs, odd);
   }
 
   /// Step by step, and what lies between, so that no step depends on a later one.
@@ -237,16 +258,19 @@ class Signs {
     for (const std::uint32_t v : part) {
       if (values_.constant(v)) continue;
       if (!is_free(v)) {
-        settle(v, false);
+        if (!can_turn(v) || !follow(v)) settle(v, false);
         for (const Operand& o : values_.operands(v)) settle(o, false);
       } else if (!follow(v)) {
-        find(v);
+        if (argument_[v] == unknown)
+          find(v);
+        else
+          settle(v, argument_[v] == minus);
       }
       spread();
     }
     // What nothing decides: first what is like something, or something like it.
     for (const std::uint32_t v : part) {
-      if (!values_.constant(v) && is_like_[v] && !follow(v) && !find(v)) settle(v, false);
+      if (!values_.constant(v) && has_kin_[v] && !follow(v) && !find(v)) settle(v, false);
       spread();
     }
     for (std::size_t i = part.size(); i-- > 0;) {
@@ -256,11 +280,10 @@ class Signs {
     }
   }
 
-  /// Takes the sign from the value of another step, if it is known.
+  /// Takes the sign from a value that it is related to, if that is known.
   bool follow(std::uint32_t v) {
-    const Operand like = like_[v];
-    if (sign_[v] != unknown || like.value == kNoValue || sign_[like.value] == unknown) return false;
-    settle(v, (sign_[like.value] == minus) != like.negative);
+    if (sign_[v] != unknown || !has_kin_[v] || kin_sign_[kin(v)] == unknown) return false;
+    settle(v, (kin_sign_[kin(v)] == minus) != odd_[v]);
     return true;
   }
 
@@ -293,7 +316,9 @@ class Signs {
 
   std::uint32_t read_exactly(Operand o) {
     const std::uint32_t there = read(o, false);
-    return !constant(o) && negative(o) ? append(Operation::neg, there) : there;
+    if (constant(o) || !negative(o)) return there;
+    const auto negated = negative_at_.find(o.value);
+    return negated != negative_at_.end() ? negated->second : append(Operation::neg, there);
   }
 
   void write(std::uint32_t v) {
@@ -326,10 +351,14 @@ class Signs {
       for (std::size_t k = 0; k < given.size(); ++k) read[k] = read_exactly(given[k]);
       place = append(c.op, read[0], read[1]);
     }
+    if (is_minus && !is_free(v)) {
+      negative_at_[v] = place;
+      place = append(Operation::neg, place);
+    }
   }
 
   bool is_negative_wanted(std::uint32_t v) const {
-    return !values_.constant(v) && results_[v][sign_[v] == minus ? 0 : 1];
+    return !values_.constant(v) && results_[v][sign_[v] == minus ? 0 : 1] && !negative_at_.contains(v);
   }
   void negate(std::uint32_t v) { negative_at_[v] = append(Operation::neg, place_[v]); }
 
@@ -434,12 +463,18 @@ class Signs {
   std::span<const std::uint32_t> order_;
   const std::vector<bool>& swapped_;
   std::vector<Sign> sign_;
-  std::vector<std::uint32_t> open_;   // have a sign that their operands are yet to follow
-  std::vector<Operand> like_;         // of a value: that of another step, and whether its sign is the other
-  std::vector<bool> is_like_;         // it is like another or another like it
-  std::vector<std::uint32_t> place_;  // of a value in the code
-  std::vector<std::array<bool, 2>> results_;  // whether a value is a result, and its negative
-  std::map<std::uint32_t, std::uint32_t> negative_at_;
+  std::vector<std::uint32_t> open_;  // have a sign that their operands are yet to follow
+  std::vector<Sign> argument_;       // sign of the argument of a function that a value is
+  std::vector<bool> is_inside_;      // a value of a loop
+  // Values whose signs follow from each other: as pairs, as sets with one that stands for all, and whether a
+  // sign is the other one of the sign of the set.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> related_;
+  std::vector<std::uint32_t> kin_;
+  std::vector<bool> has_kin_, odd_;
+  std::vector<Sign> kin_sign_;
+  std::vector<std::uint32_t> place_;                    // of a value in the code
+  std::vector<std::array<bool, 2>> results_;            // whether a value is a result, and its negative
+  std::map<std::uint32_t, std::uint32_t> negative_at_;  // the negative of what is computed
   std::map<std::uint64_t, std::uint32_t> constant_at_;
   std::vector<Instruction> leaves_;
   Program out_;

@@ -1,6 +1,7 @@
 // Signs for a program that is put together anew: whether a value or its negative is computed. In: a program
 // without signs and an order of its values with ranges that are steps of loops. Out: a program in that order,
-// in which like steps have become like instructions.
+// in which like steps have become like instructions. Where one step is about the negative axis of another,
+// negatives of its sines and inputs come ahead of the loop.
 #pragma once
 
 #include <cstddef>

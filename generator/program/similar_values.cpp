@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "program/operation.hpp"
@@ -17,6 +18,9 @@ namespace {
 
 // Coordinates of a step.
 constexpr std::uint32_t kLongestShift = 8;
+
+// Of a sum in a flattened sum, and likewise of products: what is longer stays a value of its own.
+constexpr std::size_t kMostOperands = 24;
 
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
@@ -137,22 +141,70 @@ class Growth {
     return 0;
   }
 
+  /// True if nothing more can follow.
   bool follow_operands(std::uint32_t a, std::uint32_t b) {
-    const auto from = program_.operands(a), to = program_.operands(b);
+    const auto given = program_.operands(a), other = program_.operands(b);
+    if (given.size() != other.size()) return true;
     if (!program_.commutes(a)) {
-      for (std::size_t k = 0; k < from.size(); ++k) propose(from[k].value, to[k].value);
+      for (std::size_t k = 0; k < given.size(); ++k) propose(given[k].value, other[k].value);
       return true;
     }
-    const auto total = [&](std::size_t first, std::size_t second) -> std::optional<int> {
-      const auto x = evidence(from[0].value, to[first].value), y = evidence(from[1].value, to[second].value);
-      return x && y ? std::optional(*x + *y) : std::nullopt;
+    std::vector<std::uint32_t> from = values_of(given), to = values_of(other);
+    std::erase_if(from, [&](std::uint32_t x) {
+      const auto known = std::ranges::find_if(to, [&](std::uint32_t y) {
+        return map_.next[x] == y || (program_.constant(x) && program_.constant(y));
+      });
+      if (known == to.end()) return false;
+      to.erase(known);
+      return true;
+    });
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    while (!from.empty()) {
+      Candidates right(from.size()), left(to.size()), better_right(from.size()), better_left(to.size());
+      for (std::size_t i = 0; i < from.size(); ++i)
+        for (std::size_t k = 0; k < to.size(); ++k) {
+          const std::optional<int> found = evidence(from[i], to[k]);
+          if (!found) continue;
+          right[i].push_back(k);
+          left[k].push_back(i);
+          if (*found == 0) continue;
+          better_right[i].push_back(k);
+          better_left[k].push_back(i);
+        }
+      const auto none = [](const auto& candidates) { return candidates.empty(); };
+      if (std::ranges::any_of(right, none) || std::ranges::any_of(left, none)) return true;
+      auto pair = certain_pair(right, left);
+      if (!pair) pair = certain_pair(better_right, better_left);
+      if (!pair) break;
+      pairs.emplace_back(from[pair->first], to[pair->second]);
+      from.erase(from.begin() + static_cast<std::ptrdiff_t>(pair->first));
+      to.erase(to.begin() + static_cast<std::ptrdiff_t>(pair->second));
+    }
+    for (const auto& [x, y] : pairs) propose(x, y);
+    return from.empty();
+  }
+
+  using Candidates = std::vector<std::vector<std::size_t>>;
+
+  static std::vector<std::uint32_t> values_of(std::span<const Operand> operands) {
+    std::vector<std::uint32_t> out;
+    for (const Operand& o : operands) out.push_back(o.value);
+    return out;
+  }
+
+  /// Two of which one has no other candidate, nor is the only one of a third.
+  static std::optional<std::pair<std::size_t, std::size_t>> certain_pair(const Candidates& right,
+                                                                         const Candidates& left) {
+    const auto sole = [](const Candidates& one, const Candidates& other, std::size_t i) {
+      return one[i].size() == 1 && std::ranges::none_of(other[one[i][0]], [&](std::size_t rival) {
+               return rival != i && one[rival].size() == 1;
+             });
     };
-    const std::optional<int> straight = total(0, 1), crossed = total(1, 0);
-    if (straight == crossed) return !straight;
-    const std::size_t first = straight > crossed ? 0 : 1;
-    propose(from[0].value, to[first].value);
-    propose(from[1].value, to[1 - first].value);
-    return true;
+    for (std::size_t i = 0; i < right.size(); ++i)
+      if (sole(right, left, i)) return std::pair(i, right[i][0]);
+    for (std::size_t k = 0; k < left.size(); ++k)
+      if (sole(left, right, k)) return std::pair(left[k][0], k);
+    return std::nullopt;
   }
 
   bool follow_users(std::uint32_t a, std::uint32_t b) {
@@ -194,9 +246,18 @@ class Growth {
 
   bool operands_known(std::uint32_t a, std::uint32_t b) const {
     const auto from = program_.operands(a), to = program_.operands(b);
-    const auto pair = [&](std::size_t i, std::size_t k) { return map_.next[from[i].value] == to[k].value; };
-    if (from.size() == 1) return pair(0, 0);
-    return (pair(0, 0) && pair(1, 1)) || (program_.commutes(a) && pair(0, 1) && pair(1, 0));
+    if (from.size() != to.size()) return false;
+    std::vector<bool> taken(to.size(), false);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      bool known = false;
+      for (std::size_t k = 0; k < to.size() && !known; ++k) {
+        if (taken[k] || (k != i && !program_.commutes(a)) || map_.next[from[i].value] != to[k].value)
+          continue;
+        known = taken[k] = true;
+      }
+      if (!known) return false;
+    }
+    return true;
   }
 
   const UnsignedProgram& program_;
@@ -209,9 +270,10 @@ class Growth {
 
 }  // namespace
 
-UnsignedProgram::UnsignedProgram(const Program& program) : program_(program) {
+UnsignedProgram::UnsignedProgram(const Program& program, Form form) : program_(program) {
   plain_.resize(size());
   operands_.resize(size());
+  absorbed_.assign(size(), false);
   for (std::uint32_t v = 0; v < size(); ++v) {
     const Instruction& c = program.code[v];
     if (c.op == Operation::neg) {
@@ -219,10 +281,37 @@ UnsignedProgram::UnsignedProgram(const Program& program) : program_(program) {
       continue;
     }
     plain_[v] = {v, false};
-    if (operand_count(c.op) > 0) operands_[v][0] = plain_[c.a];
-    if (operand_count(c.op) > 1) operands_[v][1] = plain_[c.b];
+    if (operand_count(c.op) > 0) operands_[v].push_back(plain_[c.a]);
+    if (operand_count(c.op) > 1) operands_[v].push_back(plain_[c.b]);
     if (c.op == Operation::sub) operands_[v][1].negative = !operands_[v][1].negative;
   }
+  if (form == Form::flattened) flatten();
+}
+
+void UnsignedProgram::flatten() {
+  std::vector<std::uint32_t> uses(size(), 0);
+  for (std::uint32_t v = 0; v < size(); ++v)
+    for (const Operand& o : operands_[v]) ++uses[o.value];
+  for (const std::uint32_t v : wanted()) ++uses[plain_[v].value];
+  for (std::uint32_t v = 0; v < size(); ++v) {
+    if (!commutes(v)) continue;
+    std::vector<Operand> all;
+    for (const Operand& o : operands_[v]) {
+      const std::vector<Operand>& inner = operands_[o.value];
+      if (uses[o.value] != 1 || op(o.value) != op(v) || inner.size() > kMostOperands) {
+        all.push_back(o);
+        continue;
+      }
+      absorbed_[o.value] = true;
+      const std::size_t first = all.size();
+      all.insert(all.end(), inner.begin(), inner.end());
+      const std::size_t turned = !o.negative ? first : op(v) == Operation::mul ? first + 1 : all.size();
+      for (std::size_t k = first; k < turned; ++k) all[k].negative = !all[k].negative;
+    }
+    operands_[v] = std::move(all);
+  }
+  for (std::uint32_t v = 0; v < size(); ++v)
+    if (absorbed_[v]) operands_[v].clear();
 }
 
 std::vector<std::uint32_t> UnsignedProgram::wanted() const {
@@ -236,25 +325,24 @@ std::vector<std::uint32_t> UnsignedProgram::wanted() const {
   return out;
 }
 
-std::span<const UnsignedProgram::Operand> UnsignedProgram::operands(std::uint32_t v) const {
-  const Operation op = program_.code[v].op;
-  if (op == Operation::neg) return {};
-  return std::span(operands_[v]).first(static_cast<std::size_t>(operand_count(op)));
-}
-
-Correspondence corresponding_values(const UnsignedProgram& program, std::span<const int> depths) {
-  std::vector<Classes> classes;
-  for (const int depth : depths) classes.push_back(classes_of(program, depth));
+Correspondence corresponding_values(const UnsignedProgram& program, std::uint32_t shift,
+                                    std::span<const int> depths) {
   std::vector<std::vector<std::uint32_t>> users(program.size());
   for (std::uint32_t v = 0; v < program.size(); ++v)
     for (const auto& operand : program.operands(v))
       if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
-  Correspondence best;
+  Growth growth(program, users, shift);
+  for (const int depth : depths) growth.grow(classes_of(program, depth));
+  return growth.found();
+}
+
+std::uint32_t shift_of_steps(const UnsignedProgram& program, std::span<const int> depths) {
+  std::uint32_t best = 1;
+  std::size_t size = 0;
   for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
-    Growth growth(program, users, shift);
-    for (const Classes& alike : classes) growth.grow(alike);
-    Correspondence found = growth.found();
-    if (shift == 1 || found.size > best.size) best = std::move(found);
+    const std::size_t found = corresponding_values(program, shift, depths).size;
+    if (found > size) best = shift;
+    size = std::max(size, found);
   }
   return best;
 }

@@ -15,7 +15,8 @@ namespace alembert {
 
 inline constexpr std::uint32_t kNoValue = std::numeric_limits<std::uint32_t>::max();
 
-/// A program without its signs: negations are none, differences are sums.
+/// A program without its signs: negations are none, differences are sums. Flattened, a sum of sums that are
+/// used nowhere else is one value with many operands, and a product likewise.
 class UnsignedProgram {
  public:
   struct Operand {
@@ -23,7 +24,9 @@ class UnsignedProgram {
     bool negative;
   };
 
-  explicit UnsignedProgram(const Program& program);
+  enum class Form : std::uint8_t { binary, flattened };
+
+  explicit UnsignedProgram(const Program& program, Form form = Form::binary);
 
   /// Dot products in loops, which come last, are no values here.
   std::uint32_t size() const {
@@ -34,7 +37,9 @@ class UnsignedProgram {
   Operation op(std::uint32_t v) const {
     return program_.code[v].op == Operation::sub ? Operation::add : program_.code[v].op;
   }
-  std::span<const Operand> operands(std::uint32_t v) const;
+  std::span<const Operand> operands(std::uint32_t v) const { return operands_[v]; }
+  /// True for what has become part of a flattened value.
+  bool absorbed(std::uint32_t v) const { return absorbed_[v]; }
   bool constant(std::uint32_t v) const { return program_.code[v].op == Operation::constant; }
   bool leaf(std::uint32_t v) const { return constant(v) || program_.code[v].op == Operation::input; }
   bool commutes(std::uint32_t v) const { return op(v) == Operation::add || op(v) == Operation::mul; }
@@ -46,7 +51,10 @@ class UnsignedProgram {
  private:
   const Program& program_;
   std::vector<Operand> plain_;
-  std::vector<std::array<Operand, 2>> operands_;
+  void flatten();
+
+  std::vector<std::vector<Operand>> operands_;
+  std::vector<bool> absorbed_;
 };
 
 /// Inputs that belong to a coordinate, in the order of the coordinates.
@@ -65,9 +73,17 @@ struct Correspondence {
   bool along(std::uint32_t v) const { return next[v] != kNoValue || previous[v] != kNoValue; }
 };
 
-/// The correspondence that most values have, of those with short shifts. First come values with the same
-/// operations depths[0] levels deep, then depths[1], ...: deep ones tell apart what is used alike, shallow
-/// ones reach farther towards the ends of a chain. The same program gives the same.
-Correspondence corresponding_values(const UnsignedProgram& program, std::span<const int> depths);
+/// First come values with the same operations depths[0] levels deep, then depths[1], ...: deep ones tell
+/// apart what is used alike, shallow ones reach farther towards the ends of a chain. The same program gives
+/// the same.
+Correspondence corresponding_values(const UnsignedProgram& program, std::uint32_t shift,
+                                    std::span<const int> depths);
+
+/// The shift, of some short ones, by which most values correspond to others.
+std::uint32_t shift_of_steps(const UnsignedProgram& program, std::span<const int> depths);
+
+/// The same program, but that sums, and products, of corresponding operands are put together in the same
+/// order: rounding differs.
+Program align_sums(const Program& program, std::uint32_t shift, std::span<const int> depths);
 
 }  // namespace alembert

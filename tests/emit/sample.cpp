@@ -260,9 +260,10 @@ Program with_dot_products(const Mechanism& m, std::string_view function, std::si
 /// A recursion along the coordinates, and M of dot products of its values.
 Program steps(const Mechanism& m, std::string_view function, std::uint64_t seed) {
   const auto n = static_cast<std::uint32_t>(m.nv);
-  ChainMaker chain(n, seed);
+  const bool with_matrix = function == "mass_matrix_and_bias";
+  ChainMaker chain(n, seed, with_matrix ? ChainMaker::Steps::alike : ChainMaker::Steps::varied);
   chain.m.program.function = function;
-  if (function == "mass_matrix_and_bias") {
+  if (with_matrix) {
     // No speeds' rates: other coordinates in their place.
     for (InputSlot& slot : chain.m.program.inputs)
       if (slot.kind == ArgumentKind::qdd) slot.kind = ArgumentKind::q;

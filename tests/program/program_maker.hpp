@@ -84,7 +84,13 @@ inline std::uint32_t append_dot_product(ProgramMaker& m, std::span<const std::ui
 /// no value. The results are one of each step; rows[i] are three values of step i.
 class ChainMaker {
  public:
-  ChainMaker(std::uint32_t n, std::uint64_t seed) : m(0), random_(seed) {
+  enum class Steps : std::uint8_t {
+    alike,   ///< but for signs of sums and the order of two operands
+    varied,  ///< some about the negative axis, three terms in any order, and angles from elsewhere
+  };
+
+  ChainMaker(std::uint32_t n, std::uint64_t seed, Steps steps = Steps::alike)
+      : m(0), random_(seed), steps_(steps) {
     constexpr std::size_t kWidth = 4;
     std::vector<std::uint32_t> q, qd, qdd, sine, cosine;
     const auto inputs = [&](ArgumentKind kind, std::vector<std::uint32_t>& values) {
@@ -96,23 +102,28 @@ class ChainMaker {
     inputs(ArgumentKind::q, q);
     inputs(ArgumentKind::qd, qd);
     inputs(ArgumentKind::qdd, qdd);
+    if (steps == Steps::varied)
+      for (std::uint32_t& angle : q) angle = m.sub(m.constant(0.3), angle);
     for (std::uint32_t i = 0; i < n; ++i) sine.push_back(m.sin(q[i]));
     for (std::uint32_t i = 0; i < n; ++i) cosine.push_back(m.cos(q[i]));
     std::vector<Signed> x(kWidth), y(kWidth);
     std::vector<std::vector<Signed>> forces(n);
     for (std::size_t k = 0; k < kWidth; ++k) x[k] = y[k] = constant();
+    std::vector<bool> reversed(n, false);
+    for (std::uint32_t i = 0; i < n && steps == Steps::varied; ++i) reversed[i] = coin();
     const auto rotate = [&](std::vector<Signed>& v, std::uint32_t i, bool inverse) {
       for (std::size_t k = 0; k < kWidth; k += 2) {
-        const Signed s{sine[i], inverse}, c{cosine[i]}, a = v[k], b = v[k + 1];
+        const Signed s{sine[i], inverse != reversed[i]}, c{cosine[i]}, a = v[k], b = v[k + 1];
         v[k] = sum(product(c, a), product(s, b));
         v[k + 1] = sum(product(c, b), negated(product(s, a)));
       }
     };
     for (std::uint32_t i = 0; i < n; ++i) {
       rotate(x, i, false);
-      x[0] = sum(x[0], product(constant(), {qd[i]}));
-      x[2] = sum(sum(x[2], product(x[0], {qd[i]})), {qdd[i]});
-      x[3] = sum(x[3], sum(product(constant(), x[1]), product(constant(), x[2])));
+      const Signed rate{qd[i], reversed[i]}, its_rate{qdd[i], reversed[i]};
+      x[0] = sum(x[0], product(constant(), rate));
+      x[2] = sum(its_rate, x[2], product(x[0], rate));
+      x[3] = sum(x[3], product(constant(), x[1]), product(constant(), x[2]));
       rows.push_back({plain(x[0]), plain(x[2]), plain(x[3])});
       forces[i] = {sum(x[0], product(x[1], x[2])), product(constant(), x[1]), negated(x[2]), x[3]};
     }
@@ -150,9 +161,14 @@ class ChainMaker {
     if (random_() % 8 == 0) out = {m.neg(out.value), !out.negative};
     return out;
   }
+  Signed sum(Signed a, Signed b, Signed c) {
+    const std::uint64_t order = steps_ == Steps::varied ? random_() % 3 : 0;
+    return order == 0 ? sum(a, sum(b, c)) : order == 1 ? sum(b, sum(c, a)) : sum(c, sum(a, b));
+  }
   std::uint32_t plain(Signed a) { return a.negative ? m.neg(a.value) : a.value; }
 
   std::mt19937_64 random_;
+  Steps steps_;
 };
 
 inline std::size_t output_size(const Program& program) {
