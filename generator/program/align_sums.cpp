@@ -79,7 +79,8 @@ class Alignment {
     if (model.leaves.size() != own.leaves.size()) return std::nullopt;
     Tree out{{}, model.is_leaf};
     std::vector<UnsignedProgram::Operand> rest = own.leaves;
-    for (const auto& [x, negative] : model.leaves) {
+    for (const UnsignedProgram::Operand& operand : model.leaves) {
+      const std::uint32_t x = operand.value;
       const auto found = std::ranges::find_if(rest, [&](const auto& y) {
         return map_.next[x] == y.value || (binary_.constant(x) && binary_.constant(y.value)) || x == y.value;
       });
