@@ -106,23 +106,28 @@ class Rerolling {
     return found;
   }
 
-  /// Values whose steps go up by one from each to the next. Others depend on one end of the chain.
+  /// Values whose steps go up by one from each to the next, a few times. Others depend on one end of the
+  /// chain.
   void number_steps(int sweep) {
     std::vector<int> steps(size_, kNoStep);
     const auto open = [&](std::uint32_t v) { return sweep_[v] == kNoSweep && map_.along(v); };
     for (std::uint32_t v = 0; v < size_; ++v)
       if (sweep_[v] == kNoSweep) steps[v] = extreme(v, steps, sweep % 2 == 0);
-    std::vector<bool> fits(size_, false);
     const auto follows = [&](std::uint32_t a, std::uint32_t b) {
-      return a != kNoValue && b != kNoValue && steps[a] != kNoStep && steps[b] == steps[a] + 1;
+      return a != kNoValue && b != kNoValue && open(a) && open(b) && steps[a] != kNoStep &&
+             steps[b] == steps[a] + 1;
     };
-    for (std::uint32_t v = 0; v < size_; ++v)
-      fits[v] = open(v) && (follows(v, map_.next[v]) || follows(map_.previous[v], v));
-    for (std::uint32_t v = 0; v < size_; ++v)
-      if (fits[v]) {
-        sweep_[v] = sweep;
-        step_[v] = steps[v];
+    std::vector<std::uint32_t> run;
+    for (std::uint32_t v = 0; v < size_; ++v) {
+      if (!open(v) || follows(map_.previous[v], v)) continue;
+      run = {v};
+      while (follows(run.back(), map_.next[run.back()])) run.push_back(map_.next[run.back()]);
+      if (run.size() < kFewestSteps) continue;
+      for (const std::uint32_t x : run) {
+        sweep_[x] = sweep;
+        step_[x] = steps[x];
       }
+    }
   }
 
   /// True if operand i of a value and operand k of the next one are such a pair too, or the same, or
