@@ -101,7 +101,7 @@ struct PackFunction {
 
 PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
   const FunctionSignature& signature = *find_signature(program.function);
-  // Dot products stand where their rows are known: there are no loops over packs.
+  // Dot products stand where their rows are known: only steps are loops over packs.
   const Program straight = program.dot_products.empty() ? program : schedule(program);
   const FunctionBody body =
       function_body(order_for_registers(straight, States::many), signature, kBatchBlocks);

@@ -222,8 +222,11 @@ class Ordering {
 /// Orders what lies between loops, and one iteration of each, which stands for all.
 class LoopOrdering {
  public:
-  explicit LoopOrdering(const Program& program)
-      : program_(program), size_(static_cast<std::uint32_t>(program.code.size())), segment_(size_, 0) {}
+  LoopOrdering(const Program& program, States states)
+      : program_(program),
+        states_(states),
+        size_(static_cast<std::uint32_t>(program.code.size())),
+        segment_(size_, 0) {}
 
   Program order() {
     divide();
@@ -309,7 +312,7 @@ class LoopOrdering {
       if (wanted_[v] || wanted_in_loop(v)) part.outputs[0].values.push_back(place[v]);
     }
     part.outputs[0].rows = static_cast<std::uint32_t>(part.outputs[0].values.size());
-    Ordering ordering(part, States::one);
+    Ordering ordering(part, states_);
     ordering.order();
     std::vector<std::uint32_t> out;
     for (const std::uint32_t i : ordering.instructions())
@@ -350,6 +353,7 @@ class LoopOrdering {
   }
 
   const Program& program_;
+  States states_;
   std::uint32_t size_;
   std::vector<std::uint32_t> segment_;
   std::vector<bool> wanted_;  // by another segment, or as a result
@@ -360,7 +364,7 @@ class LoopOrdering {
 }  // namespace
 
 Program order_for_registers(const Program& program, States states) {
-  return program.loops.empty() ? Ordering(program, states).order() : LoopOrdering(program).order();
+  return program.loops.empty() ? Ordering(program, states).order() : LoopOrdering(program, states).order();
 }
 
 }  // namespace alembert

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <batch_sample/batch_sample_batch.hpp>
+#include <chain/chain_batch.hpp>
 #include <cmath>
 #include <cstddef>
 #include <double_pendulum/double_pendulum_batch.hpp>
@@ -131,6 +132,32 @@ TEST_P(BatchSample, SolvesForTheRates) {
             1U);
   for (std::size_t i = 0; i < kV; ++i)
     for (std::size_t s = 0; s < kStates; ++s) EXPECT_EQ(std::isfinite(back[i * kStride + s]), s != 7);
+}
+
+/// Steps along the chain are loops, over one state and over packs.
+TEST_P(BatchSample, StepsInLoopsAreThoseOfOneState) {
+  namespace chain = line::chain;
+  constexpr std::size_t kN = chain::kNv;
+  const std::vector<double> q = random_rows(kN, 1, -3, 3), qd = random_rows(kN, 2, -2, 2),
+                            qdd = random_rows(kN, 3, -2, 2);
+  std::vector<double> tau(kN * kStride), back(kN * kStride);
+  EXPECT_EQ(chain::inverse_dynamics_batch(kStates, kStride, q.data(), qd.data(), qdd.data(), {}, tau.data(),
+                                          options_),
+            0U);
+  EXPECT_EQ(chain::forward_dynamics_batch(kStates, kStride, q.data(), qd.data(), tau.data(), {}, back.data(),
+                                          options_),
+            0U);
+  for (std::size_t s = 0; s < kStates; ++s) {
+    std::array<double, kN> expected;
+    chain::inverse_dynamics<double>(column<kN>(q, s).data(), column<kN>(qd, s).data(),
+                                    column<kN>(qdd, s).data(), {}, expected.data());
+    double scale = 1;
+    for (const double e : expected) scale = std::max(scale, std::abs(e));
+    for (std::size_t i = 0; i < kN; ++i) {
+      EXPECT_NEAR(tau[i * kStride + s], expected[i], 1e-12 * scale) << i << " of state " << s;
+      EXPECT_NEAR(back[i * kStride + s], qdd[i * kStride + s], 1e-9) << i << " of state " << s;
+    }
+  }
 }
 
 /// Where forward_dynamics is among the functions, its straight line is what runs.
