@@ -2,6 +2,7 @@
 // ordered by content, the first one positive, the sign outside.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "symbolic/builder.hpp"
 
@@ -62,6 +63,9 @@ bool same(Factors x, Factors y) {
   return std::equal(x.at.begin(), x.at.begin() + x.size, y.at.begin());
 }
 
+// What is left of doubles that cancel to this fraction is rounding.
+constexpr double kCancellation = 0x1p-48;
+
 }  // namespace
 
 Ref Builder::intern_sum(Ref a, Ref b) {
@@ -77,7 +81,8 @@ std::optional<Ref> Builder::fold_sum(Ref a, Ref b) {
   } else if (op(a) != Op::real && op(b) != Op::real) {
     return std::nullopt;
   }
-  return real(numeric_value(a) + numeric_value(b));
+  const double x = numeric_value(a), sum = x + numeric_value(b);
+  return std::abs(sum) < kCancellation * std::abs(x) ? kZero : real(sum);
 }
 
 Ref Builder::sum(Ref a, Ref b) {

@@ -173,8 +173,9 @@ class ExprGraph {
   Expr integer(std::int64_t value);
   Expr rational(Rational value);
   Expr pi(Rational multiple = Rational(1));
-  Expr real(
-      double value);  ///< exact rational if it is a short one; throws std::domain_error on NaN and infinity
+  /// Exact rational if it is a short one. Sums of others in which no more than rounding is left are 0. Throws
+  /// std::domain_error on NaN and infinity.
+  Expr real(double value);
   Expr zero() { return integer(0); }
   Expr one() { return integer(1); }
 

@@ -197,6 +197,16 @@ TEST_F(Construction, SymbolsHaveAnyName) {
   EXPECT_NE(g.symbol(""), g.symbol(odd));
 }
 
+TEST_F(Construction, DoublesThatCancelToRoundingAreZero) {
+  const double c = std::sqrt(3.0) / 7;
+  const Expr computed = g.real(c);
+  EXPECT_TRUE(same(g.real(std::nextafter(std::nextafter(c, 1), 1)) - computed, zero));
+  EXPECT_TRUE(same(g.real(std::nextafter(c, 1)) - computed + half, half));
+  EXPECT_FALSE((g.real(c * (1 + 1e-13)) - computed).is_zero());
+  // What is written is exact.
+  EXPECT_FALSE((g.rational({1000000000000000001, 1000000000000000000}) - one).is_zero());
+}
+
 TEST_F(Construction, FlagsConstants) {
   EXPECT_TRUE((sin(g.rational({3, 10})) * sqrt(two) + g.pi()).is_constant());
   EXPECT_FALSE((x + one).is_constant());

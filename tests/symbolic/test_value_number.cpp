@@ -128,7 +128,7 @@ TEST_F(ValueNumber, DifferencesOfConstantsAreKept) {
   for (int k = 0; k < 1000; ++k) {
     const double c = computed_constant(random), d = moved(c, 1 + static_cast<int>(random.below(4)));
     const std::vector<Expr> out =
-        value_number(std::vector<Expr>{x * (g.real(d) - g.real(c)), g.real(c) * y + g.real(d) * z});
+        value_number(std::vector<Expr>{x * g.real(d - c), g.real(c) * y + g.real(d) * z});
     EXPECT_EQ(evaluate(out, std::vector<double>{1, 0, 0})[0], d - c) << c << ' ' << d;
     EXPECT_EQ(evaluate(out, std::vector<double>{0, 1, -1})[1], 0) << c << ' ' << d;
   }

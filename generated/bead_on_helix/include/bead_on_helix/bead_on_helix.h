@@ -54,7 +54,7 @@ extern const double bead_on_helix_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 96 multiplications, 67 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 94 multiplications, 65 additions, 4 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
@@ -67,14 +67,14 @@ int bead_on_helix_mass_matrix(const double* q, double t, const double* parameter
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 83 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 81 multiplications, 55 additions, 4 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 93 multiplications, 64 additions, 4 sin/cos/tan (reduced formulation).
+   Operations: 91 multiplications, 62 additions, 4 sin/cos/tan (reduced formulation).
  */
 int bead_on_helix_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::bead_on_helix {
 
-// inverse_dynamics: 96 multiplications, 67 additions, 4 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 94 multiplications, 65 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -47,12 +47,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t13 = S(0.18428853505018536) * t1;
   const S t2 = cosine[0];
   const S t14 = S(0.18428853505018536) * t2;
-  const S t15 = t13 * t4 - t3 * t2;
-  const S t16 = t3 * t13 + t2 * t4;
-  const S t17 = S(0.9828721869343219) * t2;
-  const S t18 = t3 * t1 + t4 * t14;
-  const S t19 = t3 * t14 - t1 * t4;
-  const S t20 = S(0.9828721869343219) * t1;
+  const S t15 = t3 * t1 + t4 * t14;
+  const S t16 = t3 * t14 - t1 * t4;
+  const S t17 = S(0.9828721869343219) * t1;
+  const S t18 = t13 * t4 - t3 * t2;
+  const S t19 = t3 * t13 + t2 * t4;
+  const S t20 = S(0.9828721869343219) * t2;
   const S qdd1 = qdd[1];  // dd(spin)
   const S t21 = qdd1 + S(0.18428853505018536) * qdd0;
   const S t22 = t5 * t11;
@@ -64,30 +64,28 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t28 = t21 + t25;
   const S t29 = S(0.15) * qdd0 + S(9.81);
   const S t30 = S(0.9828721869343219) * t4;
-  const S t31 = S(0.9828721869343219) * t3;
-  const S t32 = t22 + t8;
-  const S t33 = S(0.003259601202601324) * (qd0 * (S(0.8) * t7) + t3 * (S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t29));
-  const S t34 = t23 + t9;
-  const S t35 = S(0.003259601202601324) * (S(0.18428853505018536) * t29 + S(0.7862977495474576) * qdd0) - (S(1.1427778333825821e-05) * (t12 - t24) - (S(1.0507420347208973e-05) * t27 + S(1.7988235294117643e-05) * t32) - S(0.00021805294117647057) * t34);
-  const S t36 = S(1.0507420347208973e-05) * (t26 - t12) - (S(1.1427778333825821e-05) * t28 + S(1.7988235294117643e-05) * t34) - S(0.0001344470588235294) * t32;
+  const S t31 = t22 + t8;
+  const S t32 = t23 + t9;
+  const S t33 = S(0.003259601202601324) * (S(0.18428853505018536) * t29 + S(0.7862977495474576) * qdd0) - (S(1.1427778333825821e-05) * (t12 - t24) - (S(1.0507420347208973e-05) * t27 + S(1.7988235294117643e-05) * t31) - S(0.00021805294117647057) * t32);
+  const S t34 = S(0.9828721869343219) * t3;
+  const S t35 = S(0.003259601202601324) * (qd0 * (S(0.8) * t7) + t3 * (S(0.1474308280401483) * qdd0 - S(0.9828721869343219) * t29));
   const S f2 = in.wrenches[2];  // wrench(bead).fz
   const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S f0 = in.wrenches[0];  // wrench(bead).fx
-  const S t37 = S(0.18428853505018536) * f2 + (f1 * t17 - f0 * t20);
-  const S t38 = f0 * t16 - f1 * t19 + f2 * t31;
-  const S t39 = f1 * t18 - f0 * t15 - f2 * t30;
-  const S f5 = in.wrenches[5];  // wrench(bead).tz
+  const S t36 = S(0.18428853505018536) * f2 + (f1 * t20 - f0 * t17);
+  const S t37 = f1 * t15 - f0 * t18 - f2 * t30;
+  const S t38 = f0 * t19 - f1 * t16 + f2 * t34;
   const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f3 = in.wrenches[3];  // wrench(bead).tx
-  const S t40 = t3 * (t31 * f5 - (t19 * f4 - t16 * f3) - (S(0.004) * t39 + S(0.013038404810405297) * t37) + t35);
-  const S t41 = S(2.6020852139652106e-18) * t39 + S(0.013038404810405297) * t38 + (t17 * f4 - t20 * f3 + S(0.18428853505018536) * f5);
-  const S t42 = t3 * (t38 - S(0.003259601202601324) * t28) + t4 * (S(0.003259601202601324) * (t26 + t12) - t39);
-  const S t43 = S(0.00021805294117647057) * t28 - (S(1.1427778333825821e-05) * (t22 - t8) + S(1.0507420347208973e-05) * (t23 - t9) - S(1.7988235294117643e-05) * (t26 - t24)) + S(0.0001344470588235294) * t27 - t33 - t41;
-  tau[1] = t43;
-  const S t44 = S(0.18428853505018536) * (S(0.8) * t42 + t43);
-  const S t45 = S(0.003259601202601324) * t34 - t37;
-  const S t46 = S(0.9828721869343219) * (t4 * (t30 * f5 + (t15 * f3 - t18 * f4) + (S(2.6020852139652106e-18) * t37 - S(0.004) * t38) + t36) + t40 - S(0.8) * t45) - t44;
-  tau[0] = S(0.1601101283018868) * qdd0 - t46 - S(0.15) * (S(0.9828721869343219) * t42 - S(0.18428853505018536) * t45 - S(0.25) * t29);
+  const S f5 = in.wrenches[5];  // wrench(bead).tz
+  const S t39 = t20 * f4 - t17 * f3 + S(0.18428853505018536) * f5 + S(0.013038404810405297) * t38;
+  const S t40 = S(1.0507420347208973e-05) * (t26 - t12) - (S(1.1427778333825821e-05) * t28 + S(1.7988235294117643e-05) * t32) - S(0.0001344470588235294) * t31 + (t30 * f5 + (t18 * f3 - t15 * f4) - S(0.004) * t38);
+  const S t41 = t3 * (t38 - S(0.003259601202601324) * t28) + t4 * (S(0.003259601202601324) * (t26 + t12) - t37);
+  const S t42 = S(0.00021805294117647057) * t28 - (S(1.1427778333825821e-05) * (t22 - t8) + S(1.0507420347208973e-05) * (t23 - t9) - S(1.7988235294117643e-05) * (t26 - t24)) + S(0.0001344470588235294) * t27 - t35 - t39;
+  tau[1] = t42;
+  const S t43 = S(0.003259601202601324) * t32 - t36;
+  const S t44 = S(0.9828721869343219) * (S(0.8) * t43 - (t4 * t40 + t3 * (t34 * f5 - (t16 * f4 - t19 * f3) - (S(0.004) * t37 + S(0.013038404810405297) * t36) + t33)));
+  tau[0] = S(0.1601101283018868) * qdd0 + (S(0.18428853505018536) * (S(0.8) * t41 + t42) + t44) - S(0.15) * (S(0.9828721869343219) * t41 - S(0.18428853505018536) * t43 - S(0.25) * t29);
 }
 
 // mass_matrix: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation).
@@ -107,7 +105,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[3] = S(0.00035249999999999995);
 }
 
-// bias: 83 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
+// bias: 81 multiplications, 55 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -131,47 +129,45 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t3 = sine[1];
   const S t11 = qd0 * t3;
   const S t4 = cosine[1];
-  const S t12 = t3 * t9 + t1 * t4;
-  const S t13 = t1 * t3 - t4 * t9;
-  const S t14 = S(0.9828721869343219) * t1;
-  const S t15 = t2 * t4 - t3 * t10;
-  const S t16 = t4 * t10 + t2 * t3;
-  const S t17 = S(0.9828721869343219) * t2;
-  const S t18 = qd0 * t4;
-  const S t19 = t6 * t18;
+  const S t12 = qd0 * t4;
+  const S t13 = t3 * t9 + t1 * t4;
+  const S t14 = t1 * t3 - t4 * t9;
+  const S t15 = S(0.9828721869343219) * t1;
+  const S t16 = t2 * t4 - t3 * t10;
+  const S t17 = t4 * t10 + t2 * t3;
+  const S t18 = S(0.9828721869343219) * t2;
+  const S t19 = t6 * t12;
   const S t20 = t11 * t6;
   const S t21 = t11 * (S(0.9660377358490566) * t11);
-  const S t22 = t7 * t18;
+  const S t22 = t7 * t12;
   const S t23 = t11 * t7;
-  const S t24 = t11 * t18;
-  const S t25 = t18 * (S(0.9660377358490566) * t18);
-  const S t26 = S(1.1427778333825821e-05) * (t19 - t22) + S(1.0507420347208973e-05) * (t20 - t23) + S(1.7988235294117643e-05) * (t25 - t21) + S(8.076643729189789e-05) * t24 - S(0.003259601202601324) * (qd0 * (S(0.8) * t11) - S(9.641976153825699) * t4);
-  const S t27 = t19 + t22;
+  const S t24 = t11 * t12;
+  const S t25 = t12 * (S(0.9660377358490566) * t12);
+  const S t26 = t19 + t22;
+  const S t27 = S(1.1427778333825821e-05) * (t19 - t22) + S(1.0507420347208973e-05) * (t20 - t23) + S(1.7988235294117643e-05) * (t25 - t21) + S(8.076643729189789e-05) * t24 - S(0.003259601202601324) * (qd0 * (S(0.8) * t11) - S(9.641976153825699) * t4);
   const S t28 = t20 + t23;
-  const S t29 = S(0.9828721869343219) * t4;
-  const S t30 = S(0.9828721869343219) * t3;
+  const S t29 = S(0.9828721869343219) * t3;
+  const S t30 = S(0.9828721869343219) * t4;
   const S f2 = in.wrenches[2];  // wrench(bead).fz
   const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S f1 = in.wrenches[1];  // wrench(bead).fy
-  const S t31 = S(0.18428853505018536) * f2 - (f0 * t14 - f1 * t17);
-  const S t32 = f2 * t30 - (f1 * t12 + f0 * t15);
-  const S t33 = f2 * t29 + (f1 * t13 + f0 * t16);
-  const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S f3 = in.wrenches[3];  // wrench(bead).tx
+  const S t31 = S(0.18428853505018536) * f2 - (f0 * t15 - f1 * t18);
+  const S t32 = f2 * t29 - (f1 * t13 + f0 * t16);
+  const S t33 = f2 * t30 + (f1 * t14 + f0 * t17);
   const S f4 = in.wrenches[4];  // wrench(bead).ty
-  const S t34 = S(0.004) * t33 - S(2.6020852139652106e-18) * t31 - (f5 * t30 - (f3 * t15 + f4 * t12));
-  const S t35 = t13 * f4 + t16 * f3 + t29 * f5 + (S(0.004) * t32 - S(0.013038404810405297) * t31);
-  const S t36 = t26 - (S(0.013038404810405297) * t33 - S(2.6020852139652106e-18) * t32 + (t17 * f4 - t14 * f3 + S(0.18428853505018536) * f5));
+  const S f3 = in.wrenches[3];  // wrench(bead).tx
+  const S f5 = in.wrenches[5];  // wrench(bead).tz
+  const S t34 = t14 * f4 + t17 * f3 + t30 * f5 + (S(0.004) * t32 - S(0.013038404810405297) * t31);
+  const S t35 = S(0.004) * t33 - (t29 * f5 - (t16 * f3 + t13 * f4)) + (S(0.0001344470588235294) * t26 - (S(1.0507420347208973e-05) * (t25 - t8) - (S(1.7988235294117643e-05) * t28 + S(1.1039665107394001e-05) * t24)));
+  const S t36 = t27 - (S(0.013038404810405297) * t33 + (t18 * f4 - t15 * f3 + S(0.18428853505018536) * f5));
   c[1] = t36;
-  const S t37 = t3 * (t32 + S(0.003259601202601324) * (t25 + t8)) + t4 * (t33 - S(0.0031488977655318453) * t24);
-  const S t38 = t4 * (S(0.00021805294117647057) * t28 - (S(1.0150564561832064e-05) * t24 - S(1.7988235294117643e-05) * t27 + S(1.1427778333825821e-05) * (t8 - t21)) + S(0.0058929369499619135) + t35);
-  const S t39 = t31 - S(0.003259601202601324) * t28;
-  const S t40 = S(0.18428853505018536) * (t36 + S(0.8) * t37);
-  const S t41 = S(0.9828721869343219) * (S(0.8) * t39 - (t3 * (S(0.0001344470588235294) * t27 - (S(1.0507420347208973e-05) * (t25 - t8) - (S(1.7988235294117643e-05) * t28 + S(1.1039665107394001e-05) * t24)) + t34) - t38)) - t40;
-  c[0] = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t39 + S(0.9828721869343219) * t37)) - t41;
+  const S t37 = t3 * (S(0.003259601202601324) * (t25 + t8) + t32) - t4 * (S(0.0031488977655318453) * t24 - t33);
+  const S t38 = t31 - S(0.003259601202601324) * t28;
+  const S t39 = S(0.9828721869343219) * (S(0.8) * t38 + (t4 * (S(0.00021805294117647057) * t28 - (S(1.0150564561832064e-05) * t24 - S(1.7988235294117643e-05) * t26 + S(1.1427778333825821e-05) * (t8 - t21)) + S(0.0058929369499619135) + t34) - t3 * t35));
+  c[0] = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t38 + S(0.9828721869343219) * t37)) - (t39 - S(0.18428853505018536) * (S(0.8) * t37 + t36));
 }
 
-// mass_matrix_and_bias: 93 multiplications, 64 additions, 4 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 91 multiplications, 62 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -196,47 +192,46 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t11 = S(0.9828721869343219) * t10;
   const S t3 = sine[1];
   const S t12 = t3 * qd0;
-  const S t13 = t4 * t5 + t3 * t2;
-  const S t14 = t3 * t5 - t4 * t2;
-  const S t15 = t4 * t6 - t3 * t1;
-  const S t16 = t4 * t1 + t3 * t6;
+  const S t13 = t3 * t5 - t4 * t2;
+  const S t14 = t4 * t5 + t3 * t2;
+  const S t15 = t4 * t1 + t3 * t6;
+  const S t16 = t4 * t6 - t3 * t1;
   const S t17 = S(0.9828721869343219) * t12;
-  const S t18 = t12 * (S(0.9660377358490566) * t12);
+  const S t18 = S(0.9660377358490566) * (t12 * t12);
   const S t19 = t9 * t11;
   const S t20 = qd1 * t11;
   const S t21 = qd1 * t17;
   const S t22 = t9 * t17;
   const S t23 = t9 * t9;
   const S t24 = t19 + t20;
-  const S t25 = S(0.9828721869343219) * t4;
-  const S t26 = S(0.9828721869343219) * t3;
-  const S t27 = t12 * t10;
-  const S t28 = t10 * (S(0.9660377358490566) * t10);
-  const S t29 = S(0.003259601202601324) * (qd0 * (S(0.8) * t12) - S(9.641976153825699) * t4) - (S(8.076643729189789e-05) * t27 - (S(1.1427778333825821e-05) * (t19 - t20) + S(1.0507420347208973e-05) * (t22 - t21) - S(1.7988235294117643e-05) * (t28 - t18)));
-  const S t30 = t22 + t21;
-  const S t31 = S(0.00021805294117647057) * t30 + (S(1.1427778333825821e-05) * (t18 - t23) + (S(1.7988235294117643e-05) * t24 - S(1.0150564561832064e-05) * t27)) + S(0.0058929369499619135);
-  const S t32 = S(0.0001344470588235294) * t24 - (S(1.0507420347208973e-05) * (t28 - t23) - (S(1.7988235294117643e-05) * t30 + S(1.1039665107394001e-05) * t27));
+  const S t25 = S(0.9828721869343219) * t3;
+  const S t26 = t10 * t12;
+  const S t27 = t10 * (S(0.9660377358490566) * t10);
+  const S t28 = S(0.003259601202601324) * (qd0 * (S(0.8) * t12) - S(9.641976153825699) * t4) - (S(8.076643729189789e-05) * t26 - (S(1.1427778333825821e-05) * (t19 - t20) + S(1.0507420347208973e-05) * (t22 - t21) - S(1.7988235294117643e-05) * (t27 - t18)));
+  const S t29 = t22 + t21;
+  const S t30 = S(0.00021805294117647057) * t29 - (S(1.1427778333825821e-05) * (t23 - t18) - (S(1.7988235294117643e-05) * t24 - S(1.0150564561832064e-05) * t26)) + S(0.0058929369499619135);
+  const S t31 = S(0.9828721869343219) * t4;
   const S f1 = in.wrenches[1];  // wrench(bead).fy
   const S f0 = in.wrenches[0];  // wrench(bead).fx
   const S f2 = in.wrenches[2];  // wrench(bead).fz
-  const S t33 = f1 * t16 - f0 * t14 - f2 * t26;
-  const S t34 = S(0.18428853505018536) * f2 + (f1 * t7 - f0 * t8);
-  const S t35 = f0 * t13 - f1 * t15 + f2 * t25;
+  const S t32 = t15 * f1 - t13 * f0 - t25 * f2;
+  const S t33 = S(0.18428853505018536) * f2 + (f1 * t7 - f0 * t8);
+  const S t34 = f0 * t14 - f1 * t16 + f2 * t31;
   const S f5 = in.wrenches[5];  // wrench(bead).tz
-  const S f4 = in.wrenches[4];  // wrench(bead).ty
   const S f3 = in.wrenches[3];  // wrench(bead).tx
-  const S t36 = t4 * (t25 * f5 - (t15 * f4 - t13 * f3) - (S(0.004) * t33 + S(0.013038404810405297) * t34) + t31);
-  const S t37 = t29 + (S(2.6020852139652106e-18) * t33 + S(0.013038404810405297) * t35 + (f4 * t7 - f3 * t8 + S(0.18428853505018536) * f5));
-  const S t38 = t34 - S(0.003259601202601324) * t30;
-  const S t39 = S(0.9828721869343219) * (t3 * (t26 * f5 + (t14 * f3 - t16 * f4) + (S(2.6020852139652106e-18) * t34 - S(0.004) * t35) - t32) + t36 + S(0.8) * t38);
-  const S t40 = t4 * (t35 - S(0.0031488977655318453) * t27) - t3 * (t33 - S(0.003259601202601324) * (t28 + t23));
-  c[0] = S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t38 + S(0.9828721869343219) * t40)) - (S(0.18428853505018536) * (t37 - S(0.8) * t40) + t39);
-  const S t42 = S(1.0507420347208973e-05) * t4 - S(1.1427778333825821e-05) * t3;
-  M[0] = S(0.1660876283018868) - (S(0.9828721869343219) * (S(0.9828721869343219) * (t3 * (S(3.59764705882353e-05) * t4 + S(8.360588235294117e-05) * t3) + S(0.0001344470588235294)) + S(0.3685770701003707) * t42) + S(0.005215361924162119) * t4);
-  const S t44 = S(6.496170860519033e-05) - S(0.9828721869343219) * t42;
-  M[1] = t44;
-  M[2] = t44;
-  c[1] = -t37;
+  const S f4 = in.wrenches[4];  // wrench(bead).ty
+  const S t35 = S(0.0001344470588235294) * t24 - (S(1.0507420347208973e-05) * (t27 - t23) - (S(1.7988235294117643e-05) * t29 + S(1.1039665107394001e-05) * t26)) - (f5 * t25 + (f3 * t13 - f4 * t15) - S(0.004) * t34);
+  const S t36 = t4 * (t34 - S(0.0031488977655318453) * t26) - t3 * (t32 - S(0.003259601202601324) * (t27 + t23));
+  const S t37 = S(-0.013038404810405297) * t34 - (f4 * t7 - f3 * t8 + S(0.18428853505018536) * f5) - t28;
+  c[1] = t37;
+  const S t38 = t33 - S(0.003259601202601324) * t29;
+  const S t39 = S(0.9828721869343219) * (t3 * t35 - t4 * (f5 * t31 - (f4 * t16 - f3 * t14) - (S(0.004) * t32 + S(0.013038404810405297) * t33) + t30) - S(0.8) * t38);
+  c[0] = t39 + S(0.18428853505018536) * (S(0.8) * t36 + t37) + S(0.15) * (S(2.4525) - (S(0.18428853505018536) * t38 + S(0.9828721869343219) * t36));
+  const S t41 = S(1.0507420347208973e-05) * t4 - S(1.1427778333825821e-05) * t3;
+  M[0] = S(0.1660876283018868) - (S(0.9828721869343219) * (S(0.9828721869343219) * (t3 * (S(3.59764705882353e-05) * t4 + S(8.360588235294117e-05) * t3) + S(0.0001344470588235294)) + S(0.3685770701003707) * t41) + S(0.005215361924162119) * t4);
+  const S t43 = S(6.496170860519033e-05) - S(0.9828721869343219) * t41;
+  M[1] = t43;
+  M[2] = t43;
   M[3] = S(0.00035249999999999995);
 }
 

@@ -93,7 +93,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
-/// Operations: 96 multiplications, 67 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 94 multiplications, 65 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -105,13 +105,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-/// Operations: 83 multiplications, 57 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 81 multiplications, 55 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 93 multiplications, 64 additions, 4 sin/cos/tan (reduced formulation).
+/// Operations: 91 multiplications, 62 additions, 4 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

@@ -54,7 +54,7 @@ extern const double four_bar_knee_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [2] is the result.
-   Operations: 118 multiplications, 77 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
@@ -67,14 +67,14 @@ int four_bar_knee_mass_matrix(const double* q, double t, const double* parameter
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-   Operations: 109 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [2 x 2], symmetric and written in full, and c [2] are the results.
-   Operations: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+   Operations: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
  */
 int four_bar_knee_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::four_bar_knee {
 
-// inverse_dynamics: 118 multiplications, 77 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// inverse_dynamics: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -31,8 +31,8 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t3 = cosine[1];
-  const S t4 = S(0.001536) * t3;
+  const S t2 = cosine[1];
+  const S t4 = S(0.001536) * t2;
   const S t5 = S(0.0016) - t4;
   const S t6 = sqrt(t5);
   const S t7 = S(1.0) / t6;
@@ -40,10 +40,10 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t9 = S(1.0) / t5;
   const S t10 = S(216.26297577854672) * t8;
   const S t11 = sqrt(S(1.0) - t8 * t10);
-  const S t12 = S(0.032) * t3;
-  const S t2 = sine[1];
-  const S t13 = t2 * t7;
-  const S t14 = S(0.032) * t2;
+  const S t12 = S(0.032) * t2;
+  const S t3 = sine[1];
+  const S t13 = t3 * t7;
+  const S t14 = S(0.032) * t3;
   const S t15 = t7 * t8;
   const S t16 = acos(S(14.705882352941176) * t8);
   const S t17 = S(0.5) * t7;
@@ -57,13 +57,13 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t25 = S(0.02258823529411765) / t11;
   const S t26 = t9 * t18;
   const S t27 = t19 * t9;
-  const S t28 = t2 * t9;
-  const S t29 = t2 * t23;
-  const S t30 = t25 * (t3 * t23 - t2 * (t26 - t17 * (t8 * t26 + t7 * (t22 + t24))) - t10 * (t24 * t29) / (t11 * t11));
+  const S t28 = t3 * t9;
+  const S t29 = t3 * t23;
+  const S t30 = t25 * (t2 * t23 - t3 * (t26 - t17 * (t8 * t26 + t7 * (t22 + t24))) - t10 * (t24 * t29) / (t11 * t11));
   const S t31 = cos(t21);
   const S t32 = sin(t21);
-  const S t33 = t2 * t28;
-  const S t34 = t14 * (t27 - t3 * (t9 * (S(0.032) - S(0.001536) * t27))) + (t28 * (S(0.001024) * (t3 + (t3 - S(0.001536) * t33))) - t30);
+  const S t33 = t3 * t28;
+  const S t34 = t14 * (t27 - t2 * (t9 * (S(0.032) - S(0.001536) * t27))) + (t28 * (S(0.001024) * (t2 + (t2 - S(0.001536) * t33))) - t30);
   const S t35 = S(0.001024) * t33 - t12 * t27 - t25 * t29;
   const S t36 = t12 - (S(0.024) - S(0.034) * t31);
   const S t37 = t14 + S(0.034) * t32;
@@ -95,24 +95,23 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t59 = qd0 - qd1 * t50;
   const S t60 = qd0 * (S(0.064) * qd1);
   const S t0 = cosine[0];
-  const S t61 = t2 * t60 + (S(9.81) * t0 + (S(0.41) * t52 + (S(0.012) * qdd0 - S(0.032) * (t3 * t55 + t2 * t56))));
+  const S t61 = t3 * t60 + (S(9.81) * t0 + (S(0.41) * t52 + (S(0.012) * qdd0 - S(0.032) * (t2 * t55 + t3 * t56))));
   const S t1 = sine[0];
-  const S t62 = t60 * t3 - (S(0.41) * qdd0 - S(0.012) * t52 + S(9.81) * t1 + S(0.032) * (t3 * t56 - t2 * t55));
+  const S t62 = t2 * t60 - (S(0.41) * qdd0 - S(0.012) * t52 + S(9.81) * t1 + S(0.032) * (t2 * t56 - t3 * t55));
   const S t63 = t0 * t57 - t1 * t58;
   const S t64 = t57 * t1 + t0 * t58;
-  const S f2 = in.wrenches[2];  // wrench(shank).fz
   const S f0 = in.wrenches[0];  // wrench(shank).fx
-  const S t65 = f2 * t63 + f0 * t64;
-  const S t66 = t63 * f0 - f2 * t64;
-  const S t67 = S(0.6463220249999222) * (t59 * t59) + t66;
-  const S t68 = S(0.6463220249999222) * t54 + t65;
+  const S f2 = in.wrenches[2];  // wrench(shank).fz
+  const S t65 = S(0.6463220249999222) * (t59 * t59) + (t63 * f0 - f2 * t64);
+  const S t66 = f2 * t63 + f0 * t64;
+  const S t67 = S(0.6463220249999222) * t54 + t66;
   const S f4 = in.wrenches[4];  // wrench(shank).ty
-  const S t69 = S(0.1738624) * t54 - S(0.6463220249999222) * (t58 * t62 + t61 * t57) - (f4 - (S(1.0408340855860843e-17) * t66 + S(0.19009471323527125) * t65));
-  const S t70 = S(3.4) * t61 - (t57 * t68 - t58 * t67);
-  const S t71 = S(3.4) * t62 - (t58 * t68 + t57 * t67);
-  const S t72 = S(0.032) * (t3 * t70 - t2 * t71);
-  tau[0] = S(0.012) * t70 - S(0.41) * t71 - (t72 - t69) + (S(0.3563952000000001) * qdd0 - (S(0.282528) * t0 - S(12.71376) * t1));
-  tau[1] = t72 - t50 * t69;
+  const S t68 = S(0.1738624) * t54 - S(0.6463220249999222) * (t58 * t62 + t61 * t57) - (f4 - S(0.19009471323527125) * t66);
+  const S t69 = S(3.4) * t61 - (t57 * t67 - t58 * t65);
+  const S t70 = S(3.4) * t62 - (t58 * t67 + t57 * t65);
+  const S t71 = S(0.032) * (t2 * t69 - t3 * t70);
+  tau[0] = S(0.3563952000000001) * qdd0 - (S(0.282528) * t0 - S(12.71376) * t1) - (t71 - t68 - (S(0.012) * t69 - S(0.41) * t70));
+  tau[1] = t71 - t50 * t68;
 }
 
 // mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
@@ -166,7 +165,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[2] = t37;
 }
 
-// bias: 109 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// bias: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -178,45 +177,45 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using ::std::sqrt;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S t3 = cosine[1];
-  const S t4 = S(0.001536) * t3;
+  const S t2 = cosine[1];
+  const S t4 = S(0.001536) * t2;
   const S t5 = S(0.0016) - t4;
   const S t6 = sqrt(t5);
   const S t7 = S(1.0) / t6;
-  const S t8 = (S(0.002356) - t4) * t7;
+  const S t8 = t7 * (S(0.002356) - t4);
   const S t9 = S(1.0) / t5;
   const S t10 = S(216.26297577854672) * t8;
   const S t11 = sqrt(S(1.0) - t8 * t10);
-  const S t12 = S(0.032) * t3;
-  const S t2 = sine[1];
-  const S t13 = t2 * t7;
-  const S t14 = S(0.032) * t2;
+  const S t12 = S(0.032) * t2;
+  const S t3 = sine[1];
+  const S t13 = t7 * t3;
+  const S t14 = S(0.032) * t3;
   const S t15 = t7 * t8;
   const S t16 = acos(S(14.705882352941176) * t8);
-  const S t17 = S(0.000768) * t13;
-  const S t18 = S(0.024) - t12;
-  const S t19 = atan2(t14, t18);
-  const S t20 = t16 - t19;
-  const S t21 = t15 * t17;
-  const S t22 = t21 - S(0.001536) * t13;
-  const S t23 = S(0.5) * t7;
-  const S t24 = t7 - t15 * t23;
+  const S t17 = S(0.5) * t7;
+  const S t18 = S(0.000768) * t13;
+  const S t19 = S(0.024) - t12;
+  const S t20 = atan2(t14, t19);
+  const S t21 = t16 - t20;
+  const S t22 = t15 * t18;
+  const S t23 = t7 - t15 * t17;
+  const S t24 = t22 - S(0.001536) * t13;
   const S t25 = S(0.02258823529411765) / t11;
-  const S t26 = t9 * t17;
-  const S t27 = t18 * t9;
-  const S t28 = t2 * t9;
-  const S t29 = cos(t20);
-  const S t30 = sin(t20);
-  const S t31 = t2 * t28;
-  const S t32 = t2 * t24;
-  const S t33 = t25 * (t3 * t24 - t2 * (t26 - t23 * (t8 * t26 + t7 * (t21 + t22))) - t32 * (t10 * t22) / (t11 * t11));
-  const S t34 = S(0.001024) * t31 - t12 * t27 - t32 * t25;
-  const S t35 = t14 * (t27 - t3 * (t9 * (S(0.032) - S(0.001536) * t27))) + (t28 * (S(0.001024) * (t3 + (t3 - S(0.001536) * t31))) - t33);
-  const S t36 = t12 - (S(0.024) - S(0.034) * t29);
-  const S t37 = t14 + S(0.034) * t30;
+  const S t26 = t9 * t18;
+  const S t27 = t19 * t9;
+  const S t28 = t3 * t9;
+  const S t29 = t3 * t23;
+  const S t30 = t25 * (t2 * t23 - t3 * (t26 - t17 * (t8 * t26 + t7 * (t22 + t24))) - t10 * (t24 * t29) / (t11 * t11));
+  const S t31 = cos(t21);
+  const S t32 = sin(t21);
+  const S t33 = t3 * t28;
+  const S t34 = t14 * (t27 - t2 * (t9 * (S(0.032) - S(0.001536) * t27))) + (t28 * (S(0.001024) * (t2 + (t2 - S(0.001536) * t33))) - t30);
+  const S t35 = S(0.001024) * t33 - t12 * t27 - t25 * t29;
+  const S t36 = t12 - (S(0.024) - S(0.034) * t31);
+  const S t37 = t14 + S(0.034) * t32;
   const S t38 = S(1.0) / (t37 * t37 + t36 * t36);
-  const S t39 = t30 * t34;
-  const S t40 = t29 * t34;
+  const S t39 = t32 * t35;
+  const S t40 = t31 * t35;
   const S t41 = t12 + S(0.034) * t40;
   const S t42 = t14 + S(0.034) * t39;
   const S t43 = t36 * t42;
@@ -224,41 +223,40 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t45 = t44 + t44 - (t43 + t43);
   const S t46 = t37 * t38;
   const S t47 = t36 * t38;
-  const S t48 = t46 * (t12 + S(0.034) * (t30 * t35 + t34 * t40)) - t38 * (t41 * (t42 + t47 * t45) - t42 * (t41 - t46 * t45));
+  const S t48 = t46 * (t12 + S(0.034) * (t32 * t34 + t35 * t40)) - t38 * (t41 * (t42 + t47 * t45) - t42 * (t41 - t46 * t45));
   const S t49 = atan2(t37, -t36);
-  const S t50 = t42 * t46 + t41 * t47;
+  const S t50 = t46 * t42 + t47 * t41;
   const S t51 = t49 + S(1.5392278703071185);
-  const S t52 = cos(t51);
-  const S t53 = sin(t51);
+  const S t52 = sin(t51);
+  const S t53 = cos(t51);
   const S qd1 = qd[1];  // d(q)
   const S t54 = qd1 * qd1;
-  const S t55 = t54 * (t47 * (t14 - S(0.034) * (t29 * t35 - t34 * t39)) - t48);
+  const S t55 = t54 * (t47 * (t14 - S(0.034) * (t31 * t34 - t35 * t39)) - t48);
   const S qd0 = qd[0];  // d(hip)
   const S t56 = qd0 * qd0;
-  const S t57 = qd0 * (S(0.064) * qd1) - S(0.032) * (t54 + t56);
+  const S t57 = qd1 * (S(0.064) * qd0) - S(0.032) * (t54 + t56);
   const S t58 = qd0 - qd1 * t50;
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t59 = t0 * t52 - t1 * t53;
-  const S t60 = t1 * t52 + t0 * t53;
+  const S t1 = cosine[0];
+  const S t0 = sine[0];
+  const S t59 = t53 * t1 - t0 * t52;
+  const S t60 = t0 * t53 + t52 * t1;
   const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S t61 = f0 * t59 - f2 * t60;
-  const S t62 = t59 * f2 + f0 * t60;
-  const S t63 = t58 * (S(0.6463220249999222) * t58) + t61;
-  const S t64 = S(0.6463220249999222) * t55 + t62;
-  const S t65 = S(0.012) * t56 - (S(9.81) * t1 - t3 * t57);
-  const S t66 = S(0.41) * t56 + (S(9.81) * t0 + t2 * t57);
+  const S t61 = S(0.6463220249999222) * (t58 * t58) + (t59 * f0 - f2 * t60);
+  const S t62 = f2 * t59 + f0 * t60;
+  const S t63 = t62 + S(0.6463220249999222) * t55;
+  const S t64 = S(0.012) * t56 - (S(9.81) * t0 - t2 * t57);
+  const S t65 = S(0.41) * t56 + (S(9.81) * t1 + t3 * t57);
   const S f4 = in.wrenches[4];  // wrench(shank).ty
-  const S t67 = S(0.1738624) * t55 - S(0.6463220249999222) * (t53 * t65 + t52 * t66) - (f4 - (S(1.0408340855860843e-17) * t61 + S(0.19009471323527125) * t62));
-  const S t68 = t52 * t63 + t53 * t64 - S(3.4) * t65;
-  const S t69 = S(3.4) * t66 - (t52 * t64 - t53 * t63);
-  const S t70 = S(0.032) * (t3 * t69 + t2 * t68);
-  c[0] = S(0.41) * t68 + S(0.012) * t69 - (t70 - t67) - (S(0.282528) * t0 - S(12.71376) * t1);
-  c[1] = t70 - t50 * t67;
+  const S t66 = S(0.1738624) * t55 - S(0.6463220249999222) * (t64 * t52 + t53 * t65) - (f4 - S(0.19009471323527125) * t62);
+  const S t67 = S(3.4) * t65 - (t53 * t63 - t52 * t61);
+  const S t68 = t53 * t61 + t52 * t63 - S(3.4) * t64;
+  const S t69 = S(0.032) * (t2 * t67 + t3 * t68);
+  c[0] = t66 - t69 + (S(0.41) * t68 + S(0.012) * t67) - (S(0.282528) * t1 - S(12.71376) * t0);
+  c[1] = t69 - t66 * t50;
 }
 
-// mass_matrix_and_bias: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// mass_matrix_and_bias: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -327,41 +325,40 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t55 = t54 * (t47 * (t14 + S(0.034) * (t29 * t35 + t34 * t39)) - t48);
   const S qd0 = qd[0];  // d(hip)
   const S t56 = qd0 * qd0;
-  const S t57 = qd0 * (S(0.064) * qd1) - S(0.032) * (t54 + t56);
+  const S t57 = qd1 * (S(0.064) * qd0) - S(0.032) * (t54 + t56);
   const S t58 = qd0 - t50 * qd1;
-  const S t0 = cosine[0];
-  const S t1 = sine[0];
-  const S t59 = t53 * t0 - t52 * t1;
-  const S t60 = t53 * t1 + t52 * t0;
-  const S t61 = S(0.012) * t56 - (S(9.81) * t1 - t3 * t57);
-  const S t62 = S(0.41) * t56 + (S(9.81) * t0 + t2 * t57);
+  const S t1 = cosine[0];
+  const S t0 = sine[0];
+  const S t59 = t53 * t1 - t52 * t0;
+  const S t60 = t53 * t0 + t52 * t1;
   const S f0 = in.wrenches[0];  // wrench(shank).fx
   const S f2 = in.wrenches[2];  // wrench(shank).fz
-  const S t63 = f0 * t59 - f2 * t60;
-  const S t64 = t59 * f2 + f0 * t60;
-  const S t65 = S(0.6463220249999222) * (t58 * t58) + t63;
-  const S t66 = S(0.6463220249999222) * t55 + t64;
+  const S t61 = S(0.6463220249999222) * (t58 * t58) + (t59 * f0 - f2 * t60);
+  const S t62 = f2 * t59 + f0 * t60;
+  const S t63 = S(0.012) * t56 - (S(9.81) * t0 - t3 * t57);
+  const S t64 = S(0.41) * t56 + (S(9.81) * t1 + t2 * t57);
+  const S t65 = t62 + S(0.6463220249999222) * t55;
   const S f4 = in.wrenches[4];  // wrench(shank).ty
-  const S t67 = S(0.1738624) * t55 - S(0.6463220249999222) * (t52 * t61 + t53 * t62) - (f4 - (S(1.0408340855860843e-17) * t63 + S(0.19009471323527125) * t64));
-  const S t68 = t53 * t65 + t52 * t66 - S(3.4) * t61;
-  const S t69 = S(3.4) * t62 - (t53 * t66 - t52 * t65);
-  const S t70 = S(0.6463220249999222) * t52;
-  const S t71 = S(0.6463220249999222) * t53;
-  const S t72 = t14 * (t70 * t50 - S(0.1088) * t2) - t12 * (t71 * t50 + S(0.1088) * t3);
-  const S t73 = S(0.41) - t14;
-  const S t74 = t70 + S(3.4) * t73;
-  const S t75 = S(0.012) - t12;
-  const S t76 = t71 - S(3.4) * t75;
-  const S t77 = S(0.6463220249999222) * (t52 * t73 - t53 * t75) + S(0.1738624);
-  M[3] = t50 * (S(0.1738624) * t50 + S(0.6463220249999222) * (t12 * t53 - t14 * t52)) - t72;
-  const S t79 = t14 * t74 - t12 * t76;
-  const S t80 = t12 * t69 + t14 * t68;
-  c[0] = S(0.41) * t68 + S(0.012) * t69 - (t80 - t67) - (S(0.282528) * t0 - S(12.71376) * t1);
-  M[0] = S(0.41) * t74 - S(0.012) * t76 + (t77 - t79) + S(0.3563952000000001);
-  const S t83 = t79 - t77 * t50;
-  M[1] = t83;
-  M[2] = t83;
-  c[1] = t80 - t50 * t67;
+  const S t66 = S(0.1738624) * t55 - S(0.6463220249999222) * (t52 * t63 + t53 * t64) - (f4 - S(0.19009471323527125) * t62);
+  const S t67 = S(3.4) * t64 - (t53 * t65 - t52 * t61);
+  const S t68 = t53 * t61 + t52 * t65 - S(3.4) * t63;
+  const S t69 = S(0.41) - t14;
+  const S t70 = S(0.012) - t12;
+  const S t71 = S(0.6463220249999222) * (t52 * t69 - t53 * t70) + S(0.1738624);
+  const S t72 = S(0.6463220249999222) * t52;
+  const S t73 = t72 + S(3.4) * t69;
+  const S t74 = S(0.6463220249999222) * t53;
+  const S t75 = t14 * (t72 * t50 - S(0.1088) * t2) - t12 * (t74 * t50 + S(0.1088) * t3);
+  M[3] = t50 * (S(0.1738624) * t50 + S(0.6463220249999222) * (t12 * t53 - t14 * t52)) - t75;
+  const S t77 = t74 - S(3.4) * t70;
+  const S t78 = t14 * t73 - t12 * t77;
+  const S t79 = t12 * t67 + t14 * t68;
+  c[0] = t66 - t79 + (S(0.41) * t68 + S(0.012) * t67) - (S(0.282528) * t1 - S(12.71376) * t0);
+  M[0] = S(0.41) * t73 - S(0.012) * t77 + (t71 - t78) + S(0.3563952000000001);
+  const S t82 = t78 - t71 * t50;
+  M[1] = t82;
+  M[2] = t82;
+  c[1] = t79 - t50 * t66;
 }
 
 // coordinate_rates: 0 multiplications, 0 additions (reduced formulation).

@@ -91,7 +91,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [2] is the result.
-/// Operations: 118 multiplications, 77 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -103,13 +103,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
-/// Operations: 109 multiplications, 68 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [2 x 2], symmetric and written in full, and c [2] are the results.
-/// Operations: 133 multiplications, 86 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+/// Operations: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 

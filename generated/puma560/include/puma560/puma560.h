@@ -56,7 +56,7 @@ extern const double puma560_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 185 multiplications, 149 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation).
  */
 int puma560_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);

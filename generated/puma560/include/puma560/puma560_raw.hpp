@@ -97,7 +97,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [6] is the result.
-/// Operations: 185 multiplications, 149 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
