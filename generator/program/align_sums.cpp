@@ -55,16 +55,28 @@ class Alignment {
     return out;
   }
 
+  /// From the middle of the row on both ways: at its ends a sum may be of another shape, which need not be
+  /// good.
   void align_row(std::uint32_t first, std::vector<std::optional<Tree>>& changed) {
-    Tree model = tree(first);
-    for (std::uint32_t v = map_.next[first]; v != kNoValue; v = map_.next[v]) {
-      Tree own = tree(v);
-      if (std::optional<Tree> like = in_order_of(model, own)) {
-        if (!same(*like, own)) changed[v] = like;
-        model = std::move(*like);
-      } else {
-        model = std::move(own);
-      }
+    std::vector<std::uint32_t> row;
+    for (std::uint32_t v = first; v != kNoValue; v = map_.next[v]) row.push_back(v);
+    const std::size_t middle = row.size() / 2;
+    Tree model = tree(row[middle]);
+    for (std::size_t k = middle + 1; k < row.size(); ++k) align(row[k], map_.next, model, changed);
+    model = tree(row[middle]);
+    for (std::size_t k = middle; k-- > 0;) align(row[k], map_.previous, model, changed);
+  }
+
+  /// Puts a value together as the model, if its operands are what `across` leads to from those of the model,
+  /// and makes it the model.
+  void align(std::uint32_t v, const std::vector<std::uint32_t>& across, Tree& model,
+             std::vector<std::optional<Tree>>& changed) const {
+    Tree own = tree(v);
+    if (std::optional<Tree> like = in_order_of(model, across, own)) {
+      if (!same(*like, own)) changed[v] = like;
+      model = std::move(*like);
+    } else {
+      model = std::move(own);
     }
   }
 
@@ -75,14 +87,15 @@ class Alignment {
   }
 
   /// The operands of a tree in the order of another whose operands correspond to them, or nothing.
-  std::optional<Tree> in_order_of(const Tree& model, const Tree& own) const {
+  std::optional<Tree> in_order_of(const Tree& model, const std::vector<std::uint32_t>& across,
+                                  const Tree& own) const {
     if (model.leaves.size() != own.leaves.size()) return std::nullopt;
     Tree out{{}, model.is_leaf};
     std::vector<UnsignedProgram::Operand> rest = own.leaves;
     for (const UnsignedProgram::Operand& operand : model.leaves) {
       const std::uint32_t x = operand.value;
       const auto found = std::ranges::find_if(rest, [&](const auto& y) {
-        return map_.next[x] == y.value || (binary_.constant(x) && binary_.constant(y.value)) || x == y.value;
+        return across[x] == y.value || (binary_.constant(x) && binary_.constant(y.value)) || x == y.value;
       });
       if (found == rest.end()) return std::nullopt;
       out.leaves.push_back(*found);
