@@ -49,10 +49,10 @@ class UnsignedProgram {
   std::vector<std::uint32_t> wanted() const;
 
  private:
-  const Program& program_;
-  std::vector<Operand> plain_;
   void flatten();
 
+  const Program& program_;
+  std::vector<Operand> plain_;
   std::vector<std::vector<Operand>> operands_;
   std::vector<bool> absorbed_;
 };
