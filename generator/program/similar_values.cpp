@@ -268,6 +268,27 @@ class Growth {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ambiguous_;
 };
 
+std::vector<std::vector<std::uint32_t>> users_of(const UnsignedProgram& program) {
+  std::vector<std::vector<std::uint32_t>> users(program.size());
+  for (std::uint32_t v = 0; v < program.size(); ++v)
+    for (const auto& operand : program.operands(v))
+      if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
+  return users;
+}
+
+std::vector<Classes> classes_of(const UnsignedProgram& program, std::span<const int> depths) {
+  std::vector<Classes> classes;
+  for (const int depth : depths) classes.push_back(classes_of(program, depth));
+  return classes;
+}
+
+Correspondence grown(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users,
+                     std::uint32_t shift, const std::vector<Classes>& classes) {
+  Growth growth(program, users, shift);
+  for (const Classes& alike : classes) growth.grow(alike);
+  return growth.found();
+}
+
 }  // namespace
 
 UnsignedProgram::UnsignedProgram(const Program& program, Form form) : program_(program) {
@@ -327,20 +348,16 @@ std::vector<std::uint32_t> UnsignedProgram::wanted() const {
 
 Correspondence corresponding_values(const UnsignedProgram& program, std::uint32_t shift,
                                     std::span<const int> depths) {
-  std::vector<std::vector<std::uint32_t>> users(program.size());
-  for (std::uint32_t v = 0; v < program.size(); ++v)
-    for (const auto& operand : program.operands(v))
-      if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
-  Growth growth(program, users, shift);
-  for (const int depth : depths) growth.grow(classes_of(program, depth));
-  return growth.found();
+  return grown(program, users_of(program), shift, classes_of(program, depths));
 }
 
 std::uint32_t shift_of_steps(const UnsignedProgram& program, std::span<const int> depths) {
+  const std::vector<std::vector<std::uint32_t>> users = users_of(program);
+  const std::vector<Classes> classes = classes_of(program, depths);
   std::uint32_t best = 1;
   std::size_t size = 0;
   for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
-    const std::size_t found = corresponding_values(program, shift, depths).size;
+    const std::size_t found = grown(program, users, shift, classes).size;
     if (found > size) best = shift;
     size = std::max(size, found);
   }
