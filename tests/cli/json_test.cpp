@@ -53,28 +53,30 @@ TEST(Report, FormulationCanBeChosen) {
 
 TEST(Report, TellsWhichFunctionsHaveLoops) {
   const TemporaryFolder folder;
-  const std::string of =
-      " --functions inverse_dynamics,mass_matrix " ALEMBERT_SOURCE_DIR "/tests/emit/chain.yaml";
-  const auto loops = [&](const std::string& options) {
-    const CommandResult result = alembert(folder, "report --json " + options + of);
+  const auto report = [&](const std::string& options) {
+    const CommandResult result =
+        alembert(folder, "report --effort 0 --functions inverse_dynamics,mass_matrix " + options +
+                             " " ALEMBERT_SOURCE_DIR "/tests/emit/chain.yaml");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const json functions = json::parse(result.out)["functions"];
-    EXPECT_FALSE(functions["inverse_dynamics"].contains("dot_products"));
-    return functions["mass_matrix"].value("dot_products", 0);
+    return result.out;
   };
-  const int found = loops("");
+  const json looped = json::parse(report("--json --loop-operations 300"))["functions"];
+  EXPECT_FALSE(looped["inverse_dynamics"].contains("dot_products"));
+  EXPECT_GT(looped["inverse_dynamics"].value("in_loops", 0), 1000);
+  const int found = looped["mass_matrix"].value("dot_products", 0);
   EXPECT_GT(found, 60);
-  EXPECT_EQ(loops("--loop-results " + std::to_string(found)), found);
-  EXPECT_EQ(loops("--loop-results " + std::to_string(found + 1)), 0);
-  EXPECT_EQ(loops("--loop-results 0"), 0);
-  EXPECT_THAT(alembert(folder, "report" + of).out, HasSubstr("dot products in loops (--loop-results 30)"));
+  const std::string text = report("--loop-operations 300");
+  EXPECT_THAT(text, HasSubstr("dot products in loops (--loop-results 30)"));
+  EXPECT_THAT(text, HasSubstr("operations in loops over steps (--loop-operations 300)"));
 
-  const json steps = json::parse(alembert(folder, "report --json --loop-operations 300" + of).out);
-  EXPECT_GT(steps["functions"]["inverse_dynamics"].value("in_loops", 0), 1000);
-  EXPECT_THAT(alembert(folder, "report --loop-operations 300" + of).out,
-              HasSubstr("operations in loops over steps (--loop-operations 300)"));
-  const json straight = json::parse(alembert(folder, "report --json" + of).out);
-  EXPECT_FALSE(straight["functions"]["inverse_dynamics"].contains("in_loops"));
+  const auto straight = [&](const std::string& loop_results) {
+    return json::parse(report("--json --loop-results " + loop_results))["functions"];
+  };
+  EXPECT_EQ(straight(std::to_string(found))["mass_matrix"].value("dot_products", 0), found);
+  EXPECT_FALSE(straight("0")["mass_matrix"].contains("dot_products"));
+  const json none = straight(std::to_string(found + 1));
+  EXPECT_FALSE(none["mass_matrix"].contains("dot_products"));
+  EXPECT_FALSE(none["inverse_dynamics"].contains("in_loops"));
 }
 
 TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {

@@ -136,7 +136,7 @@ TEST_P(BatchSample, SolvesForTheRates) {
 
 /// Steps along the chain are loops, over one state and over packs.
 TEST_P(BatchSample, StepsInLoopsAreThoseOfOneState) {
-  namespace chain = line::chain;
+  namespace chain = bits::chain;
   constexpr std::size_t kN = chain::kNv;
   const std::vector<double> q = random_rows(kN, 1, -3, 3), qd = random_rows(kN, 2, -2, 2),
                             qdd = random_rows(kN, 3, -2, 2);
