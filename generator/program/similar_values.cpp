@@ -1,7 +1,8 @@
 // Finds values that correspond to each other, see the header.
 //
-// Correspondence grows from the inputs: from a pair to the only pair of like users, and to the operands,
-// until nothing more follows. What is ambiguous waits until one of the possibilities is known.
+// Correspondence grows from the inputs and the rows of dot products: from a pair to the only pair of like
+// users, and to the operands, until nothing more follows. What is ambiguous waits until one of the
+// possibilities is known.
 #include "program/similar_values.hpp"
 
 #include <algorithm>
@@ -101,6 +102,28 @@ class Growth {
     for (const auto& [element, v] : at)
       if (const auto other = at.find({element.first, element.second + map_.shift}); other != at.end())
         propose(v, other->second);
+    for (const DotProducts& products : program_.program().dot_products) start_at(products);
+  }
+
+  /// The rows of dot products, by the row and column of the result that they stand for, tell apart what is
+  /// used alike, such as the axes of a frame.
+  void start_at(const DotProducts& products) {
+    const std::uint32_t columns = program_.program().outputs[products.output].columns;
+    std::map<std::uint32_t, std::uint32_t> left, right;
+    for (const DotProducts::Run& run : products.runs) {
+      left.emplace(run.first / columns, run.left);
+      for (std::uint32_t i = 0; i < run.count; ++i) right.emplace((run.first + i) % columns, run.right + i);
+    }
+    const auto pair_rows = [&](const std::map<std::uint32_t, std::uint32_t>& at,
+                               const std::vector<std::uint32_t>& values) {
+      for (const auto& [element, row] : at)
+        if (const auto other = at.find(element + map_.shift); other != at.end())
+          for (std::uint32_t k = 0; k < products.terms; ++k)
+            propose(program_.plain(values[row * products.terms + k]).value,
+                    program_.plain(values[other->second * products.terms + k]).value);
+    };
+    pair_rows(left, products.left);
+    pair_rows(right, products.right);
   }
 
   bool possible(std::uint32_t a, std::uint32_t b) const {

@@ -1,6 +1,9 @@
 // Steps that do the same are found and become loops: same values, same operations, iterations that are alike.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "program/program_maker.hpp"
 
 namespace alembert {
@@ -101,6 +104,48 @@ TEST(Reroll, DotProductsStayBehindTheLoops) {
     EXPECT_EQ(dot_products(rerolled), dot_products(given));
     EXPECT_GT(dot_products(rerolled), n * n / 4u);
   }
+}
+
+/// The axes of frames that turn one after the other about z and x. No operation tells their components apart.
+TEST(Reroll, SymmetricComponentsAreToldApartByTheRowsThatTheyAreIn) {
+  constexpr std::uint32_t n = 20;
+  std::mt19937_64 random(7);
+  ProgramMaker m(n);
+  using Axis = std::array<std::uint32_t, 3>;
+  Axis x, y, z;
+  for (Axis* axis : {&x, &y, &z})
+    for (std::uint32_t& component : *axis)
+      component = m.constant(std::uniform_real_distribution<>(-1, 1)(random));
+  const auto turn = [&](Axis& a, Axis& b, std::uint32_t cosine, std::uint32_t sine) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = m.add(m.mul(cosine, a[k]), m.mul(sine, b[k]));
+      b[k] = m.sub(m.mul(cosine, b[k]), m.mul(sine, a[k]));
+      a[k] = next;
+    }
+  };
+  std::vector<std::uint32_t> cosines, sines;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t angle = m.input(i);
+    cosines.push_back(m.cos(angle));
+    sines.push_back(m.sin(angle));
+  }
+  std::vector<Axis> axes;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    turn(x, y, cosines[i], sines[i]);
+    const double twist = std::uniform_real_distribution<>(-3, 3)(random);
+    turn(y, z, m.constant(std::cos(twist)), m.constant(std::sin(twist)));
+    axes.push_back(z);
+  }
+  std::vector<std::uint32_t> angles(std::size_t{n} * n);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i; j < n; ++j)
+      angles[i * n + j] = angles[j * n + i] = append_dot_product(m, axes[i], axes[j], false, random);
+  m.program.outputs = {{"angles", n, n, angles}};
+  const Program given = gather_dot_products(schedule(m.program), 1);
+  const Program rerolled = reroll(given);
+  expect_same(given, rerolled, Values::but_for_rounding, random);
+  constexpr std::size_t kStep = 4 * 9;
+  EXPECT_GE(operations_in_loops(rerolled), kStep * (n - 6));
 }
 
 TEST(Reroll, OtherProgramsKeepTheirValues) {
