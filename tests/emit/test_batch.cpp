@@ -140,23 +140,34 @@ TEST_P(BatchSample, StepsInLoopsAreThoseOfOneState) {
   constexpr std::size_t kN = chain::kNv;
   const std::vector<double> q = random_rows(kN, 1, -3, 3), qd = random_rows(kN, 2, -2, 2),
                             qdd = random_rows(kN, 3, -2, 2);
-  std::vector<double> tau(kN * kStride), back(kN * kStride);
+  std::vector<double> tau(kN * kStride), back(kN * kStride), M(kN * kN * kStride), c(kN * kStride);
   EXPECT_EQ(chain::inverse_dynamics_batch(kStates, kStride, q.data(), qd.data(), qdd.data(), {}, tau.data(),
                                           options_),
             0U);
   EXPECT_EQ(chain::forward_dynamics_batch(kStates, kStride, q.data(), qd.data(), tau.data(), {}, back.data(),
                                           options_),
             0U);
-  for (std::size_t s = 0; s < kStates; ++s) {
-    std::array<double, kN> expected;
-    chain::inverse_dynamics<double>(column<kN>(q, s).data(), column<kN>(qd, s).data(),
-                                    column<kN>(qdd, s).data(), {}, expected.data());
+  EXPECT_EQ(chain::mass_matrix_and_bias_batch(kStates, kStride, q.data(), qd.data(), {}, M.data(), c.data(),
+                                              options_),
+            0U);
+  const auto expect_rows = [](const auto& expected, const std::vector<double>& rows, std::size_t s) {
     double scale = 1;
     for (const double e : expected) scale = std::max(scale, std::abs(e));
-    for (std::size_t i = 0; i < kN; ++i) {
-      EXPECT_NEAR(tau[i * kStride + s], expected[i], 1e-12 * scale) << i << " of state " << s;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(rows[i * kStride + s], expected[i], 1e-12 * scale) << i << " of state " << s;
+  };
+  for (std::size_t s = 0; s < kStates; ++s) {
+    const auto q_s = column<kN>(q, s), qd_s = column<kN>(qd, s);
+    std::array<double, kN> one;
+    chain::inverse_dynamics<double>(q_s.data(), qd_s.data(), column<kN>(qdd, s).data(), {}, one.data());
+    expect_rows(one, tau, s);
+    chain::bias<double>(q_s.data(), qd_s.data(), {}, one.data());
+    expect_rows(one, c, s);
+    std::array<double, kN * kN> matrix;
+    chain::mass_matrix<double>(q_s.data(), {}, matrix.data());
+    expect_rows(matrix, M, s);
+    for (std::size_t i = 0; i < kN; ++i)
       EXPECT_NEAR(back[i * kStride + s], qdd[i * kStride + s], 1e-9) << i << " of state " << s;
-    }
   }
 }
 
