@@ -11,8 +11,8 @@ namespace alembert {
 namespace {
 
 constexpr double kSmallCosine = 0.05;
-constexpr double kSmallestScale =
-    0x1p-32;  ///< beyond it a turn is done in full: floats have room for its square
+/// Beyond it a turn is done in full: floats have room for its square.
+constexpr double kSmallestScale = 0x1p-32;
 
 double value_of(Expr constant) {
   const std::array<Expr, 1> root{constant};
