@@ -134,7 +134,7 @@ TEST_P(BatchSample, SolvesForTheRates) {
     for (std::size_t s = 0; s < kStates; ++s) EXPECT_EQ(std::isfinite(back[i * kStride + s]), s != 7);
 }
 
-/// Steps along the chain are loops, over one state and over packs.
+/// Steps along the chain are loops, over one state and, but for M and c, over packs.
 TEST_P(BatchSample, StepsInLoopsAreThoseOfOneState) {
   namespace chain = bits::chain;
   constexpr std::size_t kN = chain::kNv;
