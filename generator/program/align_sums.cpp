@@ -20,7 +20,7 @@ struct Tree {
 
 class Alignment {
  public:
-  Alignment(const Program& program, std::uint32_t shift, std::span<const int> depths)
+  Alignment(const Program& program, Shift shift, std::span<const int> depths)
       : given_(program),
         binary_(program),
         flat_(program, UnsignedProgram::Form::flattened),
@@ -187,7 +187,7 @@ class Alignment {
 
 }  // namespace
 
-Program align_sums(const Program& program, std::uint32_t shift, std::span<const int> depths) {
+Program align_sums(const Program& program, Shift shift, std::span<const int> depths) {
   return Alignment(program, shift, depths).run();
 }
 

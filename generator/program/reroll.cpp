@@ -56,7 +56,7 @@ class Rerolling {
  public:
   explicit Rerolling(const Program& program) : program_(program), values_(program), size_(values_.size()) {}
 
-  Program run(std::uint32_t shift, std::span<const int> depths) {
+  Program run(Shift shift, std::span<const int> depths) {
     find_ahead();
     map_ = corresponding_values(values_, shift, depths);
     number_steps();
@@ -89,7 +89,7 @@ class Rerolling {
       const Instruction& c = program_.code[v];
       if (c.op != Operation::input) continue;
       const InputSlot& slot = program_.inputs[c.a];
-      if (is_of_coordinate(slot.kind)) step_[v] = static_cast<int>(slot.index / map_.shift);
+      if (is_of_coordinate(slot.kind)) step_[v] = static_cast<int>(slot.index / map_.shift.of(slot.kind));
     }
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) number_steps(sweep);
   }
@@ -403,7 +403,7 @@ Program reroll(const Program& program) {
                                                              std::span(kGoingUp).subspan(3, 1),
                                                              std::span(kGoingUp).subspan(4)};
   const UnsignedProgram flat(program, UnsignedProgram::Form::flattened);
-  const std::uint32_t shift = shift_of_steps(flat, kGoingUp);
+  const Shift shift = shift_of_steps(flat, kGoingUp);
   Program best = program;
   for (const std::span<const int> depths : kWays) {
     const Program aligned = align_sums(program, shift, depths);

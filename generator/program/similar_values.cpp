@@ -59,8 +59,7 @@ Classes classes_of(const UnsignedProgram& program, int depth) {
 
 class Growth {
  public:
-  Growth(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users,
-         std::uint32_t shift)
+  Growth(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users, Shift shift)
       : program_(program), users_(users) {
     map_.shift = shift;
     map_.next.assign(program.size(), kNoValue);
@@ -100,7 +99,8 @@ class Growth {
       if (const InputSlot* slot = input(v); slot != nullptr && is_of_coordinate(slot->kind))
         at.emplace(std::pair(slot->kind, slot->index), v);
     for (const auto& [element, v] : at)
-      if (const auto other = at.find({element.first, element.second + map_.shift}); other != at.end())
+      if (const auto other = at.find({element.first, element.second + map_.shift.of(element.first)});
+          other != at.end())
         propose(v, other->second);
     for (const DotProducts& products : program_.program().dot_products) start_at(products);
   }
@@ -117,7 +117,7 @@ class Growth {
     const auto pair_rows = [&](const std::map<std::uint32_t, std::uint32_t>& at,
                                const std::vector<std::uint32_t>& values) {
       for (const auto& [element, row] : at)
-        if (const auto other = at.find(element + map_.shift); other != at.end())
+        if (const auto other = at.find(element + map_.shift.speeds); other != at.end())
           for (std::uint32_t k = 0; k < products.terms; ++k)
             propose(program_.plain(values[row * products.terms + k]).value,
                     program_.plain(values[other->second * products.terms + k]).value);
@@ -133,7 +133,7 @@ class Growth {
     const InputSlot *from = input(a), *to = input(b);
     if (from == nullptr) return true;
     return from->kind == to->kind && from->kind != ArgumentKind::time &&
-           (!is_of_coordinate(from->kind) || from->index + map_.shift == to->index);
+           (!is_of_coordinate(from->kind) || from->index + map_.shift.of(from->kind) == to->index);
   }
 
   void propose(std::uint32_t a, std::uint32_t b) {
@@ -181,6 +181,12 @@ class Growth {
       to.erase(known);
       return true;
     });
+    // Twice a value is the value added to itself.
+    for (std::vector<std::uint32_t>* values : {&from, &to}) {
+      std::ranges::sort(*values);
+      values->erase(std::unique(values->begin(), values->end()), values->end());
+    }
+    if (from.size() != to.size()) return true;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     while (!from.empty()) {
       Candidates right(from.size()), left(to.size()), better_right(from.size()), better_left(to.size());
@@ -305,8 +311,36 @@ std::vector<Classes> classes_of(const UnsignedProgram& program, std::span<const 
   return classes;
 }
 
+/// Numbers of coordinates and speeds, as far as arguments and results tell.
+std::pair<std::uint32_t, std::uint32_t> dimensions(const Program& program) {
+  std::uint32_t coordinates = 0, speeds = 0;
+  for (const InputSlot& slot : program.inputs)
+    if (is_of_coordinate(slot.kind)) {
+      std::uint32_t& number = slot.kind == ArgumentKind::q ? coordinates : speeds;
+      number = std::max(number, slot.index + 1);
+    }
+  for (const OutputArray& output : program.outputs) speeds = std::max(speeds, output.columns);
+  return {coordinates, speeds};
+}
+
+/// Values that correspond to others with all that they are computed from.
+std::size_t whole_pairs(const UnsignedProgram& program, const Correspondence& map) {
+  const auto whole = [&](std::uint32_t a, std::uint32_t b) {
+    return std::ranges::all_of(program.operands(a), [&](const auto& x) {
+      return std::ranges::any_of(program.operands(b), [&](const auto& y) {
+        return x.value == y.value || map.next[x.value] == y.value ||
+               (program.constant(x.value) && program.constant(y.value));
+      });
+    });
+  };
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < program.size(); ++v)
+    count += !program.leaf(v) && map.next[v] != kNoValue && whole(v, map.next[v]) ? 1 : 0;
+  return count;
+}
+
 Correspondence grown(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users,
-                     std::uint32_t shift, const std::vector<Classes>& classes) {
+                     Shift shift, const std::vector<Classes>& classes) {
   Growth growth(program, users, shift);
   for (const Classes& alike : classes) growth.grow(alike);
   return growth.found();
@@ -369,20 +403,27 @@ std::vector<std::uint32_t> UnsignedProgram::wanted() const {
   return out;
 }
 
-Correspondence corresponding_values(const UnsignedProgram& program, std::uint32_t shift,
+Correspondence corresponding_values(const UnsignedProgram& program, Shift shift,
                                     std::span<const int> depths) {
   return grown(program, users_of(program), shift, classes_of(program, depths));
 }
 
-std::uint32_t shift_of_steps(const UnsignedProgram& program, std::span<const int> depths) {
+Shift shift_of_steps(const UnsignedProgram& program, std::span<const int> depths) {
   const std::vector<std::vector<std::uint32_t>> users = users_of(program);
   const std::vector<Classes> classes = classes_of(program, depths);
-  std::uint32_t best = 1;
+  const auto [coordinates, speeds] = dimensions(program.program());
+  Shift best;
   std::size_t size = 0;
-  for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
-    const std::size_t found = grown(program, users, shift, classes).size;
+  const auto attempt = [&](Shift shift) {
+    const std::size_t found = whole_pairs(program, grown(program, users, shift, classes));
     if (found > size) best = shift;
     size = std::max(size, found);
+  };
+  for (std::uint32_t shift = 1; shift <= kLongestShift; ++shift) {
+    attempt({shift, shift});
+    // As many coordinates for so many speeds as on average.
+    const std::uint32_t share = (shift * coordinates + speeds / 2) / std::max(speeds, 1u);
+    if (share > shift) attempt({share, shift});
   }
   return best;
 }

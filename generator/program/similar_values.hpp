@@ -63,11 +63,17 @@ constexpr bool is_of_coordinate(ArgumentKind kind) {
          kind == ArgumentKind::tau;
 }
 
-/// A partial, injective map between values; `shift` is how far apart the elements of q, qd, qdd and tau are
-/// that correspond to each other. Values with the same operations a few levels deep correspond if what they
-/// are computed from does, or what is computed from them.
+/// How far apart the elements of q, and those of qd, qdd and tau, are that correspond to each other: a
+/// quaternion has four coordinates and three speeds.
+struct Shift {
+  std::uint32_t coordinates = 1, speeds = 1;
+  std::uint32_t of(ArgumentKind kind) const { return kind == ArgumentKind::q ? coordinates : speeds; }
+};
+
+/// A partial, injective map between values. Values with the same operations a few levels deep correspond if
+/// what they are computed from does, or what is computed from them.
 struct Correspondence {
-  std::uint32_t shift = 0;
+  Shift shift;
   std::vector<std::uint32_t> next, previous;  ///< of a value, or kNoValue
   std::size_t size = 0;                       ///< values that have a next one
   bool along(std::uint32_t v) const { return next[v] != kNoValue || previous[v] != kNoValue; }
@@ -76,14 +82,13 @@ struct Correspondence {
 /// First come values with the same operations depths[0] levels deep, then depths[1], ...: deep ones tell
 /// apart what is used alike, shallow ones reach farther towards the ends of a chain. The same program gives
 /// the same.
-Correspondence corresponding_values(const UnsignedProgram& program, std::uint32_t shift,
-                                    std::span<const int> depths);
+Correspondence corresponding_values(const UnsignedProgram& program, Shift shift, std::span<const int> depths);
 
 /// The shift, of some short ones, by which most values correspond to others.
-std::uint32_t shift_of_steps(const UnsignedProgram& program, std::span<const int> depths);
+Shift shift_of_steps(const UnsignedProgram& program, std::span<const int> depths);
 
 /// The same program, but that sums, and products, of corresponding operands are put together in the same
 /// order: rounding differs.
-Program align_sums(const Program& program, std::uint32_t shift, std::span<const int> depths);
+Program align_sums(const Program& program, Shift shift, std::span<const int> depths);
 
 }  // namespace alembert

@@ -148,6 +148,45 @@ TEST(Reroll, SymmetricComponentsAreToldApartByTheRowsThatTheyAreIn) {
   EXPECT_GE(operations_in_loops(rerolled), kStep * (n - 6));
 }
 
+/// Velocities turned by one quaternion a step, to which a joint's three speeds are added. In a rotation
+/// matrix, elements are twice a sum and twice the difference of the same two products.
+TEST(Reroll, StepsMayHaveMoreCoordinatesThanSpeeds) {
+  constexpr std::uint32_t n = 20, kCoordinates = 4, kSpeeds = 3;
+  std::mt19937_64 random(8);
+  ProgramMaker m(n * kCoordinates);
+  for (std::uint32_t i = 0; i < n * kSpeeds; ++i)
+    m.program.inputs.push_back({ArgumentKind::qd, i, fmt::format("v{}", i)});
+  const auto twice = [&](std::uint32_t x) { return m.add(x, x); };
+  std::array<std::uint32_t, kSpeeds> velocity;
+  for (std::uint32_t& component : velocity)
+    component = m.constant(std::uniform_real_distribution<>(-1, 1)(random));
+  std::vector<std::uint32_t> velocities;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    std::array<std::uint32_t, kCoordinates> q;
+    for (std::uint32_t k = 0; k < kCoordinates; ++k) q[k] = m.input(i * kCoordinates + k);
+    std::array<std::uint32_t, kSpeeds> next;
+    std::array<std::uint32_t, 3> sums, differences;  // of axes k and k + 1
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t product = m.mul(q[k], q[(k + 1) % 3]), other = m.mul(q[(k + 2) % 3], q[3]);
+      sums[k] = twice(m.add(product, other));
+      differences[k] = twice(m.sub(product, other));
+    }
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t l = (k + 1) % 3, o = (k + 2) % 3;
+      const std::uint32_t off = m.add(m.mul(differences[k], velocity[l]), m.mul(sums[o], velocity[o]));
+      const std::uint32_t on = m.mul(m.sub(m.mul(q[3], q[3]), m.mul(q[l], q[o])), velocity[k]);
+      next[k] = m.add(m.add(on, off), m.input(n * kCoordinates + i * kSpeeds + k));
+    }
+    velocity = next;
+    velocities.insert(velocities.end(), next.begin(), next.end());
+  }
+  const Program given = schedule(m.returning(velocities));
+  const Program rerolled = reroll(given);
+  expect_same(given, rerolled, Values::but_for_rounding, random);
+  constexpr std::size_t kStep = 3 * 15;
+  EXPECT_GE(operations_in_loops(rerolled), kStep * (n - 6));
+}
+
 TEST(Reroll, OtherProgramsKeepTheirValues) {
   std::mt19937_64 random(5);
   for (int k = 0; k < 40; ++k) {
