@@ -132,7 +132,7 @@ Program in_final_order(const CompiledFunction& function, const CompileOptions& o
   if (straight <= options.loop_operations) return program;
   // Few steps among much else are not worth their way through memory.
   Program rerolled = reroll(program);
-  return 2 * operations_in_loops(rerolled) >= straight ? rerolled : program;
+  return 4 * operations_in_loops(rerolled) >= straight ? rerolled : program;
 }
 
 void dump_expressions(std::ostream& out, std::string_view title, std::span<const Expr> values) {
