@@ -99,12 +99,13 @@ struct PackFunction {
   std::size_t crossing;  ///< elements of w a pack
 };
 
-PackFunction pack_function(const Mechanism& mechanism, const Program& program) {
+PackFunction pack_function(const Mechanism& mechanism, const Program& program, const EmitOptions& options) {
   const FunctionSignature& signature = *find_signature(program.function);
-  // Dot products stand where their rows are known: only steps are loops over packs.
-  const Program straight = program.dot_products.empty() ? program : schedule(program);
+  const std::size_t products = dot_products(program);
+  const bool straight = products > 0 && products < options.batch_dot_products;
+  const Program written = straight ? schedule(program) : program;
   const FunctionBody body =
-      function_body(order_for_registers(straight, States::many), signature, kBatchBlocks);
+      function_body(order_for_registers(written, States::many), signature, kBatchBlocks);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
   std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
   const auto add = [&](std::string_view type, std::string_view name, std::size_t size) {
@@ -356,7 +357,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
               !has_program(programs, "forward_dynamics"));
     };
     if (!std::ranges::any_of(functions, needs)) continue;
-    PackFunction function = pack_function(mechanism, program);
+    PackFunction function = pack_function(mechanism, program, options);
     packs += (packs.empty() ? "" : "\n") + function.definition;
     pack_functions.emplace(program.function, std::move(function));
   }

@@ -22,6 +22,9 @@ struct EmitOptions {
   int parts = 0;                   ///< number of files over which definitions are spread; 0: by size
   std::vector<std::string> batch;  ///< functions to be written over many states too
   std::vector<std::string> batch_instructions = {"avx2", "avx512"};  ///< sets they are compiled for
+  /// Functions of fewer dot products are straight over many states: there, these need not read what is just
+  /// known from memory, and long code, in blocks, is fetched once for several packs.
+  std::size_t batch_dot_products = 0;
   std::string expected_name;  ///< if given, the mechanism must have this name (builds know file names by it)
 };
 
@@ -47,10 +50,9 @@ std::string_view generator_version();
 ///     src/name_batch.cpp            choice of instructions at run time
 ///     src/name_batch_SET.cpp        compiled for one set of instructions: baseline, avx2, avx512
 ///
-/// The same input gives the same bytes. Long functions (BlockSizes in
-/// statement_layout.hpp) are cut into blocks; those whose program is marked so are written as blocks that
-/// repeat (repeated_statements.hpp). If all coordinates are real and no program gives
-/// coordinate_rates, it is added.
+/// The same input gives the same bytes. Long functions (BlockSizes in statement_layout.hpp) are cut into
+/// blocks; loops are blocks of their own. If all coordinates are real and no program gives coordinate_rates,
+/// it is added.
 ///
 /// Throws InputError for options that cannot be (unknown scalar, no namespace, name not as expected, name
 /// that cannot be compiled), InternalError for a program that does not fit its function.

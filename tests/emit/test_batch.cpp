@@ -134,8 +134,8 @@ TEST_P(BatchSample, SolvesForTheRates) {
     for (std::size_t s = 0; s < kStates; ++s) EXPECT_EQ(std::isfinite(back[i * kStride + s]), s != 7);
 }
 
-/// Steps along the chain are loops, over one state and, but for M and c, over packs.
-TEST_P(BatchSample, StepsInLoopsAreThoseOfOneState) {
+/// Steps along the chain and dot products are loops, over one state and over packs.
+TEST_P(BatchSample, LoopsAreThoseOfOneState) {
   namespace chain = bits::chain;
   constexpr std::size_t kN = chain::kNv;
   const std::vector<double> q = random_rows(kN, 1, -3, 3), qd = random_rows(kN, 2, -2, 2),

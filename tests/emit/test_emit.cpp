@@ -218,6 +218,22 @@ TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   EXPECT_LT(statements, program.code.size() - in_loops);
 }
 
+TEST(Emit, FewDotProductsAreStraightOverManyStates) {
+  const sample::Sample s = sample::stepping();
+  const std::size_t found = dot_products(s.programs[1]);
+  ASSERT_GT(found, 0u);
+  const auto loops = [&](std::size_t least) {
+    EmitOptions options;
+    options.batch = {"mass_matrix_and_bias"};
+    options.batch_dot_products = least;
+    const std::vector<EmittedFile> files = emit_mechanism(s.mechanism, s.programs, options);
+    return text_of(files, "include/sample_steps/sample_steps_batch_impl.hpp").find("dot_products<") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(loops(found));
+  EXPECT_FALSE(loops(found + 1));
+}
+
 TEST(Emit, LoopsThatReadInNoOrderAreWrittenStraightOn) {
   ProgramMaker m(4);
   m.program.function = "inverse_dynamics";

@@ -158,7 +158,7 @@ TEST(CompiledMechanism, TreeWithEveryJoint) {
 }
 TEST(CompiledMechanism, ChainWithLoops) {
   alembert::CompileOptions options;
-  options.loop_results = 60;
+  options.loop_results = 6;
   options.loop_operations = 300;
   const auto compiled = check<bits::chain::Mechanism<>>("tests/emit/chain", options);
   for (const FunctionKind kind : {FunctionKind::mass_matrix, FunctionKind::mass_matrix_and_bias})
