@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +16,9 @@
 
 namespace alembert {
 namespace {
+
+// Equal results that follow each other are written one by one if there are fewer.
+constexpr std::uint32_t kFewestInRun = 8;
 
 /// How strongly the text of a value binds.
 enum class Binding : std::uint8_t { sum, product, sign, primary };
@@ -126,9 +130,25 @@ class Writer {
       if (layout_.live(v) && is_leaf(program_.code[v].op) &&
           !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
         const std::string value = operand(v, block, Binding::sum);
-        for (const auto& [array, index] : layout_.results(v)) store(block, array, index, value);
+        store_runs(block, layout_.results(v), value);
         for (const std::uint32_t place : layout_.table_places(v)) keep(block, place, value);
       }
+  }
+
+  /// Results that follow each other and are the same, as the zeros of Jacobians, are a loop.
+  void store_runs(std::uint32_t block, std::span<const std::pair<std::uint32_t, std::uint32_t>> results,
+                  std::string_view value) {
+    while (!results.empty()) {
+      const auto [array, first] = results.front();
+      std::uint32_t count = 1;
+      while (count < results.size() && results[count] == std::pair(array, first + count)) ++count;
+      if (count >= kFewestInRun)
+        line(block, fmt::format("for (int i = {}; i < {}; ++i) {}[i] = {};", first, first + count,
+                                signature_.results[array].name, value));
+      else
+        for (std::uint32_t i = 0; i < count; ++i) store(block, array, first + i, value);
+      results = results.subspan(count);
+    }
   }
 
   /// What loops leave for straight code to put in its place.

@@ -218,6 +218,19 @@ TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   EXPECT_LT(statements, program.code.size() - in_loops);
 }
 
+TEST(Emit, EqualResultsThatFollowEachOtherAreALoop) {
+  ProgramMaker m(1);
+  m.program.function = "bias";
+  const std::uint32_t zero = m.constant(0);
+  std::vector<std::uint32_t> c(20, zero);
+  c[3] = m.mul(m.input(0), m.input(0));
+  const FunctionBody body = function_body(m.returning(c), *find_signature("bias"));
+  const std::string& text = body.blocks[0].statement_lines;
+  EXPECT_THAT(text, HasSubstr("c[2] = S(0.0);\n"));
+  EXPECT_THAT(text, HasSubstr("for (int i = 4; i < 20; ++i) c[i] = S(0.0);\n"));
+  EXPECT_EQ(body.blocks[0].statements, 6u);
+}
+
 TEST(Emit, FewDotProductsAreStraightOverManyStates) {
   const sample::Sample s = sample::stepping();
   const std::size_t found = dot_products(s.programs[1]);
