@@ -181,7 +181,7 @@ class Growth {
       to.erase(known);
       return true;
     });
-    // Twice a value is the value added to itself.
+    // An operand that stands twice, as in x + x, is one candidate.
     for (std::vector<std::uint32_t>* values : {&from, &to}) {
       std::ranges::sort(*values);
       values->erase(std::unique(values->begin(), values->end()), values->end());
