@@ -94,9 +94,8 @@ class Alignment {
     std::vector<UnsignedProgram::Operand> rest = own.leaves;
     for (const UnsignedProgram::Operand& operand : model.leaves) {
       const std::uint32_t x = operand.value;
-      const auto found = std::ranges::find_if(rest, [&](const auto& y) {
-        return across[x] == y.value || (binary_.constant(x) && binary_.constant(y.value)) || x == y.value;
-      });
+      const auto found =
+          std::ranges::find_if(rest, [&](const auto& y) { return binary_.pair(across, x, y.value); });
       if (found == rest.end()) return std::nullopt;
       out.leaves.push_back(*found);
       rest.erase(found);

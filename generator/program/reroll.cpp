@@ -134,7 +134,7 @@ class Rerolling {
   /// constants.
   bool pair(std::uint32_t a, std::uint32_t b, std::size_t i, std::size_t k) const {
     const std::uint32_t x = values_.operands(a)[i].value, y = values_.operands(b)[k].value;
-    return x == y || map_.next[x] == y || (values_.constant(x) && values_.constant(y));
+    return values_.pair(map_.next, x, y);
   }
   bool straight(std::uint32_t a, std::uint32_t b) const {
     return pair(a, b, 0, 0) && (values_.operands(a).size() == 1 || pair(a, b, 1, 1));

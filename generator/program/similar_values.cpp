@@ -327,10 +327,8 @@ std::pair<std::uint32_t, std::uint32_t> dimensions(const Program& program) {
 std::size_t whole_pairs(const UnsignedProgram& program, const Correspondence& map) {
   const auto whole = [&](std::uint32_t a, std::uint32_t b) {
     return std::ranges::all_of(program.operands(a), [&](const auto& x) {
-      return std::ranges::any_of(program.operands(b), [&](const auto& y) {
-        return x.value == y.value || map.next[x.value] == y.value ||
-               (program.constant(x.value) && program.constant(y.value));
-      });
+      return std::ranges::any_of(program.operands(b),
+                                 [&](const auto& y) { return program.pair(map.next, x.value, y.value); });
     });
   };
   std::size_t count = 0;

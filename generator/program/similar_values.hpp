@@ -43,6 +43,10 @@ class UnsignedProgram {
   bool constant(std::uint32_t v) const { return program_.code[v].op == Operation::constant; }
   bool leaf(std::uint32_t v) const { return constant(v) || program_.code[v].op == Operation::input; }
   bool commutes(std::uint32_t v) const { return op(v) == Operation::add || op(v) == Operation::mul; }
+  /// True if operands x of a value and y of the next one are a pair by `next` too, or the same, or constants.
+  bool pair(std::span<const std::uint32_t> next, std::uint32_t x, std::uint32_t y) const {
+    return x == y || next[x] == y || (constant(x) && constant(y));
+  }
   /// What an instruction is before its negation.
   Operand plain(std::uint32_t v) const { return plain_[v]; }
   /// Instructions that are wanted as they are: results and rows of dot products.
@@ -84,7 +88,8 @@ struct Correspondence {
 /// the same.
 Correspondence corresponding_values(const UnsignedProgram& program, Shift shift, std::span<const int> depths);
 
-/// The shift, of some short ones, by which most values correspond to others.
+/// The shift, of some short ones, by which most values correspond to others with all that they are computed
+/// from.
 Shift shift_of_steps(const UnsignedProgram& program, std::span<const int> depths);
 
 /// The same program, but that sums, and products, of corresponding operands are put together in the same
