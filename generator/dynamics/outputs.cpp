@@ -1,5 +1,8 @@
 // What else can be asked for: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
+#include <algorithm>
 #include <map>
+#include <ranges>
+#include <utility>
 
 #include "dynamics/formulations.hpp"
 #include "symbolic/passes.hpp"
@@ -118,61 +121,94 @@ std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivat
 
 namespace {
 
-/// Angular velocity and velocity of a point along one speed, in world axes.
+/// Angular velocity along one speed, and the velocity of what is at point `at`, in world axes.
 struct WorldTwist {
-  Vec3 angular, linear;
+  Vec3 angular, linear, at;
+  Vec3 linear_at(const Vec3& point) const { return linear + cross(angular, point - at); }
 };
 
-/// Twists of a node's origin along each speed that moves it.
-using TwistOfSpeed = std::map<int, WorldTwist>;
+/// A node: where its origin is, and its twists along each speed that moves it.
+struct MovingFrame {
+  Vec3 origin;  ///< from the last frame above it that nothing turns: near, however far that is from the world
+  std::map<int, WorldTwist> twists;
+};
 
-/// Twists of the point at `arm` from the one that they are of.
-TwistOfSpeed at_arm(TwistOfSpeed twists, const Vec3& arm) {
-  for (auto& [speed, twist] : twists) twist.linear = twist.linear + cross(twist.angular, arm);
-  return twists;
-}
-
-std::vector<TwistOfSpeed> node_twists(const Mechanism& mechanism, const MotionTree& tree,
-                                      std::span<const Pose> poses, ExprGraph& graph) {
-  std::vector<TwistOfSpeed> all;
+std::vector<MovingFrame> moving_frames(const Mechanism& mechanism, const MotionTree& tree,
+                                       std::span<const Pose> poses, ExprGraph& graph) {
+  const Vec3 none = zeros<3, 1>(graph);
+  std::vector<MovingFrame> all;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const MotionNode& node = tree.nodes[i];
     const bool root = node.parent < 0;
     const Pose from = root ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
-    TwistOfSpeed twists = root ? TwistOfSpeed{} : all[static_cast<std::size_t>(node.parent)];
+    MovingFrame frame = root ? MovingFrame{none, {}} : all[static_cast<std::size_t>(node.parent)];
     const bool shifts = node.motion.kind == MotionKind::translation;
-    if (shifts) twists = at_arm(std::move(twists), from.rotation * node.motion.offset);
+    const bool turned =
+        std::ranges::any_of(frame.twists, [&](const auto& twist) { return !(twist.second.angular == none); });
+    if (shifts && turned) frame.origin = frame.origin + from.rotation * node.motion.offset;
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
-      const WorldTwist none{zeros<3, 1>(graph), zeros<3, 1>(graph)};
-      WorldTwist& twist = twists.try_emplace(partial.speed, none).first->second;
+      WorldTwist& twist =
+          frame.twists.try_emplace(partial.speed, WorldTwist{none, none, frame.origin}).first->second;
+      twist = {twist.angular, twist.linear_at(frame.origin), frame.origin};
       if (shifts) {
         twist.linear = twist.linear + from.rotation * partial.direction;
       } else {
         twist.angular = twist.angular + poses[i].rotation * partial.direction;
       }
     }
-    all.push_back(std::move(twists));
+    all.push_back(std::move(frame));
   }
   return all;
 }
 
+// A twist that so many bodies have is moved to the common origin. Velocities elsewhere are dot products then,
+// of a row of the twist and one of the body, which can be loops.
+constexpr int kManyBodies = 12;
+
 }  // namespace
 
 std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const Vec3 none = zeros<3, 1>(graph);
   const std::vector<Pose> poses = node_poses(tree, graph);
-  const std::vector<TwistOfSpeed> twists = node_twists(mechanism, tree, poses, graph);
+  const std::vector<MovingFrame> frames = moving_frames(mechanism, tree, poses, graph);
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
+  std::vector<int> bodies_of_speed(nv, 0);
+  for (const BodyPlace& place : tree.places) {
+    if (place.node < 0) continue;
+    for (const auto& entry : frames[static_cast<std::size_t>(place.node)].twists)
+      ++bodies_of_speed[static_cast<std::size_t>(entry.first)];
+  }
   std::vector<Expr> out(mechanism.bodies.size() * 6 * nv, graph.zero());
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const BodyPlace& place = tree.places[b];
     if (place.node < 0) continue;
-    const std::size_t node = static_cast<std::size_t>(place.node);
-    const Vec3 arm = poses[node].rotation * center_at_node(mechanism.bodies[b], place);
-    for (const auto& [speed, twist] : at_arm(twists[node], arm)) {
+    const MovingFrame& frame = frames[static_cast<std::size_t>(place.node)];
+    const Vec3 arm =
+        poses[static_cast<std::size_t>(place.node)].rotation * center_at_node(mechanism.bodies[b], place);
+    const Vec3 center = frame.origin + arm;
+    // Twists about parallel axes differ in a velocity that all bodies have alike.
+    std::vector<std::pair<const WorldTwist*, Vec3>> done;
+    for (const auto& [speed, twist] : frame.twists | std::views::reverse) {
+      const std::size_t k = static_cast<std::size_t>(speed);
+      const auto parallel = std::ranges::find_if(
+          done, [&](const auto& other) { return other.first->angular == twist.angular; });
+      Vec3 linear;
+      if (twist.angular == none) {
+        linear = twist.linear;
+      } else if (parallel != done.end()) {
+        linear = parallel->second + (twist.linear_at(parallel->first->at) - parallel->first->linear);
+      } else if (twist.at == frame.origin) {
+        linear = twist.linear + cross(twist.angular, arm);
+      } else if (bodies_of_speed[k] < kManyBodies) {
+        linear = twist.linear_at(center);
+      } else {
+        linear = twist.linear_at(none) + cross(twist.angular, center);
+      }
+      if (parallel == done.end()) done.emplace_back(&twist, linear);
       for (std::size_t r = 0; r < 3; ++r) {
-        out[(6 * b + r) * nv + static_cast<std::size_t>(speed)] = twist.angular[r];
-        out[(6 * b + 3 + r) * nv + static_cast<std::size_t>(speed)] = twist.linear[r];
+        out[(6 * b + r) * nv + k] = twist.angular[r];
+        out[(6 * b + 3 + r) * nv + k] = linear[r];
       }
     }
   }

@@ -17,8 +17,8 @@
 namespace alembert {
 namespace {
 
-// Equal results that follow each other are written one by one if there are fewer.
-constexpr std::uint32_t kFewestInRun = 8;
+// Equal results at even distances are written one by one if there are fewer.
+constexpr std::uint32_t kFewestInRun = 32;
 
 /// How strongly the text of a value binds.
 enum class Binding : std::uint8_t { sum, product, sign, primary };
@@ -130,23 +130,28 @@ class Writer {
       if (layout_.live(v) && is_leaf(program_.code[v].op) &&
           !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
         const std::string value = operand(v, block, Binding::sum);
-        store_runs(block, layout_.results(v), value);
+        store_all(block, layout_.results(v), value);
         for (const std::uint32_t place : layout_.table_places(v)) keep(block, place, value);
       }
   }
 
-  /// Results that follow each other and are the same, as the zeros of Jacobians, are a loop.
-  void store_runs(std::uint32_t block, std::span<const std::pair<std::uint32_t, std::uint32_t>> results,
-                  std::string_view value) {
+  /// Results that are the same at even distances are a loop, as the zeros of Jacobians are and the angular
+  /// velocity that all bodies behind a joint have from it.
+  void store_all(std::uint32_t block, std::span<const std::pair<std::uint32_t, std::uint32_t>> results,
+                 std::string_view value) {
     while (!results.empty()) {
       const auto [array, first] = results.front();
+      const std::uint32_t step = results.size() > 1 ? results[1].second - first : 1;
       std::uint32_t count = 1;
-      while (count < results.size() && results[count] == std::pair(array, first + count)) ++count;
-      if (count >= kFewestInRun)
-        line(block, fmt::format("for (int i = {}; i < {}; ++i) {}[i] = {};", first, first + count,
-                                signature_.results[array].name, value));
-      else
-        for (std::uint32_t i = 0; i < count; ++i) store(block, array, first + i, value);
+      while (count < results.size() && results[count] == std::pair(array, first + count * step)) ++count;
+      if (count < kFewestInRun) {
+        store(block, array, first, value);
+        results = results.subspan(1);
+        continue;
+      }
+      const std::string next = step == 1 ? "++i" : fmt::format("i += {}", step);
+      line(block, fmt::format("for (int i = {}; i <= {}; {}) {}[i] = {};", first, first + (count - 1) * step,
+                              next, signature_.results[array].name, value));
       results = results.subspan(count);
     }
   }
@@ -155,8 +160,7 @@ class Writer {
   void write_late(std::uint32_t block) {
     for (std::uint32_t v = 0; v < program_.code.size(); ++v)
       if (layout_.loops()->loop(v) != kNoPlace && !layout_.results(v).empty())
-        for (const auto& [array, index] : layout_.results(v))
-          store(block, array, index, fmt::format("w[{}]", layout_.place(v)));
+        store_all(block, layout_.results(v), fmt::format("w[{}]", layout_.place(v)));
     for (const auto& [v, place] : layout_.loops()->late())
       keep(block, place, fmt::format("w[{}]", layout_.place(v)));
   }
@@ -419,7 +423,7 @@ class Writer {
     for (const std::uint32_t place : in_tables) keep(block, place, name);
     const bool there = from_arrays && layout_.trig_place() != kNoPlace;
     if (layout_.place(v) != kNoPlace && in_tables.empty() && !there) keep(block, layout_.place(v), name);
-    for (const auto& [array, index] : layout_.results(v)) store(block, array, index, name);
+    store_all(block, layout_.results(v), name);
   }
 
   void write_in_loop(std::uint32_t v, std::uint32_t block, const std::string& text) {

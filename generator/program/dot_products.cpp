@@ -2,12 +2,14 @@
 // twists and momenta. Scheduled program in, the same program with these at its end and the tables of rows
 // beside it, so that they can be written as loops.
 //
-// A result qualifies if it is a sum of products, each wanted by it alone. Given a row, all results that have
-// one factor of each product in it are its dot products with the rows of what is left; those rows lead to
-// further ones. A first row is what two results have in common.
+// A result qualifies if it is a sum of products, each wanted by it alone; one of them may be a value times
+// one, as in velocities of the points of a body. Given a row, all results that have one factor of each
+// product in it are its dot products with the rows of what is left; those rows lead to further ones. A first
+// row is what two results have in common.
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -22,6 +24,9 @@ namespace alembert {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// Stands for the factor one among values.
+constexpr std::uint32_t kOne = kNone - 1;
 
 // A loop over fewer results takes longer to begin than it saves.
 constexpr std::uint32_t kShortestRun = 4;
@@ -177,27 +182,38 @@ class Gathering {
     }
   }
 
-  /// False if the value is no sum of products that it alone needs.
+  static bool in_sums(Operation op) {
+    return op == Operation::mul || op == Operation::add || op == Operation::sub || op == Operation::neg;
+  }
+
+  /// False if the value is no sum of products that it alone needs and of one other value at most.
   bool collect_terms(Sum& sum, const std::vector<std::uint32_t>& uses,
                      const std::vector<std::uint32_t>& results) const {
     std::vector<Entry> left{{sum.value, false}};
+    Term single{};
+    bool has_single = false;
     while (!left.empty()) {
       const auto [v, negative] = left.back();
       left.pop_back();
-      if (v != sum.value && (uses[v] > 1 || results[v] > 0)) return false;
-      sum.members.push_back(v);
       const Instruction& c = program_.code[v];
+      const bool own = v == sum.value || (uses[v] == 1 && results[v] == 0);
+      if (!own || !in_sums(c.op)) {
+        if (std::exchange(has_single, true)) return false;
+        single = {v, kOne, negative};
+        continue;
+      }
+      sum.members.push_back(v);
       if (c.op == Operation::mul) {
         sum.terms.push_back({c.a, c.b, negative});
       } else if (c.op == Operation::add || c.op == Operation::sub) {
         left.push_back({c.b, negative != (c.op == Operation::sub)});
         left.push_back({c.a, negative});
-      } else if (c.op == Operation::neg) {
-        left.push_back({c.a, !negative});
       } else {
-        return false;
+        left.push_back({c.a, !negative});
       }
     }
+    // Last, as rows are looked for by the first.
+    if (has_single) sum.terms.push_back(single);
     return true;
   }
 
@@ -290,19 +306,36 @@ class Gathering {
     return best;
   }
 
-  /// The numbers of the rows of one side in the order of the first results that they are in.
-  static std::map<std::uint32_t, std::uint32_t> ranks(const std::vector<Sum>& sums,
-                                                      std::uint32_t Sum::*side) {
+  /// The numbers of the rows of one side in the order of the first results that they are in; but a row is
+  /// followed by the one that has the next result, with the same row of the other side.
+  static std::map<std::uint32_t, std::uint32_t> ranks(const std::vector<Sum>& sums, std::uint32_t Sum::*side,
+                                                      std::uint32_t Sum::*other_side) {
     std::map<std::uint32_t, std::uint32_t> first;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> row_at;  // by other row and place
     for (const Sum& sum : sums) {
       const auto [known, is_new] = first.emplace(sum.*side, sum.places[0]);
       if (!is_new) known->second = std::min(known->second, sum.places[0]);
+      for (const std::uint32_t place : sum.places)
+        row_at.emplace(std::pair(sum.*other_side, place), sum.*side);
+    }
+    std::map<std::uint32_t, std::uint32_t> next, previous;
+    for (const auto& [key, row] : row_at) {
+      const auto after = row_at.find({key.first, key.second + 1});
+      if (after == row_at.end() || next.contains(row) || previous.contains(after->second)) continue;
+      next.emplace(row, after->second);
+      previous.emplace(after->second, row);
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (const auto& [row, place] : first) order.emplace_back(place, row);
     std::ranges::sort(order);
     std::map<std::uint32_t, std::uint32_t> rank;
-    for (const auto& [place, row] : order) rank.emplace(row, static_cast<std::uint32_t>(rank.size()));
+    const auto add = [&](std::uint32_t row) {
+      while (rank.emplace(row, static_cast<std::uint32_t>(rank.size())).second && next.contains(row))
+        row = next.at(row);
+    };
+    for (const auto& [place, row] : order)
+      if (!previous.contains(row)) add(row);
+    for (const auto& [place, row] : order) add(row);  // of rings
     return rank;
   }
 
@@ -323,7 +356,8 @@ class Gathering {
   }
 
   static Group group_of(std::vector<Sum> sums, const Table& left, const Table& right) {
-    const auto left_rank = ranks(sums, &Sum::left), right_rank = ranks(sums, &Sum::right);
+    const auto left_rank = ranks(sums, &Sum::left, &Sum::right),
+               right_rank = ranks(sums, &Sum::right, &Sum::left);
     const auto rank = [&](const Sum& sum) {
       return std::pair(left_rank.at(sum.left), right_rank.at(sum.right));
     };
@@ -382,7 +416,7 @@ class Gathering {
       for (const std::vector<Row>* rows : {&group.left, &group.right})
         for (const Row& row : *rows)
           for (const Entry& entry : row)
-            if (entry.negative) negated[entry.value] = true;
+            if (entry.negative && entry.value != kOne) negated[entry.value] = true;
     }
     out.code.clear();
     const auto add = [&](Operation op, std::uint32_t a, std::uint32_t b) {
@@ -402,27 +436,45 @@ class Gathering {
     for (OutputArray& output : out.outputs)
       for (std::uint32_t& v : output.values)
         if (!inside[v]) v = place[v];
+    std::array<std::uint32_t, 2> one{kNone, kNone};  // 1 and -1
+    const auto in_table = [&](const Entry& entry) {
+      if (entry.value != kOne) return entry.negative ? negative[entry.value] : place[entry.value];
+      std::uint32_t& constant = one[entry.negative ? 1 : 0];
+      if (constant == kNone) {
+        out.constants.push_back(entry.negative ? -1 : 1);
+        constant = add(Operation::constant, static_cast<std::uint32_t>(out.constants.size() - 1), 0);
+      }
+      return constant;
+    };
+    for (Group& group : groups_) {
+      const auto values = [&](const std::vector<Row>& rows) {
+        std::vector<std::uint32_t> list;
+        for (const Row& row : rows) std::ranges::transform(row, std::back_inserter(list), in_table);
+        return list;
+      };
+      group.products.left = values(group.left);
+      group.products.right = values(group.right);
+    }
     const std::size_t straight = out.code.size();
     for (Group& group : groups_) {
       DotProducts& products = group.products;
-      const auto values = [&](const std::vector<Row>& rows) {
-        std::vector<std::uint32_t> list;
-        for (const Row& row : rows)
-          for (const Entry& entry : row)
-            list.push_back(entry.negative ? negative[entry.value] : place[entry.value]);
-        return list;
-      };
-      products.left = values(group.left);
-      products.right = values(group.right);
       std::vector<std::uint32_t>& results = out.outputs[products.output].values;
+      const auto plus_product = [&](std::uint32_t sum, std::uint32_t a, std::uint32_t b) {
+        if (sum == kNone) return add(Operation::mul, a, b);
+        for (const std::uint32_t factor : {a, b}) {
+          const std::uint32_t other = factor == a ? b : a;
+          if (factor == one[0]) return add(Operation::add, sum, other);
+          if (factor == one[1]) return add(Operation::sub, sum, other);
+        }
+        const std::uint32_t product = add(Operation::mul, a, b);
+        return add(Operation::add, sum, product);
+      };
       for (const DotProducts::Run& run : products.runs)
         for (std::uint32_t i = 0; i < run.count; ++i) {
           const std::uint32_t a = run.left * products.terms, b = (run.right + i) * products.terms;
           std::uint32_t sum = kNone;
-          for (std::uint32_t k = 0; k < products.terms; ++k) {
-            const std::uint32_t product = add(Operation::mul, products.left[a + k], products.right[b + k]);
-            sum = k == 0 ? product : add(Operation::add, sum, product);
-          }
+          for (std::uint32_t k = 0; k < products.terms; ++k)
+            sum = plus_product(sum, products.left[a + k], products.right[b + k]);
           results[run.first + i] = results[run.mirror + i * run.step] = sum;
         }
       out.dot_products.push_back(std::move(products));

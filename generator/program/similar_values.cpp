@@ -106,24 +106,32 @@ class Growth {
   }
 
   /// The rows of dot products, by the row and column of the result that they stand for, tell apart what is
-  /// used alike, such as the axes of a frame.
+  /// used alike, such as the axes of a frame. An array that has not a row for each speed, as Jacobians have
+  /// six for each body, has as many more a step.
   void start_at(const DotProducts& products) {
-    const std::uint32_t columns = program_.program().outputs[products.output].columns;
-    std::map<std::uint32_t, std::uint32_t> left, right;
+    const OutputArray& output = program_.program().outputs[products.output];
+    const std::uint32_t columns = output.columns, shift = map_.shift.speeds;
+    const std::uint32_t rows_in_step = shift * output.rows / columns;
+    if (rows_in_step == 0 || rows_in_step * columns != shift * output.rows) return;
+    using Place =
+        std::pair<std::uint32_t, std::uint32_t>;  // which row of a step, and where along the other side
+    std::map<Place, std::uint32_t> left, right;
     for (const DotProducts::Run& run : products.runs) {
-      left.emplace(run.first / columns, run.left);
-      for (std::uint32_t i = 0; i < run.count; ++i) right.emplace((run.first + i) % columns, run.right + i);
+      const std::uint32_t row = run.first / columns, of_step = row % rows_in_step;
+      left.emplace(Place(of_step, row), run.left);
+      for (std::uint32_t i = 0; i < run.count; ++i)
+        right.emplace(Place(of_step, (run.first + i) % columns), run.right + i);
     }
-    const auto pair_rows = [&](const std::map<std::uint32_t, std::uint32_t>& at,
-                               const std::vector<std::uint32_t>& values) {
-      for (const auto& [element, row] : at)
-        if (const auto other = at.find(element + map_.shift.speeds); other != at.end())
+    const auto pair_rows = [&](const std::map<Place, std::uint32_t>& at,
+                               const std::vector<std::uint32_t>& values, std::uint32_t step) {
+      for (const auto& [place, row] : at)
+        if (const auto other = at.find({place.first, place.second + step}); other != at.end())
           for (std::uint32_t k = 0; k < products.terms; ++k)
             propose(program_.plain(values[row * products.terms + k]).value,
                     program_.plain(values[other->second * products.terms + k]).value);
     };
-    pair_rows(left, products.left);
-    pair_rows(right, products.right);
+    pair_rows(left, products.left, rows_in_step);
+    pair_rows(right, products.right, shift);
   }
 
   bool possible(std::uint32_t a, std::uint32_t b) const {

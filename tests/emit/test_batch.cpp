@@ -137,10 +137,11 @@ TEST_P(BatchSample, SolvesForTheRates) {
 /// Steps along the chain and dot products are loops, over one state and over packs.
 TEST_P(BatchSample, LoopsAreThoseOfOneState) {
   namespace chain = bits::chain;
-  constexpr std::size_t kN = chain::kNv;
+  constexpr std::size_t kN = chain::kNv, kBodies = chain::kBodyNames.size();
   const std::vector<double> q = random_rows(kN, 1, -3, 3), qd = random_rows(kN, 2, -2, 2),
                             qdd = random_rows(kN, 3, -2, 2);
-  std::vector<double> tau(kN * kStride), back(kN * kStride), M(kN * kN * kStride), c(kN * kStride);
+  std::vector<double> tau(kN * kStride), back(kN * kStride), M(kN * kN * kStride), c(kN * kStride),
+      J(6 * kBodies * kN * kStride);
   EXPECT_EQ(chain::inverse_dynamics_batch(kStates, kStride, q.data(), qd.data(), qdd.data(), {}, tau.data(),
                                           options_),
             0U);
@@ -150,6 +151,7 @@ TEST_P(BatchSample, LoopsAreThoseOfOneState) {
   EXPECT_EQ(chain::mass_matrix_and_bias_batch(kStates, kStride, q.data(), qd.data(), {}, M.data(), c.data(),
                                               options_),
             0U);
+  EXPECT_EQ(chain::body_jacobians_batch(kStates, kStride, q.data(), {}, J.data(), options_), 0U);
   const auto expect_rows = [](const auto& expected, const std::vector<double>& rows, std::size_t s) {
     double scale = 1;
     for (const double e : expected) scale = std::max(scale, std::abs(e));
@@ -166,6 +168,9 @@ TEST_P(BatchSample, LoopsAreThoseOfOneState) {
     std::array<double, kN * kN> matrix;
     chain::mass_matrix<double>(q_s.data(), {}, matrix.data());
     expect_rows(matrix, M, s);
+    std::array<double, 6 * kBodies * kN> jacobians;
+    chain::body_jacobians<double>(q_s.data(), {}, jacobians.data());
+    expect_rows(jacobians, J, s);
     for (std::size_t i = 0; i < kN; ++i)
       EXPECT_NEAR(back[i * kStride + s], qdd[i * kStride + s], 1e-9) << i << " of state " << s;
   }

@@ -218,17 +218,19 @@ TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   EXPECT_LT(statements, program.code.size() - in_loops);
 }
 
-TEST(Emit, EqualResultsThatFollowEachOtherAreALoop) {
+TEST(Emit, EqualResultsAtEvenDistancesAreALoop) {
   ProgramMaker m(1);
   m.program.function = "bias";
-  const std::uint32_t zero = m.constant(0);
-  std::vector<std::uint32_t> c(20, zero);
-  c[3] = m.mul(m.input(0), m.input(0));
+  std::vector<std::uint32_t> c(120, m.constant(0));
+  const std::uint32_t square = m.mul(m.input(0), m.input(0));
+  for (std::size_t i = 3; i < 40; ++i) c[i] = i == 3 ? m.add(square, square) : square;
+  for (std::size_t i = 40; i < 120; i += 2) c[i] = square;
   const FunctionBody body = function_body(m.returning(c), *find_signature("bias"));
   const std::string& text = body.blocks[0].statement_lines;
-  EXPECT_THAT(text, HasSubstr("c[2] = S(0.0);\n"));
-  EXPECT_THAT(text, HasSubstr("for (int i = 4; i < 20; ++i) c[i] = S(0.0);\n"));
-  EXPECT_EQ(body.blocks[0].statements, 6u);
+  EXPECT_THAT(text, HasSubstr("\nc[2] = S(0.0);\n"));
+  EXPECT_THAT(text, HasSubstr("for (int i = 4; i <= 40; ++i) c[i] = t0;\n"));
+  EXPECT_THAT(text, HasSubstr("for (int i = 42; i <= 118; i += 2) c[i] = t0;\n"));
+  EXPECT_THAT(text, HasSubstr("for (int i = 41; i <= 119; i += 2) c[i] = S(0.0);\n"));
 }
 
 TEST(Emit, FewDotProductsAreStraightOverManyStates) {

@@ -105,10 +105,13 @@ alembert::CompiledMechanism check(const std::string& name, alembert::CompileOpti
     M::forward_dynamics(s.q, s.qd, s.qdd, s.in);
   };
   if constexpr (kForward) options.functions.push_back(FunctionKind::forward_dynamics);
+  constexpr bool kJacobians = requires(const State<M>& s) {
+    M::body_jacobians(s.q, s.in);
+  };
+  if constexpr (kJacobians) options.functions.push_back(FunctionKind::body_jacobians);
   if constexpr (M::kNc > 0) {
-    options.functions.insert(
-        options.functions.end(),
-        {FunctionKind::constraints, FunctionKind::body_jacobians, FunctionKind::body_inertias});
+    options.functions.insert(options.functions.end(),
+                             {FunctionKind::constraints, FunctionKind::body_inertias});
   }
   const std::string path = std::string(ALEMBERT_SOURCE_DIR) + "/" + name + ".yaml";
   alembert::CompiledMechanism compiled = alembert::compile_mechanism(alembert::read_source(path), options);
@@ -131,18 +134,21 @@ alembert::CompiledMechanism check(const std::string& name, alembert::CompileOpti
     std::vector<double> both(mass.data(), mass.data() + mass.size());
     both.insert(both.end(), bias.data(), bias.data() + bias.size());
     compare(FunctionKind::mass_matrix_and_bias, both);
+    if constexpr (kJacobians) {
+      std::vector<double> jacobians;
+      append_rows(jacobians, M::body_jacobians(s.q, s.in));
+      compare(FunctionKind::body_jacobians, jacobians);
+    }
     if constexpr (M::kNc > 0) {
       typename M::ConstraintMatrix P;
       typename M::ConstraintVector gamma, velocity, position;
       M::constraints(s.q, s.qd, s.in, P, gamma, velocity, position);
-      std::vector<double> rows, jacobians, inertias;
+      std::vector<double> rows, inertias;
       append_rows(rows, P);
       append_rows(rows, gamma);
       append_rows(rows, velocity);
       append_rows(rows, position);
       compare(FunctionKind::constraints, rows);
-      append_rows(jacobians, M::body_jacobians(s.q, s.in));
-      compare(FunctionKind::body_jacobians, jacobians);
       append_rows(inertias, M::body_inertias(s.in));
       compare(FunctionKind::body_inertias, inertias);
     }
@@ -161,7 +167,8 @@ TEST(CompiledMechanism, ChainWithLoops) {
   options.loop_results = 6;
   options.loop_operations = 300;
   const auto compiled = check<bits::chain::Mechanism<>>("tests/emit/chain", options);
-  for (const FunctionKind kind : {FunctionKind::mass_matrix, FunctionKind::mass_matrix_and_bias})
+  for (const FunctionKind kind :
+       {FunctionKind::mass_matrix, FunctionKind::mass_matrix_and_bias, FunctionKind::body_jacobians})
     EXPECT_GT(alembert::dot_products(compiled.function(kind).program), 60u);
   for (const FunctionKind kind : {FunctionKind::inverse_dynamics, FunctionKind::forward_dynamics})
     EXPECT_GT(alembert::operations_in_loops(compiled.function(kind).program), 1000u);

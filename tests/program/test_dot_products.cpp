@@ -10,6 +10,7 @@ namespace {
 enum class Places {
   symmetric,    ///< of rows i <= j, at (i, j) and (j, i)
   rectangular,  ///< of all rows, at (i, j)
+  with_single,  ///< so too, and the last entries of the left rows are one
 };
 
 struct Table {
@@ -41,7 +42,11 @@ Table table(std::uint32_t size, std::size_t terms, Places places, std::mt19937_6
   std::size_t products = 0;
   for (std::uint32_t i = 0; i < size; ++i)
     for (std::uint32_t j = places == Places::symmetric ? i : 0; j < size; ++j) {
-      const std::uint32_t sum = append_dot_product(m, left[i], right[j], i % 3 == 1, random);
+      const bool single = places == Places::with_single;
+      const std::span a(left[i]), b(right[j]);
+      std::uint32_t sum = append_dot_product(m, a.first(terms - (single ? 1 : 0)),
+                                             b.first(terms - (single ? 1 : 0)), i % 3 == 1, random);
+      if (single) sum = i % 3 == 1 ? m.sub(sum, b.back()) : m.add(b.back(), sum);
       results[i * size + j] = sum;
       if (places == Places::symmetric) results[j * size + i] = sum;
       ++products;
@@ -59,6 +64,13 @@ void expect_equivalent(const Program& given, const Program& gathered, std::mt199
     EXPECT_TRUE(same_but_for_rounding(given, gathered, random_point(given.inputs.size(), random)));
 }
 
+/// 1 or -1 if a value is that constant, otherwise 0.
+int unit_of(const Program& program, std::uint32_t v) {
+  if (program.code[v].op != Operation::constant) return 0;
+  const double value = program.constants[program.code[v].a];
+  return value == 1 ? 1 : value == -1 ? -1 : 0;
+}
+
 /// Every run's results are the dot products of its rows, and the last instructions are theirs.
 void expect_sound(const Program& program) {
   const std::size_t straight = program.code.size() - program.dot_product_code;
@@ -73,11 +85,20 @@ void expect_sound(const Program& program) {
         EXPECT_EQ(v, results.at(run.mirror + i * run.step));
         for (std::uint32_t k = products.terms; k-- > 0;) {
           const Instruction sum = program.code[v];
-          const Instruction product = k == 0 ? sum : program.code[sum.b];
-          EXPECT_EQ(product.op, Operation::mul);
-          EXPECT_EQ(product.a, products.left.at(run.left * products.terms + k));
-          EXPECT_EQ(product.b, products.right.at((run.right + i) * products.terms + k));
-          EXPECT_EQ(sum.op, k == 0 ? Operation::mul : Operation::add);
+          const std::uint32_t a = products.left.at(run.left * products.terms + k),
+                              b = products.right.at((run.right + i) * products.terms + k);
+          // Nothing is multiplied by one, and what is multiplied by minus one is subtracted.
+          if (const int unit = k == 0 ? 0 : unit_of(program, a) + unit_of(program, b); unit != 0) {
+            EXPECT_EQ(sum.op, unit > 0 ? Operation::add : Operation::sub);
+            EXPECT_EQ(sum.b, unit_of(program, a) != 0 ? b : a);
+            --instructions;
+          } else {
+            const Instruction product = k == 0 ? sum : program.code[sum.b];
+            EXPECT_EQ(product.op, Operation::mul);
+            EXPECT_EQ(product.a, a);
+            EXPECT_EQ(product.b, b);
+            EXPECT_EQ(sum.op, k == 0 ? Operation::mul : Operation::add);
+          }
           v = sum.a;
         }
         instructions += 2 * products.terms - 1;
@@ -88,7 +109,7 @@ void expect_sound(const Program& program) {
 
 TEST(DotProducts, AllOfATableAreFound) {
   std::mt19937_64 random(11);
-  for (const Places places : {Places::symmetric, Places::rectangular})
+  for (const Places places : {Places::symmetric, Places::rectangular, Places::with_single})
     for (const std::size_t terms : {3u, 6u, 9u}) {
       const auto [program, products] = table(24, terms, places, random);
       const Program scheduled = schedule(program), gathered = gather_dot_products(scheduled, 1);
