@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -18,7 +19,10 @@ namespace alembert {
 namespace {
 
 // Equal results at even distances are written one by one if there are fewer.
-constexpr std::uint32_t kFewestInRun = 32;
+constexpr std::size_t kFewestInRun = 32;
+
+// For the second of such a run, so many results are tried: what lies between may be another run.
+constexpr std::size_t kTries = 4;
 
 /// How strongly the text of a value binds.
 enum class Binding : std::uint8_t { sum, product, sign, primary };
@@ -139,20 +143,37 @@ class Writer {
   /// velocity that all bodies behind a joint have from it.
   void store_all(std::uint32_t block, std::span<const std::pair<std::uint32_t, std::uint32_t>> results,
                  std::string_view value) {
-    while (!results.empty()) {
-      const auto [array, first] = results.front();
-      const std::uint32_t step = results.size() > 1 ? results[1].second - first : 1;
-      std::uint32_t count = 1;
-      while (count < results.size() && results[count] == std::pair(array, first + count * step)) ++count;
-      if (count < kFewestInRun) {
+    std::vector<bool> stored(results.size(), false);
+    // Those at even distances from two on, as far as they go.
+    const auto run_of = [&](std::size_t i, std::size_t second) {
+      const auto [array, first] = results[i];
+      const std::uint32_t step = results[second].second - first;
+      std::vector<std::size_t> run{i};
+      for (std::size_t next = second; next < results.size() && !stored[next];) {
+        const std::pair<std::uint32_t, std::uint32_t> wanted(
+            array, first + static_cast<std::uint32_t>(run.size()) * step);
+        if (results[next] != wanted) break;
+        run.push_back(next);
+        const auto after = std::ranges::lower_bound(results, std::pair(array, wanted.second + step));
+        next = static_cast<std::size_t>(after - results.begin());
+      }
+      return run;
+    };
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      if (stored[i]) continue;
+      std::vector<std::size_t> found;
+      for (std::size_t k = i + 1; k < results.size() && k <= i + kTries && found.size() < kFewestInRun; ++k)
+        found = run_of(i, k);
+      const auto [array, first] = results[i];
+      if (found.size() < kFewestInRun) {
         store(block, array, first, value);
-        results = results.subspan(1);
         continue;
       }
+      for (const std::size_t k : found) stored[k] = true;
+      const std::uint32_t step = results[found[1]].second - first;
       const std::string next = step == 1 ? "++i" : fmt::format("i += {}", step);
-      line(block, fmt::format("for (int i = {}; i <= {}; {}) {}[i] = {};", first, first + (count - 1) * step,
-                              next, signature_.results[array].name, value));
-      results = results.subspan(count);
+      line(block, fmt::format("for (int i = {}; i <= {}; {}) {}[i] = {};", first,
+                              results[found.back()].second, next, signature_.results[array].name, value));
     }
   }
 
@@ -251,10 +272,10 @@ class Writer {
     const std::string_view result = signature_.results[products.output].name;
     const std::size_t rows = products.right.size() / products.terms;
     for (const DotProducts::Run& run : products.runs) {
-      line(block,
-           fmt::format("dot_products<{0}>(w + {1}, w + {2}, {3}, {4}, {5} + {6}, {5} + {7}, {8});",
-                       products.terms, tables.left + products.terms * run.left, tables.right + run.right,
-                       rows, run.count, result, run.first, run.mirror, run.step));
+      const std::string first = run.mirrored() ? fmt::format("{} + {}, ", result, run.first) : std::string();
+      line(block, fmt::format("dot_products<{}>(w + {}, w + {}, {}, {}, {}{} + {}, {});", products.terms,
+                              tables.left + products.terms * run.left, tables.right + run.right, rows,
+                              run.count, first, result, run.mirror, run.step));
     }
     states_[block].calls.emplace("dot_products");
   }

@@ -307,7 +307,8 @@ class Gathering {
   }
 
   /// The numbers of the rows of one side in the order of the first results that they are in; but a row is
-  /// followed by the one that has the next result, with the same row of the other side.
+  /// followed by the one that has the next result, if any has, or the next but so many, with the same row of
+  /// the other side.
   static std::map<std::uint32_t, std::uint32_t> ranks(const std::vector<Sum>& sums, std::uint32_t Sum::*side,
                                                       std::uint32_t Sum::*other_side) {
     std::map<std::uint32_t, std::uint32_t> first;
@@ -319,12 +320,15 @@ class Gathering {
         row_at.emplace(std::pair(sum.*other_side, place), sum.*side);
     }
     std::map<std::uint32_t, std::uint32_t> next, previous;
-    for (const auto& [key, row] : row_at) {
-      const auto after = row_at.find({key.first, key.second + 1});
-      if (after == row_at.end() || next.contains(row) || previous.contains(after->second)) continue;
-      next.emplace(row, after->second);
-      previous.emplace(after->second, row);
-    }
+    for (const bool near : {true, false})
+      for (auto at = row_at.begin(), after = at; after != row_at.end() && ++after != row_at.end();
+           at = after) {
+        const auto [other_row, place] = at->first;
+        if (after->first.first != other_row || (near && after->first.second != place + 1)) continue;
+        if (next.contains(at->second) || previous.contains(after->second)) continue;
+        next.emplace(at->second, after->second);
+        previous.emplace(after->second, at->second);
+      }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (const auto& [row, place] : first) order.emplace_back(place, row);
     std::ranges::sort(order);
@@ -339,19 +343,25 @@ class Gathering {
     return rank;
   }
 
-  /// The run of two neighbouring sums, if their places are neighbours too.
+  /// The run of two neighbouring sums: of results that are one element at even distances, or two of which one
+  /// lies beside the next.
   static std::optional<DotProducts::Run> run_of(const Sum& one, const Sum& next) {
     const std::array<std::uint32_t, 2>&a = one.places, &b = next.places;
+    if (a[0] == a[1] && b[0] == b[1] && b[0] > a[0]) {
+      const std::uint32_t step = b[0] - a[0];
+      return DotProducts::Run{0, 0, 1, a[0], step, a[0], step};
+    }
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t other = 1 - k;
       if (b[k] == a[k] + 1 && b[other] > a[other])
-        return DotProducts::Run{0, 0, 1, a[k], a[other], b[other] - a[other]};
+        return DotProducts::Run{0, 0, 1, a[k], 1, a[other], b[other] - a[other]};
     }
     return std::nullopt;
   }
 
   static bool continues(const DotProducts::Run& run, const Sum& sum) {
-    const std::uint32_t first = run.first + run.count, mirror = run.mirror + run.count * run.step;
+    const std::uint32_t first = run.first + run.count * run.stride,
+                        mirror = run.mirror + run.count * run.step;
     return sum.places.front() == std::min(first, mirror) && sum.places.back() == std::max(first, mirror);
   }
 
@@ -475,7 +485,7 @@ class Gathering {
           std::uint32_t sum = kNone;
           for (std::uint32_t k = 0; k < products.terms; ++k)
             sum = plus_product(sum, products.left[a + k], products.right[b + k]);
-          results[run.first + i] = results[run.mirror + i * run.step] = sum;
+          results[run.first + i * run.stride] = results[run.mirror + i * run.step] = sum;
         }
       out.dot_products.push_back(std::move(products));
     }

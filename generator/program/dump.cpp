@@ -95,10 +95,10 @@ std::string dump(const Program& program) {
                    loop.first);
   for (const DotProducts& products : program.dot_products)
     for (const DotProducts::Run& run : products.runs)
-      fmt::format_to(out,
-                     "loop: {0}[{1} + i], {0}[{2} + {3} i] for i < {4}: left row {5}, right row {6} + i\n",
-                     program.outputs[products.output].name, run.first, run.mirror, run.step, run.count,
-                     run.left, run.right);
+      fmt::format_to(
+          out, "loop: {0}[{1} + {2} i], {0}[{3} + {4} i] for i < {5}: left row {6}, right row {7} + i\n",
+          program.outputs[products.output].name, run.first, run.stride, run.mirror, run.step, run.count,
+          run.left, run.right);
   return text;
 }
 

@@ -66,10 +66,11 @@ struct OutputArray {
 
 /// Elements of one result array that are dot products of the rows of two tables of values, and nothing else.
 struct DotProducts {
-  /// Row `left` with rows `right`, `right` + 1, ..., `count` of them. The i-th is element `first` + i, and
-  /// element `mirror` + i `step`, which may be the same.
+  /// Row `left` with rows `right`, `right` + 1, ..., `count` of them. The i-th is element `first` + i
+  /// `stride` and element `mirror` + i `step`, which may be the same in all; otherwise `stride` is 1.
   struct Run {
-    std::uint32_t left, right, count, first, mirror, step;
+    std::uint32_t left, right, count, first, stride, mirror, step;
+    bool mirrored() const { return first != mirror || stride != step; }
   };
   std::uint32_t output;                    ///< the array
   std::uint32_t terms;                     ///< in a row

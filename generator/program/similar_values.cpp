@@ -120,7 +120,7 @@ class Growth {
       const std::uint32_t row = run.first / columns, of_step = row % rows_in_step;
       left.emplace(Place(of_step, row), run.left);
       for (std::uint32_t i = 0; i < run.count; ++i)
-        right.emplace(Place(of_step, (run.first + i) % columns), run.right + i);
+        right.emplace(Place(of_step, (run.first + i * run.stride) % columns), run.right + i);
     }
     const auto pair_rows = [&](const std::map<Place, std::uint32_t>& at,
                                const std::vector<std::uint32_t>& values, std::uint32_t step) {

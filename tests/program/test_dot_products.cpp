@@ -81,7 +81,7 @@ void expect_sound(const Program& program) {
     for (const DotProducts::Run& run : products.runs)
       for (std::uint32_t i = 0; i < run.count; ++i) {
         const std::vector<std::uint32_t>& results = program.outputs.at(products.output).values;
-        std::uint32_t v = results.at(run.first + i);
+        std::uint32_t v = results.at(run.first + i * run.stride);
         EXPECT_EQ(v, results.at(run.mirror + i * run.step));
         for (std::uint32_t k = products.terms; k-- > 0;) {
           const Instruction sum = program.code[v];
