@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -306,19 +307,15 @@ class Gathering {
     return best;
   }
 
-  /// The numbers of the rows of one side in the order of the first results that they are in; but a row is
-  /// followed by the one that has the next result, if any has, or the next but so many, with the same row of
-  /// the other side.
-  static std::map<std::uint32_t, std::uint32_t> ranks(const std::vector<Sum>& sums, std::uint32_t Sum::*side,
-                                                      std::uint32_t Sum::*other_side) {
-    std::map<std::uint32_t, std::uint32_t> first;
+  /// For each row of one side the row that has the next result, with the same row of the other side; or the
+  /// next but so many, if none has.
+  static std::map<std::uint32_t, std::uint32_t> next_rows(const std::vector<Sum>& sums,
+                                                          std::uint32_t Sum::*side,
+                                                          std::uint32_t Sum::*other_side) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> row_at;  // by other row and place
-    for (const Sum& sum : sums) {
-      const auto [known, is_new] = first.emplace(sum.*side, sum.places[0]);
-      if (!is_new) known->second = std::min(known->second, sum.places[0]);
+    for (const Sum& sum : sums)
       for (const std::uint32_t place : sum.places)
         row_at.emplace(std::pair(sum.*other_side, place), sum.*side);
-    }
     std::map<std::uint32_t, std::uint32_t> next, previous;
     for (const bool near : {true, false})
       for (auto at = row_at.begin(), after = at; after != row_at.end() && ++after != row_at.end();
@@ -329,17 +326,31 @@ class Gathering {
         next.emplace(at->second, after->second);
         previous.emplace(after->second, at->second);
       }
+    return next;
+  }
+
+  /// The numbers of the rows of one side in the order of the first results that they are in; but a row is
+  /// followed by its next one.
+  static std::map<std::uint32_t, std::uint32_t> ranks(const std::vector<Sum>& sums, std::uint32_t Sum::*side,
+                                                      const std::map<std::uint32_t, std::uint32_t>& next) {
+    std::map<std::uint32_t, std::uint32_t> first;
+    for (const Sum& sum : sums) {
+      const auto [known, is_new] = first.emplace(sum.*side, sum.places[0]);
+      if (!is_new) known->second = std::min(known->second, sum.places[0]);
+    }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
     for (const auto& [row, place] : first) order.emplace_back(place, row);
     std::ranges::sort(order);
+    std::set<std::uint32_t> behind;
+    for (const auto& [row, after] : next) behind.insert(after);
     std::map<std::uint32_t, std::uint32_t> rank;
-    const auto add = [&](std::uint32_t row) {
-      while (rank.emplace(row, static_cast<std::uint32_t>(rank.size())).second && next.contains(row))
-        row = next.at(row);
-    };
-    for (const auto& [place, row] : order)
-      if (!previous.contains(row)) add(row);
-    for (const auto& [place, row] : order) add(row);  // of rings
+    for (const bool rings : {false, true})
+      for (const auto& [place, head] : order) {
+        if (!rings && behind.contains(head)) continue;
+        std::uint32_t row = head;
+        while (rank.emplace(row, static_cast<std::uint32_t>(rank.size())).second && next.contains(row))
+          row = next.at(row);
+      }
     return rank;
   }
 
@@ -366,8 +377,8 @@ class Gathering {
   }
 
   static Group group_of(std::vector<Sum> sums, const Table& left, const Table& right) {
-    const auto left_rank = ranks(sums, &Sum::left, &Sum::right),
-               right_rank = ranks(sums, &Sum::right, &Sum::left);
+    const auto left_rank = ranks(sums, &Sum::left, {}),
+               right_rank = ranks(sums, &Sum::right, next_rows(sums, &Sum::right, &Sum::left));
     const auto rank = [&](const Sum& sum) {
       return std::pair(left_rank.at(sum.left), right_rank.at(sum.right));
     };
