@@ -267,15 +267,28 @@ class Writer {
     return entry->second;
   }
 
+  /// Whether results of the second run lie below those of the first, and of their mirror to the right, up to
+  /// the same end.
+  static bool is_row_below(const DotProducts::Run& one, const DotProducts::Run& next) {
+    const std::uint32_t head = next.right - one.right;
+    return one.mirrored() && next.left == one.left + 1 && next.right >= one.right && next.step == one.step &&
+           head + next.count == one.count && next.first == one.first + head + one.step &&
+           next.mirror == one.mirror + head * one.step + 1 && next.mirrored();
+  }
+
   void write_dot_products(std::uint32_t block, const DotProducts& products,
                           const StatementLayout::TablePlace& tables) {
     const std::string_view result = signature_.results[products.output].name;
     const std::size_t rows = products.right.size() / products.terms;
-    for (const DotProducts::Run& run : products.runs) {
-      const std::string first = run.mirrored() ? fmt::format("{} + {}, ", result, run.first) : std::string();
-      line(block, fmt::format("dot_products<{}>(w + {}, w + {}, {}, {}, {}{} + {}, {});", products.terms,
-                              tables.left + products.terms * run.left, tables.right + run.right, rows,
+    for (std::size_t i = 0; i < products.runs.size(); ++i) {
+      const DotProducts::Run& run = products.runs[i];
+      const bool two = i + 1 < products.runs.size() && is_row_below(run, products.runs[i + 1]);
+      const std::string head = two ? fmt::format("{}, ", products.runs[i + 1].right - run.right) : "";
+      const std::string first = run.mirrored() ? fmt::format("{} + {}, ", result, run.first) : "";
+      line(block, fmt::format("dot_products<{}>(w + {}, w + {}, {}, {}{}, {}{} + {}, {});", products.terms,
+                              tables.left + products.terms * run.left, tables.right + run.right, rows, head,
                               run.count, first, result, run.mirror, run.step));
+      if (two) ++i;
     }
     states_[block].calls.emplace("dot_products");
   }
