@@ -113,8 +113,8 @@ class Growth {
     const std::uint32_t columns = output.columns, shift = map_.shift.speeds;
     const std::uint32_t rows_in_step = shift * output.rows / columns;
     if (rows_in_step == 0 || rows_in_step * columns != shift * output.rows) return;
-    using Place =
-        std::pair<std::uint32_t, std::uint32_t>;  // which row of a step, and where along the other side
+    // Which row of a step, and where along the other side.
+    using Place = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Place, std::uint32_t> left, right;
     for (const DotProducts::Run& run : products.runs) {
       const std::uint32_t row = run.first / columns, of_step = row % rows_in_step;
