@@ -1,7 +1,6 @@
 // What else can be asked for: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "dynamics/formulations.hpp"
@@ -189,8 +188,9 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
     const Vec3 center = frame.origin + arm;
     // Twists about parallel axes differ in a velocity that all bodies have alike.
     std::vector<std::pair<const WorldTwist*, Vec3>> done;
-    for (const auto& [speed, twist] : frame.twists | std::views::reverse) {
-      const std::size_t k = static_cast<std::size_t>(speed);
+    for (auto entry = frame.twists.rbegin(); entry != frame.twists.rend(); ++entry) {
+      const std::size_t k = static_cast<std::size_t>(entry->first);
+      const WorldTwist& twist = entry->second;
       const auto parallel = std::ranges::find_if(
           done, [&](const auto& other) { return other.first->angular == twist.angular; });
       Vec3 linear;
