@@ -231,6 +231,7 @@ TEST(Emit, EqualResultsAtEvenDistancesAreALoop) {
   EXPECT_THAT(text, HasSubstr("for (int i = 4; i <= 40; ++i) c[i] = t0;\n"));
   EXPECT_THAT(text, HasSubstr("for (int i = 42; i <= 118; i += 2) c[i] = t0;\n"));
   EXPECT_THAT(text, HasSubstr("for (int i = 41; i <= 119; i += 2) c[i] = S(0.0);\n"));
+  EXPECT_EQ(body.blocks[0].statements, 9u);
 }
 
 TEST(Emit, FewDotProductsAreStraightOverManyStates) {
