@@ -269,6 +269,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
     for (const EquationsOfMotion& equations : candidates) {
       if (best && !depends_on_formulation(kind)) break;
       std::vector<OutputExpressions> outputs = function_outputs(kinematics, equations, kind);
+      if (best && outputs == best_outputs) continue;
       Program program = lower(std::string(to_string(kind)), outputs, bindings);
       program.formulation = to_string(equations.formulation);
       if (dumping("lower")) *options.dump << dump(program);

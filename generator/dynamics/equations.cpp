@@ -125,7 +125,12 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
     any = true;
   }
   if (any) peeled = motion_tree(mechanism, motions, derivatives, graph);
-  return {mechanism, graph, std::move(derivatives), std::move(tree), std::move(peeled)};
+  return {mechanism,
+          graph,
+          std::move(derivatives),
+          std::move(tree),
+          std::move(peeled),
+          ProgramLengths(mechanism, graph)};
 }
 
 EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation, Passes passes) {
@@ -181,7 +186,7 @@ std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const Equations
   const std::size_t other_length = count_operations(value_number(other)).total();
   const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
   const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
-    return close ? program_weight(kinematics, values) : operations;
+    return close ? kinematics.lengths.of(values).first : operations;
   };
   return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
 }

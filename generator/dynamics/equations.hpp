@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dynamics/motion_tree.hpp"
+#include "dynamics/program_lengths.hpp"
 #include "dynamics/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "program/passes.hpp"
@@ -32,6 +33,7 @@ struct Kinematics {
   SpeedDerivatives derivatives;
   MotionTree tree;
   std::optional<MotionTree> peeled;  ///< the same motion by other factors (screw_peeling.hpp)
+  mutable ProgramLengths lengths;    ///< of candidates for equations
 };
 /// Throws InputError where a transform has no frame, or none at the initial state.
 Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph);

@@ -21,20 +21,9 @@ namespace {
 /// second.
 constexpr double kWork = 100'000;
 
-/// Operations; and those of them that are no sines and cosines, which other functions may share.
-using Length = std::pair<std::size_t, std::size_t>;
-
 Length length_of(std::span<const Expr> values) {
   const ExprCount n = count_operations(values);
   return {n.total() + n.trig, n.total()};
-}
-
-Length program_length(std::span<const SymbolBinding> bindings, std::span<const Expr> values) {
-  const std::array<OutputExpressions, 1> output{
-      {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
-  const OperationCount n = count(optimize(lower("candidate", output, bindings)));
-  const std::size_t others = n.mul + n.add + n.div + n.other;
-  return {others + n.trig, others};
 }
 
 std::vector<Expr> joined(std::vector<Expr> values, const std::vector<Expr>& others) {
@@ -86,10 +75,7 @@ class Search {
   using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
   /// `has_pairs`: the equations depend on Form::far.
   Search(const Kinematics& kinematics, Equations equations, bool has_pairs)
-      : kinematics_(kinematics),
-        bindings_(symbol_bindings(kinematics.mechanism, kinematics.graph)),
-        equations_(equations),
-        has_pairs_(has_pairs) {}
+      : kinematics_(kinematics), equations_(equations), has_pairs_(has_pairs) {}
 
   bool try_form(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
@@ -111,8 +97,7 @@ class Search {
   }
 
   Length measure(const std::vector<Expr>& values) const {
-    return small_ ? program_length(bindings_, values)
-                  : length_of(values);  // programs of long lists take long
+    return small_ ? kinematics_.lengths.of(values) : length_of(values);  // programs of long lists take long
   }
   /// Tries a form with its far pairs as they are estimated to be best. The estimate is right about long
   /// lists; in others it is tried what is best.
@@ -212,7 +197,6 @@ class Search {
   static constexpr std::size_t kNear = 12;
 
   const Kinematics& kinematics_;
-  std::vector<SymbolBinding> bindings_;
   Equations equations_;
   bool has_pairs_;
   bool small_ = false;  ///< programs are counted, not expressions
@@ -247,10 +231,6 @@ class Shortest {
 };
 
 }  // namespace
-
-std::size_t program_weight(const Kinematics& kinematics, std::span<const Expr> values) {
-  return program_length(symbol_bindings(kinematics.mechanism, kinematics.graph), values).first;
-}
 
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes) {
   const Mechanism& mechanism = kinematics.mechanism;

@@ -9,8 +9,4 @@ namespace alembert {
 /// See equations_of_motion.
 EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes);
 
-/// Operations of the optimised program of these values, trigonometric functions and divisions among them:
-/// what counts in the end.
-std::size_t program_weight(const Kinematics& kinematics, std::span<const Expr> values);
-
 }  // namespace alembert

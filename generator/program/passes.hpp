@@ -23,6 +23,7 @@ struct OutputExpressions {
   std::string name;
   std::uint32_t rows = 0, columns = 1;
   std::vector<Expr> values;
+  friend bool operator==(const OutputExpressions&, const OutputExpressions&) = default;
 };
 
 /// Stage `lower`: expressions to binary operations, depth first from the outputs in their order; the same for

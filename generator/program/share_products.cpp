@@ -2,9 +2,7 @@
 // program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
 // See rewrites.hpp.
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -34,6 +32,7 @@ class ProductSharing : NodeRewrite {
 
  private:
   static constexpr std::size_t kMaxFactors = 8;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   using Monomial = std::vector<Factor>;  ///< ascending, with repetitions
 
   bool is_product(std::uint32_t id) const { return from_.graph.node(id).op == Operation::mul; }
@@ -48,26 +47,22 @@ class ProductSharing : NodeRewrite {
         if (uses_[operand.node()] == 1 && is_product(operand.node())) inner[operand.node()] = 1;
       }
     }
-    std::map<std::uint32_t, Monomial> parts;
+    // A product that was taken in is still built where another one had no room for it.
+    monomial_of_.assign(from_.graph.size(), kNone);
     for (const std::uint32_t id : order_) {
       if (!is_product(id)) continue;
       Monomial factors;
       for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
-        const auto found = parts.find(operand.node());
-        if (found == parts.end() || !inner[operand.node()] ||
-            found->second.size() + factors.size() > kMaxFactors) {
+        const std::uint32_t part = monomial_of_[operand.node()];
+        if (part == kNone || !inner[operand.node()] ||
+            monomials_[part].size() + factors.size() > kMaxFactors) {
           factors.push_back(operand.node());
         } else {
-          factors.insert(factors.end(), found->second.begin(), found->second.end());
+          factors.insert(factors.end(), monomials_[part].begin(), monomials_[part].end());
         }
       }
       std::sort(factors.begin(), factors.end());
-      parts.emplace(id, factors);
-    }
-    // A product that was taken in is still built where another one had no room for it.
-    monomial_of_.assign(from_.graph.size(), -1);
-    for (auto& [id, factors] : parts) {
-      monomial_of_[id] = static_cast<std::int64_t>(monomials_.size());
+      monomial_of_[id] = static_cast<std::uint32_t>(monomials_.size());
       counted_.push_back(inner[id] == 0);
       monomials_.push_back(std::move(factors));
     }
@@ -83,6 +78,26 @@ class ProductSharing : NodeRewrite {
     return pairs;
   }
 
+  /// A pair and the products that have it. Pairs of one product are left out: no other can come to have it.
+  struct SharedPair {
+    Pair pair;
+    std::size_t count;                  ///< of the products below those that still have it
+    std::vector<std::uint32_t> places;  ///< monomials that had it when it came up
+  };
+  using SharedPairs = std::vector<SharedPair>;  ///< ascending
+
+  static SharedPairs shared_pairs(std::vector<std::pair<Pair, std::uint32_t>> occurrences) {
+    std::sort(occurrences.begin(), occurrences.end());
+    SharedPairs shared;
+    for (std::size_t begin = 0, end = 0; begin < occurrences.size(); begin = end) {
+      while (end < occurrences.size() && occurrences[end].first == occurrences[begin].first) ++end;
+      if (end - begin < 2) continue;
+      SharedPair& made = shared.emplace_back(SharedPair{occurrences[begin].first, end - begin, {}});
+      for (std::size_t i = begin; i < end; ++i) made.places.push_back(occurrences[i].second);
+    }
+    return shared;
+  }
+
   /// Takes out the most frequent pair again and again. False if no product is bracketed otherwise than it
   /// was.
   bool extract() {
@@ -93,36 +108,36 @@ class ProductSharing : NodeRewrite {
         return count != other.count ? count < other.count : pair > other.pair;
       }
     };
-    std::map<Pair, std::vector<std::uint32_t>> where;  // monomials, some of them out of date
-    std::map<Pair, std::size_t> counts;
-    std::priority_queue<Entry> queue;
-    const auto add = [&](std::uint32_t m) {
-      for (const Pair& pair : pairs_of(monomials_[m])) {
-        where[pair].push_back(m);
-        ++counts[pair];
-      }
+    // A pair comes up with its second factor: [0] is of factors as given, the others of pairs in their order.
+    std::vector<SharedPairs> shared(1);
+    const auto find = [&](const Pair& pair) -> SharedPair* {
+      SharedPairs& among = shared[pair.second < first_pair() ? 0 : pair.second - first_pair() + 1];
+      const auto at = std::lower_bound(among.begin(), among.end(), pair,
+                                       [](const SharedPair& x, const Pair& y) { return x.pair < y; });
+      return at != among.end() && at->pair == pair ? &*at : nullptr;
     };
+    std::priority_queue<Entry> queue;
+    std::vector<std::pair<Pair, std::uint32_t>> occurrences;
     for (std::uint32_t m = 0; m < monomials_.size(); ++m) {
-      if (counted_[m]) add(m);
+      if (!counted_[m]) continue;
+      for (const Pair& pair : pairs_of(monomials_[m])) occurrences.emplace_back(pair, m);
     }
-    for (const auto& [pair, count] : counts) {
-      if (count > 1) queue.push({count, pair});
-    }
-    bool any = false;
+    shared[0] = shared_pairs(std::move(occurrences));
+    for (const SharedPair& s : shared[0]) queue.push({s.count, s.pair});
     while (!queue.empty()) {
       const Entry top = queue.top();
       queue.pop();
-      const std::size_t count = counts[top.pair];
-      if (count < 2) continue;
-      if (count != top.count) {
-        queue.push({count, top.pair});
+      SharedPair& best = *find(top.pair);
+      if (best.count < 2) continue;
+      if (best.count != top.count) {
+        queue.push({best.count, top.pair});
         continue;
       }
       const Factor taken = first_pair() + static_cast<Factor>(pairs_.size());
       pairs_.push_back(top.pair);
-      any = true;
-      const std::vector<std::uint32_t> places = std::move(where[top.pair]);
-      std::map<Pair, std::size_t> fresh;
+      occurrences.clear();
+      const std::vector<std::uint32_t> places = std::move(best.places);
+      best.count = 0;
       for (const std::uint32_t m : places) {
         Monomial& factors = monomials_[m];
         Monomial rest = factors;
@@ -138,20 +153,17 @@ class ProductSharing : NodeRewrite {
         factors = std::move(rest);
         const std::vector<Pair> after = pairs_of(factors);
         for (const Pair& pair : before) {
-          if (!std::binary_search(after.begin(), after.end(), pair)) --counts[pair];
+          if (pair == top.pair || std::binary_search(after.begin(), after.end(), pair)) continue;
+          if (SharedPair* lost = find(pair)) --lost->count;
         }
         for (const Pair& pair : after) {
-          if (std::binary_search(before.begin(), before.end(), pair)) continue;
-          where[pair].push_back(m);
-          ++fresh[pair];
+          if (pair.second == taken) occurrences.emplace_back(pair, m);
         }
       }
-      for (const auto& [pair, more] : fresh) {
-        const std::size_t now = counts[pair] += more;
-        if (now > 1) queue.push({now, pair});
-      }
+      shared.push_back(shared_pairs(std::move(occurrences)));
+      for (const SharedPair& s : shared.back()) queue.push({s.count, s.pair});
     }
-    return any;
+    return !pairs_.empty();
   }
 
   Value built(Factor factor) {
@@ -172,7 +184,7 @@ class ProductSharing : NodeRewrite {
     if (n.op == Operation::constant) return to.constant(from_.graph.constant_value(Value(id, false)));
     if (n.op == Operation::input) return to.input(n.a.bits);
     if (n.op == Operation::mul) {
-      const std::size_t m = static_cast<std::size_t>(monomial_of_[id]);
+      const std::uint32_t m = monomial_of_[id];
       if (counted_[m]) {
         // The constant, which comes first in a product, last.
         const Monomial& factors = monomials_[m];
@@ -190,8 +202,8 @@ class ProductSharing : NodeRewrite {
   }
 
   std::vector<Monomial> monomials_;
-  std::vector<char> counted_;  ///< of each monomial: whether it is no part of another one
-  std::vector<std::int64_t> monomial_of_;
+  std::vector<char> counted_;               ///< of each monomial: whether it is no part of another one
+  std::vector<std::uint32_t> monomial_of_;  ///< by node; kNone: no product
   std::vector<Pair> pairs_;
   std::vector<std::optional<Value>> built_;
 };

@@ -29,6 +29,11 @@ class Placement {
       for (const Value v : output.values) ++output_uses_[v.bits];
     collect_users();
     find_absorbing();
+    broken_above_.assign(graph_.size(), 0);
+    for (std::size_t bits = 0; bits < output_uses_.size(); bits += 2)
+      broken_above_[bits >> 1] = static_cast<int>(output_uses_[bits | 1]);
+    broken_.assign(graph_.size(), 0);
+    for (const std::uint32_t id : order_) set_broken(id, breaks(id));
   }
 
   /// Whether each node is computed with its sign reversed.
@@ -81,7 +86,7 @@ class Placement {
   bool minus(Value v) const { return v.negative() != (negative_[v.node()] != 0); }
   int mismatch(Value v) const { return !graph_.is_constant(v) && minus(v) ? 1 : 0; }
 
-  int broken(std::uint32_t id) const {
+  int breaks(std::uint32_t id) const {
     const ValueNode& n = graph_.node(id);
     const bool flip = negative_[id] != 0;
     const int operands = operand_count(n.op);
@@ -101,27 +106,40 @@ class Placement {
     return (flip ? 1 : 0) + mismatch(n.a) + (operands == 2 ? mismatch(n.b) : 0);
   }
 
-  int broken_above(std::uint32_t id) const {
-    int total = static_cast<int>(output_uses_[id << 1 | (negative_[id] != 0 ? 0u : 1u)]);
-    for (std::uint32_t u = user_begin_[id]; u < user_begin_[id + 1]; ++u) total += broken(users_[u]);
-    return total;
+  // Of a node's condition as it is found to be now; what is broken above its operands follows.
+  void set_broken(std::uint32_t id, int now) {
+    const int more = now - broken_[id];
+    if (more == 0) return;
+    broken_[id] = static_cast<std::uint8_t>(now);
+    const ValueNode& n = graph_.node(id);
+    const int operands = operand_count(n.op);
+    if (operands > 0) broken_above_[n.a.node()] += more;
+    if (operands > 1 && n.b.node() != n.a.node()) broken_above_[n.b.node()] += more;
   }
 
   bool try_flip(std::uint32_t id, bool move_down) {
+    const int above = broken_above_[id], here = broken_[id];
+    if (above + here == 0) return false;
     const Operation op = graph_.node(id).op;
     if (op == Operation::constant || op == Operation::input) return false;
-    const int above = broken_above(id);
-    const int here = broken(id);
-    if (above + here == 0) return false;
     negative_[id] ^= 1;
-    const int new_above = broken_above(id);
-    const int new_here = broken(id);
+    const std::span users(users_.data() + user_begin_[id], user_begin_[id + 1] - user_begin_[id]);
+    int new_above = static_cast<int>(output_uses_[id << 1 | (negative_[id] != 0 ? 0u : 1u)]);
+    const int from_outputs = new_above;
+    for (const std::uint32_t user : users) new_above += breaks(user);
+    const int new_here = breaks(id);
     const bool fewer = new_above + new_here < above + here;
     const bool moved =
         move_down && absorbing_[id] != 0 && new_above + new_here == above + here && new_above < above;
-    if (fewer || moved) return true;
-    negative_[id] ^= 1;
-    return false;
+    if (!fewer && !moved) {
+      negative_[id] ^= 1;
+      return false;
+    }
+    broken_above_[id] +=
+        from_outputs - static_cast<int>(output_uses_[id << 1 | (negative_[id] != 0 ? 1u : 0u)]);
+    set_broken(id, new_here);
+    for (const std::uint32_t user : users) set_broken(user, breaks(user));
+    return true;
   }
 
   const ValueGraph& graph_;
@@ -130,6 +148,8 @@ class Placement {
   std::vector<std::uint32_t> output_uses_;  ///< by Value::bits
   std::vector<std::uint32_t> user_begin_, users_;
   std::vector<std::uint8_t> absorbing_;
+  std::vector<std::uint8_t> broken_;  ///< conditions of each node; a function of two operands may break three
+  std::vector<int> broken_above_;     ///< of its users and of outputs
 };
 
 class Writer {

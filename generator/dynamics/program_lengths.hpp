@@ -1,0 +1,33 @@
+// How long the programs of values are. In: lists of expressions. Out: operations of the optimised program of
+// each: what counts in the end. The same list is optimised once only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mechanism/model.hpp"
+#include "program/passes.hpp"
+#include "symbolic/expr.hpp"
+
+namespace alembert {
+
+/// Operations, trigonometric functions and divisions among them; and those that are no sines and cosines,
+/// which other functions may share.
+using Length = std::pair<std::size_t, std::size_t>;
+
+/// Lengths of programs over the symbols of one mechanism.
+class ProgramLengths {
+ public:
+  ProgramLengths(const Mechanism& mechanism, ExprGraph& graph);
+  Length of(std::span<const Expr> values);
+
+ private:
+  std::vector<SymbolBinding> bindings_;
+  std::map<std::vector<std::uint32_t>, Length> known_;  ///< by the bits of the values
+};
+
+}  // namespace alembert
