@@ -57,6 +57,7 @@ struct MotionNode {
   Vec3 acceleration;  ///< its componentwise rate
   std::vector<int> bodies;
   bool scaled = false;  ///< a constant turn after which vectors are stored scaled (scaled_vectors.hpp)
+  int ahead = -1;       ///< a moving rotation that scales for this scaled turn that follows it; -1: none
 };
 
 /// How a component of the moment of a body's inertia is written: both are equal, which is shorter depends on

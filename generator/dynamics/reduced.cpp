@@ -6,7 +6,17 @@ namespace alembert {
 
 namespace {
 
-FrameMotion next(const FrameMotion& from, const MotionNode& node, const Scale& scale, ExprGraph& g) {
+/// Motion of a node's frame.
+struct NodeMotion {
+  FrameMotion frame;
+  /// Angular velocity and its rate as stored: they are angular * om and angular * al (scaled_vectors.hpp).
+  Vec3 om, al;
+  Scale angular;
+};
+
+NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& scale, const Scale& angular,
+                ExprGraph& g) {
+  const FrameMotion& from = before.frame;
   if (node.motion.kind == MotionKind::translation) {
     // acc + U t + 2 om x tdot + tddot
     const Vec3 doubled = g.integer(2) * node.velocity;
@@ -14,15 +24,26 @@ FrameMotion next(const FrameMotion& from, const MotionNode& node, const Scale& s
     Vec3 acc = from.at(node.motion.offset);
     acc = acc + scaled_by(back, cross(from.om, doubled));
     acc = acc + scaled_by(back, node.acceleration);
-    FrameMotion out = from;
-    out.acc = acc;
+    NodeMotion out = before;
+    out.frame.acc = acc;
     return out;
   }
-  // om = E^T om_p + omJ;  al = E^T al_p + (E^T om_p) x omJ + d(omJ)/dt
-  const Vec3 om = node.motion.to_child(from.om);
-  Vec3 al = node.motion.to_child(from.al) + cross(om, node.velocity);
+  const Vec3 acc = ScaledTurn(node, from.scale, scale).outward(from.acc);
+  Vec3 om, al;
+  if (before.angular == angular) {
+    // om = E^T om_p + omJ;  al = E^T al_p + (E^T om_p) x omJ + d(omJ)/dt
+    om = node.motion.to_child(from.om);
+    al = node.motion.to_child(from.al) + cross(om, node.velocity);
+  } else {
+    // The same about an axis, which the rotation leaves as it is: al = E^T (al_p + om_p x omJ) + d(omJ)/dt
+    const ScaledTurn turn(node, before.angular, angular, false);
+    om = turn.outward(before.om);
+    al = turn.outward(before.al + scaled_by(inverse(before.angular), cross(from.om, node.velocity)));
+  }
+  om = om + node.velocity;
   al = al + node.acceleration;
-  return {om + node.velocity, al, ScaledTurn(node, from.scale, scale).outward(from.acc), scale};
+  const FrameMotion frame(scaled_by(angular, om), scaled_by(angular, al), acc, scale);
+  return {frame, om, al, angular};
 }
 
 }  // namespace
@@ -31,14 +52,16 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
                                            ExprGraph& graph) {
   const std::size_t count = tree.nodes.size();
   const Vec3 zero = zeros<3, 1>(graph);
-  const FrameMotion root(zero, zero, {{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}});
+  const Vec3 acceleration{{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}};
+  const NodeMotion root{FrameMotion(zero, zero, acceleration), zero, zero, kUnscaled};
 
-  std::vector<FrameMotion> motions;
+  std::vector<NodeMotion> motions;
   motions.reserve(count);
-  const std::vector<Scale> scales = node_scales(tree);
-  for (const MotionNode& node : tree.nodes) {
-    const FrameMotion& from = node.parent < 0 ? root : motions[static_cast<std::size_t>(node.parent)];
-    motions.push_back(next(from, node, scales[motions.size()], graph));
+  const std::vector<Scale> scales = node_scales(tree), angular = angular_scales(tree);
+  for (std::size_t i = 0; i < count; ++i) {
+    const MotionNode& node = tree.nodes[i];
+    const NodeMotion& from = node.parent < 0 ? root : motions[static_cast<std::size_t>(node.parent)];
+    motions.push_back(next(from, node, scales[i], angular[i], graph));
   }
 
   // External wrenches are given in world axes: the world rotations of the nodes are made only if there are
@@ -54,7 +77,7 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
 
   std::vector<Vec3> force(count, zero), moment(count, zero);  // as stored
   for (std::size_t i = 0; i < count; ++i) {
-    const FrameMotion& s = motions[i];
+    const FrameMotion& s = motions[i].frame;
     if (tree.masses[i].is_zero()) continue;
     const ForceMoment inertia = inertia_forces(s, tree.masses[i], graph);
     force[i] = force[i] + inertia.force;

@@ -39,6 +39,7 @@ struct Form {
   bool inertia_moments = false;         ///< all moments in the form MomentForm::inertia
   FarPairs far = FarPairs::carry;       ///< how M is written
   std::vector<int> scaled;              ///< turns that are scaled
+  std::vector<int> ahead;               ///< those of them for which the rotations before them scale
 };
 
 MotionTree tree_of(const Form& form, ExprGraph& graph) {
@@ -46,7 +47,7 @@ MotionTree tree_of(const Form& form, ExprGraph& graph) {
   if (form.inertia_moments) {
     for (NodeMass& mass : tree.masses) mass.forms.fill(MomentForm::inertia);
   }
-  mark_scaled(tree, form.scaled);
+  mark_scaled(tree, form.scaled, form.ahead);
   return tree;
 }
 
@@ -67,6 +68,16 @@ std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
   if (!turns.empty()) out.push_back(turns);
   if (!later.empty() && later != turns) out.push_back(later);
   return out;
+}
+
+/// Takes an element out of an ascending list, or puts it in.
+void toggle(std::vector<int>& list, int element) {
+  const auto at = std::lower_bound(list.begin(), list.end(), element);
+  if (at != list.end() && *at == element) {
+    list.erase(at);
+  } else {
+    list.insert(at, element);
+  }
 }
 
 /// The shortest of the lists of equal values that forms give, and the form it came from.
@@ -119,6 +130,9 @@ class Search {
       Form scaled = from;
       scaled.scaled = turns;
       offer(scaled);
+      if (has_pairs_) continue;  // M has no angular velocities
+      scaled.ahead = turns;
+      offer(scaled);
     }
   }
 
@@ -135,12 +149,11 @@ class Search {
       for (const int turn : turns) {
         if (!room()) break;
         Form other = form_;
-        const auto at = std::lower_bound(other.scaled.begin(), other.scaled.end(), turn);
-        if (at != other.scaled.end() && *at == turn) {
-          other.scaled.erase(at);
-        } else {
-          other.scaled.insert(at, turn);
-        }
+        toggle(other.scaled, turn);
+        better = try_form(other) || better;
+        if (has_pairs_ || !std::binary_search(form_.scaled.begin(), form_.scaled.end(), turn)) continue;
+        other = form_;
+        toggle(other.ahead, turn);
         better = try_form(other) || better;
       }
       if (form_.links == nullptr) continue;

@@ -31,7 +31,20 @@ double smallest(const Scale& scale) {
   return std::min({std::abs(scale[0]), std::abs(scale[1]), std::abs(scale[2])});
 }
 
-Scale scale_after(const MotionNode& node, const Scale& parent) {
+/// The axis whose components a rotation scales for the turn ahead: the one that the turn mixes with the
+/// rotation's own.
+std::size_t axis_ahead(const MotionNode& rotation, const MotionNode& turn) {
+  return static_cast<std::size_t>(3 - rotation.motion.axis - turn.motion.axis);
+}
+
+/// Whether a turn is the one that the rotation before it has scaled for.
+bool is_expected(const MotionTree& tree, std::size_t k) {
+  const int before = tree.nodes[k].parent;
+  return before >= 0 && tree.nodes[static_cast<std::size_t>(before)].ahead == static_cast<int>(k);
+}
+
+Scale scale_after(const MotionTree& tree, std::size_t k, const Scale& parent) {
+  const MotionNode& node = tree.nodes[k];
   const Motion& motion = node.motion;
   switch (motion.kind) {
     case MotionKind::translation:
@@ -47,8 +60,15 @@ Scale scale_after(const MotionNode& node, const Scale& parent) {
     const double c = value_of(motion.cosine);
     own[i] = c * parent[i];
     own[j] = c * parent[j];
+    // What was divided by c ahead is as before, to the last digit.
+    if (is_expected(tree, k))
+      own[axis_ahead(tree.nodes[static_cast<std::size_t>(node.parent)], node)] = parent[a];
   } else if (!node.partials.empty()) {
     own[j] = own[i];
+    if (node.ahead >= 0) {
+      const MotionNode& turn = tree.nodes[static_cast<std::size_t>(node.ahead)];
+      own[axis_ahead(node, turn)] /= value_of(turn.motion.cosine);
+    }
   } else if (motion.cosine.is_zero()) {
     std::swap(own[i], own[j]);
   } else if (!motion.sine.is_zero()) {
@@ -71,16 +91,28 @@ std::vector<int> scalable_turns(const MotionTree& tree) {
   return out;
 }
 
-void mark_scaled(MotionTree& tree, const std::vector<int>& turns) {
-  for (MotionNode& node : tree.nodes) node.scaled = false;
-  for (const int k : turns) tree.nodes[static_cast<std::size_t>(k)].scaled = true;
-  std::vector<Scale> scales;
+void mark_scaled(MotionTree& tree, const std::vector<int>& turns, const std::vector<int>& ahead) {
   for (MotionNode& node : tree.nodes) {
+    node.scaled = false;
+    node.ahead = -1;
+  }
+  for (const int k : turns) tree.nodes[static_cast<std::size_t>(k)].scaled = true;
+  for (const int k : ahead) {
+    const MotionNode& turn = tree.nodes[static_cast<std::size_t>(k)];
+    if (!turn.scaled || turn.parent < 0) continue;
+    MotionNode& before = tree.nodes[static_cast<std::size_t>(turn.parent)];
+    if (before.motion.kind == MotionKind::axis_rotation && !before.partials.empty() &&
+        before.motion.axis != turn.motion.axis && before.ahead < 0)
+      before.ahead = k;
+  }
+  std::vector<Scale> scales;
+  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
+    MotionNode& node = tree.nodes[k];
     const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
-    Scale own = scale_after(node, parent);
+    Scale own = scale_after(tree, k, parent);
     if (node.scaled && smallest(own) < kSmallestScale) {
       node.scaled = false;
-      own = scale_after(node, parent);
+      own = scale_after(tree, k, parent);
     }
     scales.push_back(own);
   }
@@ -88,11 +120,35 @@ void mark_scaled(MotionTree& tree, const std::vector<int>& turns) {
 
 std::vector<Scale> node_scales(const MotionTree& tree) {
   std::vector<Scale> scales;
-  for (const MotionNode& node : tree.nodes) {
-    const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
-    scales.push_back(scale_after(node, parent));
+  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
+    const int parent = tree.nodes[k].parent;
+    scales.push_back(scale_after(tree, k, parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(parent)]));
   }
   return scales;
+}
+
+std::vector<Scale> angular_scales(const MotionTree& tree) {
+  std::vector<Scale> scales;
+  for (const MotionNode& node : tree.nodes) {
+    Scale own = kUnscaled;
+    if (node.motion.kind == MotionKind::translation && node.parent >= 0)
+      own = scales[static_cast<std::size_t>(node.parent)];
+    if (node.ahead >= 0) {
+      const MotionNode& turn = tree.nodes[static_cast<std::size_t>(node.ahead)];
+      own[axis_ahead(node, turn)] /= value_of(turn.motion.cosine);
+    }
+    scales.push_back(own);
+  }
+  return scales;
+}
+
+Expr ScaledTurn::cosine(std::size_t k) const {
+  const Expr given = node_.motion.cosine;
+  const double ratio = parent_[k] / own_[k];
+  // Where the rotation before has scaled for this turn.
+  if (ratio != 1 && given.is_constant() && std::abs(ratio * value_of(given) - 1) < 1e-15)
+    return given.graph().one();
+  return times(ratio, given);
 }
 
 Vec3 ScaledTurn::outward(const Vec3& v) const {
@@ -113,8 +169,8 @@ Vec3 ScaledTurn::outward(const Vec3& v) const {
     out[j] = v[j] - times(tangent * (parent_[i] / parent_[j]), v[i]);
     return out;
   }
-  const Expr ci = times(parent_[i] / own_[i], motion.cosine), sj = times(parent_[j] / own_[i], motion.sine);
-  const Expr cj = times(parent_[j] / own_[j], motion.cosine), si = times(parent_[i] / own_[j], motion.sine);
+  const Expr ci = cosine(i), sj = times(parent_[j] / own_[i], motion.sine);
+  const Expr cj = cosine(j), si = times(parent_[i] / own_[j], motion.sine);
   const Expr civ = ci * v[i], sjv = sj * v[j];
   out[i] = civ + sjv;
   const Expr cjv = cj * v[j], siv = si * v[i];

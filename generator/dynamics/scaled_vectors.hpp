@@ -6,6 +6,10 @@
 // factors c are constants; they are absorbed in the constants that follow and, at the next moving rotation,
 // in its sine and cosine, once for all vectors that pass. Accelerations carry a = D a_stored; forces and
 // moments, which go the other way, f = D^-1 f_stored.
+//
+// Angular velocities are wanted as they are, for their squares. There three are enough, if the moving
+// rotation before gives c x in place of x, which costs nothing where its sine and cosine come in these
+// multiples for other vectors: x' = (c x) + s y, y' = c y - (s/c) (c x). Then it must give all vectors so.
 #pragma once
 
 #include <array>
@@ -21,13 +25,16 @@ inline constexpr Scale kUnscaled{1, 1, 1};
 /// D of each node, in its axes. Only nodes marked `scaled` begin one; a rotation that is neither marked nor
 /// about one axis ends it.
 std::vector<Scale> node_scales(const MotionTree& tree);
+/// The same of angular velocities and their rates, whose squares and products are wanted: only the rotations
+/// that scale for a turn ahead begin one, and the turn ends it.
+std::vector<Scale> angular_scales(const MotionTree& tree);
 
 /// Constant turns of a tree that may be scaled: by numbers that are no multiples of a right angle and whose
 /// cosines are not small.
 std::vector<int> scalable_turns(const MotionTree& tree);
 /// Marks these nodes and no others as `scaled`, leaving out those whose factors would become too small for a
-/// float.
-void mark_scaled(MotionTree& tree, const std::vector<int>& turns);
+/// float. Before those that are in `ahead` too, a moving rotation scales for them.
+void mark_scaled(MotionTree& tree, const std::vector<int>& turns, const std::vector<int>& ahead = {});
 
 /// Vectors through one motion: from the parent's axes to the node's (outward: accelerations) and back
 /// (inward: forces, moments), scaled by D of the parent and of the node.
@@ -40,6 +47,8 @@ class ScaledTurn {
   Vec3 inward(const Vec3& v) const;
 
  private:
+  Expr cosine(std::size_t k) const;
+
   const MotionNode& node_;
   Scale parent_, own_;
   bool scaled_;

@@ -156,20 +156,27 @@ TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
     expect_equal(reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph), Q, 1e-11);
     expect_equal(composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph), M, 1e-11);
   };
+  const auto expect_same_scaled = [&](MotionTree tree) {
+    const std::vector<int> turns = scalable_turns(tree);
+    mark_scaled(tree, turns);
+    expect_same(tree);
+    mark_scaled(tree, turns, turns);
+    expect_same(tree);
+  };
   std::vector<MotionTree> trees{kinematics.tree};
   if (kinematics.peeled) {
     trees.push_back(*kinematics.peeled);
     expect_same(*kinematics.peeled);
   }
   for (const MotionTree& tree : trees) {
+    expect_same_scaled(tree);
     const RigidLinks links(*loaded.mechanism, tree, *loaded.graph);
     const std::vector<Regrouping> as_given(links.links().size());
     for (const std::vector<Regrouping>& how :
          {as_given, choose_regroupings(links), minimal_regroupings(links)}) {
-      MotionTree placed = links.link_tree(how, *loaded.graph);
+      const MotionTree placed = links.link_tree(how, *loaded.graph);
       expect_same(placed);
-      mark_scaled(placed, scalable_turns(placed));
-      expect_same(placed);
+      expect_same_scaled(placed);
     }
   }
 }

@@ -153,7 +153,10 @@ bool expect_same_dynamics(const LoadedMechanism& given, const RuntimeMaker& made
     for (const auto& [how, regroupings] : ways) {
       MotionTree placed = links.link_tree(regroupings, graph);
       expect_same(placed, how);
-      mark_scaled(placed, scalable_turns(placed));
+      const std::vector<int> turns = scalable_turns(placed);
+      mark_scaled(placed, turns);
+      expect_same(placed, how);
+      mark_scaled(placed, turns, turns);
       expect_same(placed, how);
     }
   }

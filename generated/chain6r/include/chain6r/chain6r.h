@@ -56,7 +56,7 @@ extern const double chain6r_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 346 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 342 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);
@@ -69,14 +69,14 @@ int chain6r_mass_matrix(const double* q, double t, const double* parameters, con
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 337 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 333 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                  double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 623 multiplications, 504 additions, 10 sin/cos/tan (reduced formulation).
+   Operations: 616 multiplications, 504 additions, 10 sin/cos/tan (reduced formulation).
  */
 int chain6r_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);

@@ -97,7 +97,7 @@ using ::alembert::sines_and_cosines;
 
 /// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
 /// tau [6] is the result.
-/// Operations: 346 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 342 multiplications, 281 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -109,13 +109,13 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
 /// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
 /// tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-/// Operations: 337 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 333 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
 /// M [6 x 6], symmetric and written in full, and c [6] are the results.
-/// Operations: 623 multiplications, 504 additions, 10 sin/cos/tan (reduced formulation).
+/// Operations: 616 multiplications, 504 additions, 10 sin/cos/tan (reduced formulation).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
