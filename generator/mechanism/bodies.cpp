@@ -38,7 +38,7 @@ MassProperties read_mass_properties(Loading& loading, const Section& section, co
   MassProperties out{graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)};
   double mass = 0;
   if (const YamlNode* node = section.find("mass")) {
-    const Value value =
+    const Quantity value =
         loading.reader.read(*node, Allowed::parameters, fmt::format("the mass of body '{}'", name));
     out.mass = value.expr;
     mass = value.initial;
@@ -56,7 +56,7 @@ MassProperties read_mass_properties(Loading& loading, const Section& section, co
     for (const std::string_view key : {"xx", "yy", "zz", "xy", "xz", "yz"}) {
       const YamlNode* entry = key[0] == key[1] ? &inertia.require(key) : inertia.find(key);
       if (entry == nullptr) continue;
-      const Value value = loading.reader.read(*entry, Allowed::parameters, what);
+      const Quantity value = loading.reader.read(*entry, Allowed::parameters, what);
       const int r = key[0] - 'x', c = key[1] - 'x';
       values(r, c) = values(c, r) = value.initial;
       out.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) = value.expr;

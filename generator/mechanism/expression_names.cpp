@@ -9,10 +9,10 @@
 
 namespace alembert {
 
-Value ExpressionReader::name(const Reading& reading, const PostfixToken& token) const {
+Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& token) const {
   const std::string_view text =
       std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
-  Value out;
+  Quantity out;
   std::string_view kind = "the time";
   if (text == "pi") {
     out.expr = graph_.pi();
@@ -106,7 +106,7 @@ NameEntry* ExpressionReader::coordinate_of_speed(const Reading& reading, std::si
   return named != nullptr ? named : numbered;
 }
 
-Value ExpressionReader::speed(const Reading& reading, const PostfixToken& token) const {
+Quantity ExpressionReader::speed(const Reading& reading, const PostfixToken& token) const {
   const std::string_view text = reading.node.text;
   const std::string_view name = text.substr(token.referent, token.referent_end - token.referent);
   const std::string_view part =
@@ -122,8 +122,8 @@ Value ExpressionReader::speed(const Reading& reading, const PostfixToken& token)
   return speed_of(reading, token.begin, *entry, part);
 }
 
-Value ExpressionReader::speed_of(const Reading& reading, std::size_t offset, NameEntry& entry,
-                                 std::string_view part) const {
+Quantity ExpressionReader::speed_of(const Reading& reading, std::size_t offset, NameEntry& entry,
+                                    std::string_view part) const {
   const Coordinate& coordinate = mechanism_.coordinates[static_cast<std::size_t>(entry.index)];
   const std::string& name = coordinate.name;
   if (reading.allowed != Allowed::pfaffian)
@@ -145,7 +145,7 @@ Value ExpressionReader::speed_of(const Reading& reading, std::size_t offset, Nam
       break;
   }
   entry.used = true;
-  Value out;
+  Quantity out;
   out.expr = coordinate.speed_symbols[index];
   out.dependence = Dependence::speed;
   return out;
@@ -156,7 +156,7 @@ void ExpressionReader::declare_last_frame() {
   frames_.emplace(mechanism_.frames.back().name, DeclaredFrame{index});
 }
 
-Value ExpressionReader::position(const Reading& reading, const PostfixToken& token) {
+Quantity ExpressionReader::position(const Reading& reading, const PostfixToken& token) {
   const std::string_view text = reading.node.text;
   const std::string_view name = text.substr(token.referent, token.referent_end - token.referent);
   const std::string_view part =
@@ -189,7 +189,7 @@ Value ExpressionReader::position(const Reading& reading, const PostfixToken& tok
       position.symbols[i] = graph_.symbol(fmt::format("position({}).{}", name, "xyz"[i]));
     mechanism_.frame_positions.push_back(position);
   }
-  Value out;
+  Quantity out;
   out.expr = mechanism_.frame_positions[static_cast<std::size_t>(frame.position)].symbols[axis];
   out.initial = std::numeric_limits<double>::quiet_NaN();
   out.dependence = Dependence::coordinate;

@@ -37,7 +37,7 @@ Expr build_power(const Expr& x, const Expr& y) {
 
 }  // namespace
 
-Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_view what) {
+Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_view what) {
   const Reading reading{node, allowed, what};
   if (node.kind != YamlNode::Kind::scalar)
     fail_expected(document_, node, fmt::format("an expression as {}", what));
@@ -95,7 +95,7 @@ Value ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_
       }
     }
   }
-  Value value = std::move(stack.back().value);
+  Quantity value = std::move(stack.back().value);
   const bool smooth =
       allowed == Allowed::transform || allowed == Allowed::pfaffian || allowed == Allowed::holonomic;
   if (smooth && value.roughness != nullptr)
@@ -118,10 +118,10 @@ Vec3 ExpressionReader::read_point(const YamlNode& node, std::vector<LocalName> n
   return point;
 }
 
-Value ExpressionReader::number(const Reading& reading, const PostfixToken& token) const {
+Quantity ExpressionReader::number(const Reading& reading, const PostfixToken& token) const {
   const char* begin = reading.node.text.data() + token.begin;
   const char* end = reading.node.text.data() + token.end;
-  Value out;
+  Quantity out;
   const std::from_chars_result result = std::from_chars(begin, end, out.initial);
   if (result.ec != std::errc() || result.ptr != end || !std::isfinite(out.initial))
     throw error(reading, token.begin,

@@ -33,7 +33,7 @@ class ExpressionReader {
       : document_(document), graph_(graph), scope_(scope), mechanism_(mechanism) {}
 
   /// Reads one expression; `what` says for what (`the mass`).
-  Value read(const YamlNode& node, Allowed allowed, std::string_view what);
+  Quantity read(const YamlNode& node, Allowed allowed, std::string_view what);
   /// A list of three expressions.
   Vec3 read_vector(const YamlNode& node, Allowed allowed, std::string_view what);
   /// A name that only some expressions know, and its symbol.
@@ -52,7 +52,7 @@ class ExpressionReader {
 
  private:
   struct Operand {
-    Value value;
+    Quantity value;
     std::size_t begin, end;  ///< of its text
   };
   /// What is being read, for messages.
@@ -62,14 +62,14 @@ class ExpressionReader {
     std::string_view what;
   };
 
-  Value number(const Reading& reading, const PostfixToken& token) const;
-  Value name(const Reading& reading, const PostfixToken& token) const;
-  Value speed(const Reading& reading, const PostfixToken& token) const;
-  Value position(const Reading& reading, const PostfixToken& token);
+  Quantity number(const Reading& reading, const PostfixToken& token) const;
+  Quantity name(const Reading& reading, const PostfixToken& token) const;
+  Quantity speed(const Reading& reading, const PostfixToken& token) const;
+  Quantity position(const Reading& reading, const PostfixToken& token);
   /// The entry of the coordinate whose speed is called `name` (qd_NAME; qd1 for q1), or null.
   NameEntry* coordinate_of_speed(const Reading& reading, std::size_t offset, std::string_view name) const;
-  Value speed_of(const Reading& reading, std::size_t offset, NameEntry& coordinate,
-                 std::string_view part) const;
+  Quantity speed_of(const Reading& reading, std::size_t offset, NameEntry& coordinate,
+                    std::string_view part) const;
   InputError unknown_name(const Reading& reading, std::size_t offset, std::string_view name) const;
   Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
   Operand call(const Reading& reading, const PostfixToken& token,

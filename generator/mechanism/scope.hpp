@@ -43,7 +43,7 @@ struct Roughness {
 
 /// An expression with its value at the initial state (t = 0, coordinates at their initial values, runtime
 /// parameters at their defaults).
-struct Value {
+struct Quantity {
   Expr expr;
   double initial = 0;  ///< NaN where there is none yet: positions of frames, names local to a shape
   Dependence dependence = Dependence::none;
@@ -57,7 +57,7 @@ std::string_view noun(NameKind kind);
 struct NameEntry {
   NameKind kind;
   SourceLocation where;
-  Value value;  ///< valid once `ready`
+  Quantity value;  ///< valid once `ready`
   bool ready = false;
   bool used = false;
   int index = -1;  ///< of a coordinate, in Mechanism::coordinates

@@ -32,7 +32,7 @@ Factor read_rotation(Loading& loading, const YamlNode& node, const std::string& 
   }
   const Axis axis =
       read_axis(loading, section.require("axis"), fmt::format("the axis of a rotation in {}", what));
-  const Value angle =
+  const Quantity angle =
       loading.reader.read(section.require("angle"), Allowed::transform, fmt::format("an angle in {}", what));
   return rotation_about(axis, angle.expr, loading.document.where(node));
 }
@@ -200,7 +200,7 @@ Axis read_axis(Loading& loading, const YamlNode& node, const std::string& what) 
   Vec3 v;
   double values[3], largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Value value = loading.reader.read(*items[i], Allowed::constants, what);
+    const Quantity value = loading.reader.read(*items[i], Allowed::constants, what);
     v[i] = value.expr;
     values[i] = value.initial;
     largest = std::max(largest, std::abs(value.initial));
