@@ -30,7 +30,8 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
   }
   const Vec3 acc = ScaledTurn(node, from.scale, scale).outward(from.acc);
   Vec3 om, al;
-  if (before.angular == angular) {
+  const bool scaled = before.angular != kUnscaled || angular != kUnscaled;
+  if (node.motion.kind == MotionKind::rotation || !scaled) {
     // om = E^T om_p + omJ;  al = E^T al_p + (E^T om_p) x omJ + d(omJ)/dt
     om = node.motion.to_child(from.om);
     al = node.motion.to_child(from.al) + cross(om, node.velocity);
