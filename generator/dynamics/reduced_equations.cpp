@@ -2,7 +2,6 @@
 #include "dynamics/reduced_equations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -10,7 +9,6 @@
 #include "dynamics/formulations.hpp"
 #include "dynamics/rigid_links.hpp"
 #include "dynamics/scaled_vectors.hpp"
-#include "program/passes.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {

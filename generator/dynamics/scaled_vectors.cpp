@@ -37,6 +37,13 @@ std::size_t axis_ahead(const MotionNode& rotation, const MotionNode& turn) {
   return static_cast<std::size_t>(3 - rotation.motion.axis - turn.motion.axis);
 }
 
+/// Scales that component for the turn ahead, if there is one.
+void scale_ahead(const MotionTree& tree, const MotionNode& rotation, Scale& own) {
+  if (rotation.ahead < 0) return;
+  const MotionNode& turn = tree.nodes[static_cast<std::size_t>(rotation.ahead)];
+  own[axis_ahead(rotation, turn)] /= value_of(turn.motion.cosine);
+}
+
 /// Whether a turn is the one that the rotation before it has scaled for.
 bool is_expected(const MotionTree& tree, std::size_t k) {
   const int before = tree.nodes[k].parent;
@@ -65,10 +72,7 @@ Scale scale_after(const MotionTree& tree, std::size_t k, const Scale& parent) {
       own[axis_ahead(tree.nodes[static_cast<std::size_t>(node.parent)], node)] = parent[a];
   } else if (!node.partials.empty()) {
     own[j] = own[i];
-    if (node.ahead >= 0) {
-      const MotionNode& turn = tree.nodes[static_cast<std::size_t>(node.ahead)];
-      own[axis_ahead(node, turn)] /= value_of(turn.motion.cosine);
-    }
+    scale_ahead(tree, node, own);
   } else if (motion.cosine.is_zero()) {
     std::swap(own[i], own[j]);
   } else if (!motion.sine.is_zero()) {
@@ -133,10 +137,7 @@ std::vector<Scale> angular_scales(const MotionTree& tree) {
     Scale own = kUnscaled;
     if (node.motion.kind == MotionKind::translation && node.parent >= 0)
       own = scales[static_cast<std::size_t>(node.parent)];
-    if (node.ahead >= 0) {
-      const MotionNode& turn = tree.nodes[static_cast<std::size_t>(node.ahead)];
-      own[axis_ahead(node, turn)] /= value_of(turn.motion.cosine);
-    }
+    scale_ahead(tree, node, own);
     scales.push_back(own);
   }
   return scales;

@@ -125,7 +125,6 @@ class Placement {
     negative_[id] ^= 1;
     const std::span users(users_.data() + user_begin_[id], user_begin_[id + 1] - user_begin_[id]);
     int new_above = static_cast<int>(output_uses_[id << 1 | (negative_[id] != 0 ? 0u : 1u)]);
-    const int from_outputs = new_above;
     for (const std::uint32_t user : users) new_above += breaks(user);
     const int new_here = breaks(id);
     const bool fewer = new_above + new_here < above + here;
@@ -135,10 +134,9 @@ class Placement {
       negative_[id] ^= 1;
       return false;
     }
-    broken_above_[id] +=
-        from_outputs - static_cast<int>(output_uses_[id << 1 | (negative_[id] != 0 ? 1u : 0u)]);
     set_broken(id, new_here);
     for (const std::uint32_t user : users) set_broken(user, breaks(user));
+    broken_above_[id] = new_above;
     return true;
   }
 

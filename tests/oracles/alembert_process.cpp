@@ -73,8 +73,7 @@ std::string json_of(const State& state) {
 }
 
 std::vector<Answer> ask_alembert(const std::string& executable, const std::string& file,
-                                 const std::vector<State>& states, const std::string& formulation,
-                                 const std::string& effort) {
+                                 const std::vector<State>& states, const std::string& formulation) {
   const TemporaryFolder folder;
   {
     std::ofstream input(folder.path / "in");
@@ -87,7 +86,7 @@ std::vector<Answer> ask_alembert(const std::string& executable, const std::strin
     redirect(folder.path / "out", O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect(folder.path / "err", O_WRONLY | O_CREAT, STDERR_FILENO);
     execl(executable.c_str(), executable.c_str(), "evaluate", file.c_str(), "--json", "--formulation",
-          formulation.c_str(), "--effort", effort.c_str(), static_cast<char*>(nullptr));
+          formulation.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   int status = 0;

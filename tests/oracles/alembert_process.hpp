@@ -20,10 +20,9 @@ struct Answer {
 /// One line of input for `alembert evaluate --json`.
 std::string json_of(const State& state);
 
-/// Runs `executable evaluate file --json --formulation FORMULATION` (auto, factored or reduced) `--effort
-/// EFFORT`. Throws std::runtime_error with what it said if it fails, or if it does not answer each state.
+/// Runs `executable evaluate file --json --formulation FORMULATION` (auto, factored or reduced). Throws
+/// std::runtime_error with what it said if it fails, or if it does not answer each state.
 std::vector<Answer> ask_alembert(const std::string& executable, const std::string& file,
-                                 const std::vector<State>& states, const std::string& formulation,
-                                 const std::string& effort = "1");
+                                 const std::vector<State>& states, const std::string& formulation);
 
 }  // namespace alembert::oracles

@@ -237,9 +237,7 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
       for (const std::string formulation : {"factored", "reduced", "auto"}) {
         if (formulation == "reduced" && description.bodies.size() > kChosenUpTo) continue;
         base.formulation = formulation;
-        // `auto` begins with `reduced` and searches on; alone, it is asked for without the search.
-        const std::string effort = formulation == "reduced" ? "0" : "1";
-        const std::vector<Answer> answers = ask_alembert(executable, file, states, formulation, effort);
+        const std::vector<Answer> answers = ask_alembert(executable, file, states, formulation);
         for (std::size_t i = 0; i < states.size(); ++i) subject[i] = answers[i].dynamics;
         append(lines, base, subject, taylor);
         append_forward(lines, base, answers, description, states);
