@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kRounding = 1e-14;
 
-double value_of(Expr constant) {
-  const std::array<Expr, 1> root{constant};
-  return evaluate(root, {})[0];
-}
-
 /// The angle with that cosine and sine, exact at multiples of 15 degrees.
 Motion rotation_by(int axis, Expr cosine, Expr sine, ExprGraph& graph) {
   const double angle = std::atan2(value_of(sine), value_of(cosine));

@@ -94,10 +94,7 @@ class PolynomialReader {
 
   Polynomial read(std::uint32_t id) {
     const Node node = graph_.node(id);
-    if (node.constant) {
-      const std::array<Expr, 1> root{Expr(graph_, Ref(id, false))};
-      return {{Monomial{}, evaluate(root, {})[0]}};
-    }
+    if (node.constant) return {{Monomial{}, value_of(Expr(graph_, Ref(id, false)))}};
     if (node.op == Op::add) {
       Polynomial sum = of(node.a);
       for (const auto& [monomial, number] : of(node.b)) sum[monomial] += number;

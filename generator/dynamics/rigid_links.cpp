@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-constexpr double kSmall = 1e-12;
+constexpr double kNegligible = 1e-12;
 
 Matrix4d turn(int axis, double angle) {
   Matrix4d m = Matrix4d::Identity();
@@ -68,7 +68,7 @@ CommonNormal common_normal(const Matrix4d& pose) {
   const Vector3d z0 = Vector3d::UnitZ(), z1 = pose.block<3, 1>(0, 2), t = pose.topRightCorner<3, 1>();
   Vector3d x = z0.cross(z1);
   const double size = std::max(1.0, t.norm());
-  if (x.norm() > kSmall) {
+  if (x.norm() > kNegligible) {
     x.normalize();
     d.twist = std::atan2(x.dot(z0.cross(z1)), z0.dot(z1));
     Matrix3d axes;
@@ -82,10 +82,10 @@ CommonNormal common_normal(const Matrix4d& pose) {
     d.twist = z1[2] > 0 ? 0 : std::numbers::pi;
     d.first_shift = t[2];
     d.length = std::hypot(t[0], t[1]);
-    if (d.length > kSmall * size) d.first_angle = std::atan2(t[1], t[0]);
+    if (d.length > kNegligible * size) d.first_angle = std::atan2(t[1], t[0]);
   }
   for (double* length : {&d.first_shift, &d.length, &d.last_shift}) {
-    if (std::abs(*length) < kSmall * size) *length = 0;
+    if (std::abs(*length) < kNegligible * size) *length = 0;
   }
   const Matrix4d rest = turn(0, -d.twist) * turn(2, -d.first_angle) * pose;
   d.last_angle = std::atan2(rest(1, 0), rest(0, 0));
@@ -180,7 +180,7 @@ void RigidLinks::place() {
       // would be mixed.
       if (!link.inertia.terms.empty()) continue;
       const Matrix4d& S = link.inertia.number;
-      const double size = kSmall * S.cwiseAbs().maxCoeff();
+      const double size = kNegligible * S.cwiseAbs().maxCoeff();
       if (std::abs(S(0, 3)) > size && std::abs(S(1, 3)) > size) {
         reframe(i, turn(2, std::atan2(S(1, 3), S(0, 3))));
       } else if (std::abs(S(0, 3)) <= size && std::abs(S(1, 3)) <= size && std::abs(S(0, 1)) > size) {
@@ -200,7 +200,7 @@ void RigidLinks::place() {
       link.offset = d.last_shift;
       // Parallel axes share the slide; it all happens here.
       link.before = turn(0, d.twist) * shift({d.length, 0, d.last_shift});
-      if (std::abs(std::sin(d.twist)) < kSmall) {
+      if (std::abs(std::sin(d.twist)) < kNegligible) {
         link.offset = d.first_shift * std::cos(d.twist) + d.last_shift;
         link.before = turn(0, d.twist) * shift({d.length, 0, link.offset});
       }

@@ -14,11 +14,6 @@ constexpr double kSmallCosine = 0.05;
 /// Beyond it a turn is done in full: floats have room for its square.
 constexpr double kSmallestScale = 0x1p-32;
 
-double value_of(Expr constant) {
-  const std::array<Expr, 1> root{constant};
-  return evaluate(root, {})[0];
-}
-
 struct Axes {
   std::size_t a, i, j;
 };

@@ -19,7 +19,7 @@ Section constraint_section(const Document& document, const YamlNode& item) {
   return Section(document, item, "a constraint", {"name", "type", "rows", "of", "on", "equations"});
 }
 
-ConstraintType read_type(const Document& document, const YamlNode& node) {
+ConstraintType read_constraint_type(const Document& document, const YamlNode& node) {
   const std::string& type = expect_text(document, node, "the type of a constraint");
   if (type == "pfaffian") return ConstraintType::pfaffian;
   if (type == "rolling") return ConstraintType::rolling;
@@ -211,7 +211,7 @@ Constraint read_constraint(Loading& loading, const Section& section) {
   const YamlNode& name = section.require("name");
   constraint.name = expect_name(document, name, "a constraint");
   constraint.where = document.where(name);
-  constraint.type = read_type(document, section.require("type"));
+  constraint.type = read_constraint_type(document, section.require("type"));
   for (const std::string_view key : {"rows", "of", "on", "equations"})
     if (section.find(key) != nullptr && !takes(constraint.type, key))
       throw InputError(section.where_key(key),

@@ -23,7 +23,7 @@ const YamlNode& name_node(const Document& document, const YamlNode& item) {
   return item;
 }
 
-CoordinateType read_type(const Document& document, const YamlNode& item) {
+CoordinateType read_coordinate_type(const Document& document, const YamlNode& item) {
   if (item.kind != YamlNode::Kind::mapping) return CoordinateType::real;
   const Section section = coordinate_section(document, item);
   const YamlNode* node = section.find("type");
@@ -129,7 +129,7 @@ void declare_coordinates(Loading& loading, const YamlNode& list) {
   for (const YamlNode* item : items) {
     const YamlNode& name = name_node(document, *item);
     Coordinate coordinate;
-    coordinate.type = read_type(document, *item);
+    coordinate.type = read_coordinate_type(document, *item);
     const NameKind kind =
         coordinate.type == CoordinateType::real ? NameKind::coordinate : NameKind::quaternion;
     NameEntry& entry = loading.scope.declare(document, name, kind);

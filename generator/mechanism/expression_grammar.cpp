@@ -6,6 +6,7 @@
 #include <tao/pegtl.hpp>
 #include <tao/pegtl/contrib/limit_depth.hpp>
 
+#include "mechanism/names.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -251,19 +252,13 @@ struct Action<grammar::spline> : Nesting {
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 
 std::string found_at(std::string_view text, std::size_t offset) {
   if (offset >= text.size()) return "the end of the expression";
   // A whole UTF-8 character, or a whole word.
   std::size_t end = offset + 1;
-  if (is_word(text[offset]))
-    while (end < text.size() && is_word(text[end])) ++end;
+  if (is_word_character(text[offset]))
+    while (end < text.size() && is_word_character(text[end])) ++end;
   else
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) ++end;
   return fmt::format("'{}'", printable(text.substr(offset, end - offset)));
@@ -281,7 +276,7 @@ std::string note_for(std::string_view text, std::size_t offset) {
   std::size_t end = offset;
   while (end > 0 && is_blank(text[end - 1])) --end;
   std::size_t begin = end;
-  while (begin > 0 && is_word(text[begin - 1])) --begin;
+  while (begin > 0 && is_word_character(text[begin - 1])) --begin;
   if (const std::string_view before = text.substr(begin, end - begin); function_arity(before) > 0)
     return fmt::format("a function takes its argument in parentheses: {}(x)", before);
   return {};

@@ -29,7 +29,7 @@ constexpr std::array kJointTypes = {
     JointType{"free", "[x, y, z, quaternion]", 4, false, false, false},
 };
 
-const JointType& read_type(const Document& document, const YamlNode& node) {
+const JointType& read_joint_type(const Document& document, const YamlNode& node) {
   const std::string& text = expect_text(document, node, "the type of a joint");
   for (const JointType& type : kJointTypes)
     if (type.name == text) return type;
@@ -89,7 +89,7 @@ void append_joint(Loading& loading, const YamlNode& node, const std::string& wha
   const Document& document = loading.document;
   const Section section(document, node, fmt::format("a joint of {}", what),
                         {"type", "coordinates", "axis", "axes", "pitch"});
-  const JointType& type = read_type(document, section.require("type"));
+  const JointType& type = read_joint_type(document, section.require("type"));
   const std::string what_joint = fmt::format("a {} joint of {}", type.name, what);
   for (const auto& [key, taken] :
        {std::pair{"axis", type.axis}, std::pair{"axes", type.axes}, std::pair{"pitch", type.pitch}})

@@ -115,19 +115,18 @@ static_assert(std::is_sorted(kMacros.begin(), kMacros.end()));
 
 constexpr std::array kTakenNamespaces = {"Eigen"sv, "alembert"sv, "main"sv, "posix"sv, "std"sv};
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+}  // namespace
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-
-}  // namespace
+bool is_word_character(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
 
 std::string objection_to_name(std::string_view name) {
   const bool characters =
-      !name.empty() && is_letter(name[0]) &&
-      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); });
+      !name.empty() && !is_digit(name[0]) && std::all_of(name.begin(), name.end(), is_word_character);
   if (!characters)
     return "is not a name; a name has letters, digits and underscores, and does not begin with a digit";
   if (name.size() > kMaximumName)

@@ -10,6 +10,11 @@ namespace alembert {
 
 inline constexpr std::size_t kMaximumName = 64;
 
+/// 0 to 9.
+bool is_digit(char c);
+/// What names are made of: letters of ASCII, digits, underscores.
+bool is_word_character(char c);
+
 /// What forbids `name` as an identifier of generated C++ (keyword, reserved form, macro, characters, length),
 /// as the rest of a sentence (`is a C++ keyword`), or nothing if it is fit.
 std::string objection_to_name(std::string_view name);

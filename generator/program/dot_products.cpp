@@ -24,8 +24,6 @@
 namespace alembert {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 // Stands for the factor one among values.
 constexpr std::uint32_t kOne = kNone - 1;
 

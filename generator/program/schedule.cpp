@@ -15,8 +15,6 @@
 namespace alembert {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 // For each sin the cos of the same value and the other way round.
 std::vector<std::uint32_t> sine_partners(const Program& program) {
   std::vector<std::uint32_t> sine(program.code.size(), kNone), cosine(sine), partner(sine);

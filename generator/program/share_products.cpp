@@ -16,8 +16,8 @@ namespace alembert {
 namespace {
 
 /// A node of the program, or, from `first_pair` on, a pair of factors.
-using Factor = std::uint32_t;
-using Pair = std::pair<Factor, Factor>;  ///< ascending
+using FactorId = std::uint32_t;
+using Pair = std::pair<FactorId, FactorId>;  ///< ascending
 
 class ProductSharing : NodeRewrite {
  public:
@@ -32,11 +32,10 @@ class ProductSharing : NodeRewrite {
 
  private:
   static constexpr std::size_t kMaxFactors = 8;
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  using Monomial = std::vector<Factor>;  ///< ascending, with repetitions
+  using Monomial = std::vector<FactorId>;  ///< ascending, with repetitions
 
   bool is_product(std::uint32_t id) const { return from_.graph.node(id).op == Operation::mul; }
-  Factor first_pair() const { return from_.graph.size(); }
+  FactorId first_pair() const { return from_.graph.size(); }
 
   // The factors of every product that is used other than once in another product.
   void collect() {
@@ -133,7 +132,7 @@ class ProductSharing : NodeRewrite {
         queue.push({best.count, top.pair});
         continue;
       }
-      const Factor taken = first_pair() + static_cast<Factor>(pairs_.size());
+      const FactorId taken = first_pair() + static_cast<FactorId>(pairs_.size());
       pairs_.push_back(top.pair);
       occurrences.clear();
       const std::vector<std::uint32_t> places = std::move(best.places);
@@ -142,7 +141,7 @@ class ProductSharing : NodeRewrite {
         Monomial& factors = monomials_[m];
         Monomial rest = factors;
         bool both = true;
-        for (const Factor f : {top.pair.first, top.pair.second}) {
+        for (const FactorId f : {top.pair.first, top.pair.second}) {
           const auto at = std::find(rest.begin(), rest.end(), f);
           both = both && at != rest.end();
           if (at != rest.end()) rest.erase(at);
@@ -166,7 +165,7 @@ class ProductSharing : NodeRewrite {
     return !pairs_.empty();
   }
 
-  Value built(Factor factor) {
+  Value built(FactorId factor) {
     if (factor < first_pair()) return image_[factor];
     const std::size_t p = factor - first_pair();
     if (built_.size() < pairs_.size()) built_.resize(pairs_.size());

@@ -15,7 +15,6 @@
 namespace alembert {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr int kSweeps = 4;
 
 class Placement {

@@ -106,4 +106,8 @@ std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double
   return out;
 }
 
+double value_of(Expr constant) {
+  return evaluate({&constant, 1}, {})[0];
+}
+
 }  // namespace alembert

@@ -35,6 +35,8 @@ std::vector<Expr> coefficient(std::span<const Expr> roots, Expr x);
 
 /// Values of the roots in double precision; `symbols[i]` is the value of the symbol with index i.
 std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double> symbols);
+/// Value of an expression without symbols.
+double value_of(Expr constant);
 
 /// An element re + im*i of the field with p^2 elements, p = 2^61 - 1, i^2 = -1.
 struct Modular {

@@ -36,16 +36,16 @@ std::string words(std::span<const std::uint32_t> values) {
   return base64(bytes);
 }
 
-std::string floats(std::span<const float> values) {
+std::string float_words(std::span<const float> values) {
   std::vector<std::uint32_t> bits;
   for (const float value : values) bits.push_back(std::bit_cast<std::uint32_t>(value));
   return words(bits);
 }
 
-std::string floats(std::span<const double> values) {
+std::string float_words(std::span<const double> values) {
   std::vector<float> narrow;
   for (const double value : values) narrow.push_back(static_cast<float>(value));
-  return floats(narrow);
+  return float_words(narrow);
 }
 
 Json mesh_json(const Mesh& mesh) {
@@ -55,8 +55,8 @@ Json mesh_json(const Mesh& mesh) {
   std::vector<std::uint32_t> indices;
   for (const auto& triangle : mesh.triangles) indices.insert(indices.end(), triangle.begin(), triangle.end());
   return {{"closed", mesh.closed},
-          {"positions", floats(positions)},
-          {"normals", floats(normals)},
+          {"positions", float_words(positions)},
+          {"normals", float_words(normals)},
           {"indices", words(indices)}};
 }
 
@@ -82,7 +82,8 @@ Json parts_json(std::span<const ScenePart> parts) {
 
 Json series_json(std::span<const Series> all) {
   Json out = Json::array();
-  for (const Series& series : all) out.push_back({{"name", series.name}, {"values", floats(series.values)}});
+  for (const Series& series : all)
+    out.push_back({{"name", series.name}, {"values", float_words(series.values)}});
   return out;
 }
 
@@ -94,8 +95,8 @@ Json body_json(const SceneBody& body) {
   return {{"name", body.name},
           {"center", vector_json(body.center_of_mass)},
           {"parts", parts_json(body.parts)},
-          {"origins", floats(origins)},
-          {"rotations", floats(rotations)}};
+          {"origins", float_words(origins)},
+          {"rotations", float_words(rotations)}};
 }
 
 Json box_json(const Eigen::AlignedBox3d& box) {
@@ -131,7 +132,7 @@ std::string scene_json(const Scene& scene) {
                                   {"rotation", rotation_json(mechanism.placement)},
                                   {"bounds", box_json(bounds(scene, mechanism))},
                                   {"first_bounds", box_json(bounds(scene, mechanism, 1))},
-                                  {"times", floats(mechanism.times)},
+                                  {"times", float_words(mechanism.times)},
                                   {"bodies", std::move(bodies)},
                                   {"scenery", parts_json(mechanism.scenery)},
                                   {"coordinates", series_json(mechanism.coordinates)},

@@ -23,7 +23,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-constexpr unsigned kStates = 6;
+constexpr unsigned kConstrainedStates = 6;
 
 /// A mechanism at a state that can be moved along its speeds.
 class ConstrainedMechanism {
@@ -125,7 +125,7 @@ Constraint constraint(std::string name, ConstraintType type, std::vector<Expr> e
 
 /// velocity = P u + (part from time), its rate is P du/dt + gamma.
 void expect_rates(ConstrainedMechanism& mechanism) {
-  for (unsigned seed = 1; seed <= kStates; ++seed) {
+  for (unsigned seed = 1; seed <= kConstrainedStates; ++seed) {
     mechanism.set_random_state(seed);
     const ConstraintEquations& equations = mechanism.equations();
     const VectorXd expected = mechanism.P() * mechanism.rates() + mechanism.value(equations.gamma);
@@ -197,7 +197,7 @@ void expect_no_slip(ConstrainedMechanism& mechanism) {
     return Vector4d(mechanism.rate_of(
         [&] { return Vector4d(mechanism.pose(child) * second - mechanism.pose(body.parent) * first); }));
   };
-  for (unsigned seed = 1; seed <= kStates; ++seed) {
+  for (unsigned seed = 1; seed <= kConstrainedStates; ++seed) {
     mechanism.set_random_state(seed);
     const Vector4d first = point(mate.first), second = point(mate.second);
     ASSERT_LT((mechanism.pose(child) * second - mechanism.pose(body.parent) * first).norm(), 1e-12);

@@ -10,8 +10,8 @@
 namespace alembert::test {
 namespace {
 
-std::string one_body(const std::string& coordinates, const std::string& transform,
-                     const std::string& parameters = "") {
+std::string body_off_centre(const std::string& coordinates, const std::string& transform,
+                            const std::string& parameters = "") {
   return "alembert: 1\nname: test\n" + parameters + "coordinates: [" + coordinates +
          "]\nbodies:\n  - name: a\n    transform:\n" + transform +
          "    mass: 1\n    com: [0.1, 0.2, 0.3]\n    inertia: {xx: 1, yy: 1.1, zz: 1.2}\n";
@@ -58,14 +58,16 @@ void PrintTo(const Spelling& spelling, std::ostream* out) {
 class Peeled : public testing::TestWithParam<Spelling> {};
 TEST_P(Peeled, IsAProductOfPlaneRotationsAndShifts) {
   const Spelling& given = GetParam();
-  const auto loaded = LoadedMechanism::text(one_body(given.coordinates, given.transform, given.parameters));
+  const auto loaded =
+      LoadedMechanism::text(body_off_centre(given.coordinates, given.transform, given.parameters));
   const Kinematics kinematics = loaded.kinematics();
   ASSERT_TRUE(kinematics.peeled);
   EXPECT_EQ(moving_motions(*kinematics.peeled), given.peeled);
 }
 TEST_P(Peeled, IsTheSameTransform) {
   const Spelling& given = GetParam();
-  const auto loaded = LoadedMechanism::text(one_body(given.coordinates, given.transform, given.parameters));
+  const auto loaded =
+      LoadedMechanism::text(body_off_centre(given.coordinates, given.transform, given.parameters));
   const Kinematics kinematics = loaded.kinematics();
   ASSERT_TRUE(kinematics.peeled);
   const auto pose_entries = [&](const MotionTree& tree) {
@@ -86,7 +88,7 @@ TEST_P(Peeled, IsTheSameTransform) {
 TEST(Peeling, LeavesFunctionsInPiecesAlone) {
   // Near the initial state, q = 0, the spline is a straight line.
   const auto loaded = LoadedMechanism::text(
-      one_body("q", "      - translate: [\"spline(q; [10, 10.5, 11]; [0, 0.1, 0.3])\", 0, 0]\n"));
+      body_off_centre("q", "      - translate: [\"spline(q; [10, 10.5, 11]; [0, 0.1, 0.3])\", 0, 0]\n"));
   EXPECT_FALSE(loaded.kinematics().peeled);
 }
 
@@ -162,12 +164,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// A torus that touches another one.
 LoadedMechanism mated_tori() {
-  return LoadedMechanism::text(one_body("u1, v1, u2, v2",
-                                        "      - mate:\n"
-                                        "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
-                                        "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
-                                        "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
-                                        "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
+  return LoadedMechanism::text(
+      body_off_centre("u1, v1, u2, v2",
+                      "      - mate:\n"
+                      "          - surface: {point: [(2 + cos(v1)/2)*cos(u1), (2 + "
+                      "cos(v1)/2)*sin(u1), sin(v1)/2], along: [u1, v1]}\n"
+                      "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + "
+                      "cos(v2)/3)*sin(u2), sin(v2)/3], along: [u2, v2], flip: true}\n"));
 }
 
 TEST(ScrewPeeling, ConstantsOfAMateAreExact) {
@@ -186,21 +189,21 @@ TEST(ScrewPeeling, ConstantsOfAMateAreExact) {
 }
 
 TEST(ScrewPeeling, AnEllipsoidStaysAsItIs) {
-  const auto loaded = LoadedMechanism::text(one_body(
+  const auto loaded = LoadedMechanism::text(body_off_centre(
       "u, v", "      - surface: {point: [2*cos(u)*cos(v), sin(u)*cos(v), 3*sin(v)], along: [u, v]}\n"));
   EXPECT_FALSE(loaded.kinematics().peeled);
 }
 
 TEST(ScrewPeeling, APlaneIsAShiftAlready) {
-  const auto loaded =
-      LoadedMechanism::text(one_body("u, v", "      - surface: {point: [u, 3/5*v, 4/5*v], along: [u, v]}\n"));
+  const auto loaded = LoadedMechanism::text(
+      body_off_centre("u, v", "      - surface: {point: [u, 3/5*v, 4/5*v], along: [u, v]}\n"));
   const Kinematics kinematics = loaded.kinematics();
   EXPECT_FALSE(kinematics.peeled);
   EXPECT_EQ(moving_motions(kinematics.tree), (std::vector<std::string>{"shift x u y 3/5*v z 4/5*v"}));
 }
 
 TEST(ScrewPeeling, JointsStayAsTheyAre) {
-  const auto loaded = LoadedMechanism::text(one_body(
+  const auto loaded = LoadedMechanism::text(body_off_centre(
       "a, b, c, {name: base, type: quaternion}",
       "      - joint: {type: planar, coordinates: [a, b, c]}\n      - rotate: {quaternion: base}\n"));
   EXPECT_FALSE(loaded.kinematics().peeled);
@@ -209,10 +212,10 @@ TEST(ScrewPeeling, JointsStayAsTheyAre) {
 // The axis of b, seen from the left of it, depends on p: there may be values of p at which it has no angles.
 TEST(ScrewPeeling, AnAxisThatARuntimeParameterTurnsIsLeftAlone) {
   const auto loaded = LoadedMechanism::text(
-      one_body("a, b",
-               "      - rotate: {axis: x, angle: a}\n      - rotate: {axis: x, angle: p}\n"
-               "      - rotate: {axis: [1, 0.3, 0], angle: b}\n",
-               "parameters: {p: {value: 0.7, runtime: true}}\n"));
+      body_off_centre("a, b",
+                      "      - rotate: {axis: x, angle: a}\n      - rotate: {axis: x, angle: p}\n"
+                      "      - rotate: {axis: [1, 0.3, 0], angle: b}\n",
+                      "parameters: {p: {value: 0.7, runtime: true}}\n"));
   EXPECT_NO_THROW(loaded.kinematics());
 }
 

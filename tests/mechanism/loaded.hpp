@@ -49,6 +49,11 @@ inline const std::vector<Factor>& factors(const Loaded& loaded) {
   return loaded.mechanism.bodies.at(0).transform.factors;
 }
 
+/// How far along x that transform begins by shifting.
+inline Expr shift(const Loaded& loaded) {
+  return std::get<Translation>(factors(loaded).at(0).value).offset[0];
+}
+
 }  // namespace alembert::test
 
 namespace alembert {

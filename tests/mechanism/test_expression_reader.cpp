@@ -9,6 +9,7 @@ namespace {
 
 using test::error_of;
 using test::Loaded;
+using test::shift;
 
 /// A description whose only body is shifted along x by `expression`, over q, p, parameters r = 1/4 and k
 /// (runtime).
@@ -17,9 +18,6 @@ std::string shifted(const std::string& expression) {
          "coordinates: [{name: q, initial: 0.5}, p]\ngravity: [r, k, 0]\n"
          "bodies:\n  - {name: arm, mass: 1, transform: [{translate: [\"" +
          expression + "\", q, p]}]}\n";
-}
-Expr shift(const Loaded& loaded) {
-  return std::get<Translation>(test::factors(loaded).at(0).value).offset[0];
 }
 
 TEST(ExpressionReader, KeepsDecimalsExactly) {

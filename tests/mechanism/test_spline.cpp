@@ -14,6 +14,7 @@ namespace {
 
 using test::error_of;
 using test::Loaded;
+using test::shift;
 
 /// Natural cubic spline: unknowns a, b, c, d of each piece; interpolation at both ends of each piece, two
 /// derivatives continuous at inner knots, no curvature at the ends. Scaled to pieces of length one.
@@ -70,21 +71,18 @@ std::string list_of(const std::vector<double>& numbers) {
   return text;
 }
 /// A description whose body is shifted by `expression` of q.
-std::string shifted(const std::string& expression) {
+std::string shifted_by(const std::string& expression) {
   return "alembert: 1\nname: one\nparameters: {r: 0.25, k: {value: 3, runtime: true}}\n"
          "coordinates: [{name: q, initial: 0.4}]\ngravity: [r, k, 0]\n"
          "bodies:\n  - {name: arm, mass: 1, transform: [{translate: [\"" +
          expression + "\", q, 0]}]}\n";
-}
-Expr shift(const Loaded& loaded) {
-  return std::get<Translation>(test::factors(loaded).at(0).value).offset[0];
 }
 
 /// Largest errors of value, first and second derivative at knots, between and beyond them, relative to the
 /// largest of each; of the expression as read and, if `simplified`, as the pipeline would simplify it.
 std::array<double, 3> errors_of(const std::vector<double>& knots, const std::vector<double>& values,
                                 bool simplified) {
-  Loaded loaded(shifted("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])"));
+  Loaded loaded(shifted_by("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])"));
   const Expr q = loaded.symbol("q");
   const Expr variable[] = {q};
   std::vector<Expr> roots = {shift(loaded)};
@@ -145,7 +143,7 @@ TEST(Spline, IsTheNaturalCubicSplineThroughFiftyKnots) {
 }
 
 TEST(Spline, IsALineThroughTwoKnots) {
-  Loaded loaded(shifted("spline(q; [0, 2]; [1, 2])"));
+  Loaded loaded(shifted_by("spline(q; [0, 2]; [1, 2])"));
   std::vector<double> state(loaded.graph.symbol_count(), 0.0);
   const Expr root[] = {shift(loaded)};
   for (const double x : {-3.0, 0.0, 0.5, 2.0, 7.0}) {
@@ -155,7 +153,7 @@ TEST(Spline, IsALineThroughTwoKnots) {
 }
 
 TEST(Spline, ContinuesInStraightLinesToWhereverItGoes) {
-  Loaded loaded(shifted("spline(q; [0, 1, 2, 3]; [0, 1, -1, 2])"));
+  Loaded loaded(shifted_by("spline(q; [0, 1, 2, 3]; [0, 1, -1, 2])"));
   const Expr q = loaded.symbol("q"), root[] = {shift(loaded)}, variable[] = {q};
   const std::vector<Expr> slope = jacobian_reverse(root, variable).entries;
   const std::vector<Expr> bend = jacobian_reverse(slope, variable).entries;
@@ -171,7 +169,7 @@ TEST(Spline, ContinuesInStraightLinesToWhereverItGoes) {
 }
 
 TEST(Spline, TakesTheThreeMethodsOfDifferentiation) {
-  Loaded loaded(shifted("spline(q^2 - 0.3; [0, 0.5, 1]; [0, 0.1, 0.3])"));
+  Loaded loaded(shifted_by("spline(q^2 - 0.3; [0, 0.5, 1]; [0, 0.1, 0.3])"));
   const Expr root[] = {shift(loaded)}, variable[] = {loaded.symbol("q")};
   const Expr forward = jacobian_forward(root, variable)(0, 0),
              reverse = jacobian_reverse(root, variable)(0, 0), d_star = jacobian_d_star(root, variable)(0, 0);
@@ -186,8 +184,8 @@ TEST(Spline, TakesTheThreeMethodsOfDifferentiation) {
 }
 
 TEST(Spline, AcceptsParametersAndPlainLists) {
-  Loaded brackets(shifted("spline(q; [0, r, 2*r, pi]; [1, 2, r, 0])"));
-  Loaded plain(shifted("spline(q; 0, r, 2*r, pi; 1, 2, r, 0)"));
+  Loaded brackets(shifted_by("spline(q; [0, r, 2*r, pi]; [1, 2, r, 0])"));
+  Loaded plain(shifted_by("spline(q; 0, r, 2*r, pi; 1, 2, r, 0)"));
   EXPECT_EQ(to_string(shift(brackets)), to_string(shift(plain)));
   EXPECT_EQ(
       error_of(
@@ -197,23 +195,23 @@ TEST(Spline, AcceptsParametersAndPlainLists) {
 }
 
 TEST(Spline, OfAConstantIsAConstant) {
-  Loaded loaded(shifted("spline(r; [0, 0.5, 1]; [0, 0.1, 0.3])*q"));
+  Loaded loaded(shifted_by("spline(r; [0, 0.5, 1]; [0, 0.1, 0.3])*q"));
   const Expr root[] = {shift(loaded)};
   const std::vector<Expr> c = coefficient(root, loaded.symbol("q"));
   EXPECT_TRUE(c[0].is_constant());
   EXPECT_DOUBLE_EQ(evaluate(c, std::vector<double>(loaded.graph.symbol_count()))[0],
                    PiecewiseCubic({0, 0.5, 1}, {0, 0.1, 0.3})(0.25)[0]);
   // Its value at the initial state is known, too.
-  EXPECT_NE(error_of(shifted("q/spline(r; [0, 0.25, 1]; [1, 0, 1])")), "");
-  EXPECT_NE(error_of(shifted("sqrt(spline(q; [0, 0.8]; [-2, 0]))")), "");
+  EXPECT_NE(error_of(shifted_by("q/spline(r; [0, 0.25, 1]; [1, 0, 1])")), "");
+  EXPECT_NE(error_of(shifted_by("sqrt(spline(q; [0, 0.8]; [-2, 0]))")), "");
 }
 
 TEST(Spline, IsSmoothAndItsArgumentMustBe) {
-  EXPECT_NE(error_of(shifted("spline(abs(q); [0, 1]; [0, 1])")).find("not twice differentiable"),
+  EXPECT_NE(error_of(shifted_by("spline(abs(q); [0, 1]; [0, 1])")).find("not twice differentiable"),
             std::string::npos);
-  EXPECT_NE(error_of(shifted("abs(spline(q; [0, 1]; [0, 1]))")).find("not twice differentiable"),
+  EXPECT_NE(error_of(shifted_by("abs(spline(q; [0, 1]; [0, 1]))")).find("not twice differentiable"),
             std::string::npos);
-  EXPECT_EQ(error_of(shifted("2*spline(sin(q); [0, 1]; [0, 1])")), "");
+  EXPECT_EQ(error_of(shifted_by("2*spline(sin(q); [0, 1]; [0, 1])")), "");
 }
 
 TEST(Spline, TakesAThousandKnotsInGoodTime) {
@@ -223,11 +221,11 @@ TEST(Spline, TakesAThousandKnotsInGoodTime) {
     values.push_back(std::sin(0.01 * i));
   }
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_EQ(error_of(shifted("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])")), "");
+  EXPECT_EQ(error_of(shifted_by("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])")), "");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
   knots.push_back(2);
   values.push_back(2);
-  EXPECT_NE(error_of(shifted("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])"))
+  EXPECT_NE(error_of(shifted_by("spline(q; [" + list_of(knots) + "]; [" + list_of(values) + "])"))
                 .find("expected from 2 to 1000"),
             std::string::npos);
 }

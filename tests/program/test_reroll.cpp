@@ -11,7 +11,7 @@ namespace {
 
 /// Loops do not overlap; their iterations have the same operations on the same values of their own, or on
 /// none.
-void expect_sound(const Program& program) {
+void expect_sound_loops(const Program& program) {
   ASSERT_TRUE(is_ordered(program));
   std::uint32_t free = 0;
   for (const Loop& loop : program.loops) {
@@ -41,7 +41,7 @@ void expect_sound(const Program& program) {
 enum class Values : std::uint8_t { exactly, but_for_rounding };
 
 void expect_same(const Program& given, const Program& rerolled, Values same, std::mt19937_64& random) {
-  expect_sound(rerolled);
+  expect_sound_loops(rerolled);
   const OperationCount before = count(given), after = count(rerolled);
   EXPECT_EQ(after.mul, before.mul);
   EXPECT_EQ(after.add, before.add);

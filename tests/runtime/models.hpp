@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <array>
 
+#include "alembert/mechanism.hpp"
+
 namespace models {
 
 template <class S>
@@ -83,5 +85,12 @@ struct NotAMechanism {
   using Scalar = double;
   static constexpr int kNq = 1, kNv = 1;
 };
+
+/// Motion that nothing but gravity drives, for the functions that integrate.
+template <class M>
+alembert::SpeedVector<M> no_force(typename M::Scalar, const alembert::CoordinateVector<M>&,
+                                  const alembert::SpeedVector<M>&) {
+  return alembert::SpeedVector<M>::Zero();
+}
 
 }  // namespace models

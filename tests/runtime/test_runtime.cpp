@@ -16,6 +16,7 @@ namespace {
 
 using alembert::Status;
 using models::Dense;
+using models::no_force;
 using models::NotAMechanism;
 using models::Pendulum;
 using models::SpinningBody;
@@ -30,12 +31,6 @@ static_assert(!alembert::is_mechanism_v<int>);
 static_assert(alembert::has_energy_v<SpinningBody<>>);
 static_assert(!alembert::has_energy_v<Dense<3>>);
 static_assert(alembert::MechanismType<Pendulum<>> && !alembert::MechanismType<NotAMechanism>);
-
-template <class M>
-alembert::SpeedVector<M> no_force(typename M::Scalar, const alembert::CoordinateVector<M>&,
-                                  const alembert::SpeedVector<M>&) {
-  return alembert::SpeedVector<M>::Zero();
-}
 
 template <int N>
 void check_dense_solution() {
