@@ -12,11 +12,11 @@ ExprCount count_operations(std::span<const Expr> roots) {
   const auto is_trigonometric = [](Op op) { return op == Op::sin || op == Op::cos || op == Op::tan; };
   // An offset angle is free if nothing but trigonometric calls uses it.
   std::vector<bool> used_otherwise(order.ids.size(), false);
-  for (const std::uint32_t id : order.ids) {
-    const Node& node = graph->node(id);
+  for (std::size_t i = 0; i < order.ids.size(); ++i) {
+    const Node& node = graph->node(order.ids[i]);
     if (node.arity() == 0 || is_trigonometric(node.op)) continue;
-    used_otherwise[order.at(node.a.node())] = true;
-    if (node.arity() == 2) used_otherwise[order.at(node.b.node())] = true;
+    used_otherwise[order.operands[i].a >> 1] = true;
+    if (node.arity() == 2) used_otherwise[order.operands[i].b >> 1] = true;
   }
   for (const Expr& root : roots) used_otherwise[order.at(root.ref().node())] = true;
   ExprCount count;

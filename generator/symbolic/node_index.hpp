@@ -24,11 +24,15 @@ class NodeIndex {
   }
   bool contains(std::uint32_t id) const { return find(id) != kAbsent; }
 
-  /// Adds an id that is not there yet.
-  void add(std::uint32_t id, std::uint32_t position) {
+  /// Adds an id, unless it is there: then false.
+  bool add(std::uint32_t id, std::uint32_t position) {
     if (2 * (count_ + 1) > slots_.size()) grow();
-    place({id, position});
+    std::size_t slot = home(id);
+    for (; slots_[slot].id != kAbsent; slot = (slot + 1) & (slots_.size() - 1))
+      if (slots_[slot].id == id) return false;
+    slots_[slot] = {id, position};
     ++count_;
+    return true;
   }
   void set(std::uint32_t id, std::uint32_t position) {
     for (std::size_t slot = home(id);; slot = (slot + 1) & (slots_.size() - 1)) {

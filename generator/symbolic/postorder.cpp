@@ -27,21 +27,21 @@ Postorder indexed_postorder(std::span<const Expr> roots) {
     open.push_back(root.ref().node());
     while (!open.empty()) {
       const std::uint32_t id = open.back();
-      if (out.index.contains(id)) {
-        open.pop_back();
-        continue;
-      }
       const Node& node = graph->node(id);
       const int arity = node.arity();
-      const std::size_t before = open.size();
+      const std::uint32_t a = arity >= 1 ? out.at(node.a.node()) : 0;
+      const std::uint32_t b = arity == 2 ? out.at(node.b.node()) : 0;
       // b is pushed first so that a is visited first.
-      if (arity == 2 && !out.index.contains(node.b.node())) open.push_back(node.b.node());
-      if (arity >= 1 && !out.index.contains(node.a.node())) open.push_back(node.a.node());
-      if (open.size() != before) continue;
+      if (b == NodeIndex::kAbsent) open.push_back(node.b.node());
+      if (a == NodeIndex::kAbsent) open.push_back(node.a.node());
+      if (a == NodeIndex::kAbsent || b == NodeIndex::kAbsent) continue;
       open.pop_back();
-      out.index.add(id, static_cast<std::uint32_t>(out.ids.size()));
+      if (!out.index.add(id, static_cast<std::uint32_t>(out.ids.size()))) continue;
       out.ids.push_back(id);
-      out.operands.push_back({arity >= 1 ? out.local(node.a) : 0, arity == 2 ? out.local(node.b) : 0});
+      const auto seen = [](std::uint32_t position, Ref x) {
+        return position << 1 | (x.negative() ? 1u : 0u);
+      };
+      out.operands.push_back({arity >= 1 ? seen(a, node.a) : 0, arity == 2 ? seen(b, node.b) : 0});
     }
   }
   return out;

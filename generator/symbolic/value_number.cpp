@@ -236,29 +236,27 @@ class Numbering {
   // Takes back matches that fail where roots have a definite sign.
   void confirm() {
     if (matches_.empty()) return;
-    const auto reject = [this](const Match& match) { own_class(match.node); };
-    for (std::size_t k = 0; k < kRootPoints && !matches_.empty(); ++k) {
-      const auto at =
-          modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0xc0ffee + k));
-      std::erase_if(matches_, [&](const Match& match) {
-        Modular other =
-            match.other != kNone
-                ? at[match.other]
-                : modular::from_rational(graph_.rational_value(classes_[match.value_class].number.node()));
-        if (match.negative) other = modular::negate(other);
-        if (at[match.node] == other) return false;
-        reject(match);
-        return true;
-      });
-    }
+    // What is compared is often a few constants of a large graph: only they are evaluated.
     std::vector<Expr> pairs;
     for (const Match& match : matches_) {
       pairs.emplace_back(graph_, ref(match.node));
       const Ref other = match.other != kNone ? ref(match.other) : classes_[match.value_class].number;
       pairs.emplace_back(graph_, match.negative ? -other : other);
     }
+    const auto reject = [this](const Match& match) { own_class(match.node); };
     std::vector<bool> rejected(matches_.size(), false);
-    for (std::size_t k = 0; k < kDoublePoints && !pairs.empty(); ++k) {
+    const Postorder order = indexed_postorder(pairs);
+    for (std::size_t k = 0; k < kRootPoints; ++k) {
+      const std::vector<Modular> values =
+          modular::values(graph_, order, random_modular_point(graph_.symbol_count(), 0xc0ffee + k));
+      const auto of = [&](const Expr& x) {
+        const Modular value = values[order.at(x.ref().node())];
+        return x.ref().negative() ? modular::negate(value) : value;
+      };
+      for (std::size_t m = 0; m < matches_.size(); ++m)
+        if (of(pairs[2 * m]) != of(pairs[2 * m + 1])) rejected[m] = true;
+    }
+    for (std::size_t k = 0; k < kDoublePoints; ++k) {
       const std::vector<double> value = evaluate(pairs, double_point(graph_, 0xd0b1e + k));
       for (std::size_t m = 0; m < matches_.size(); ++m) {
         const double x = value[2 * m], y = value[2 * m + 1];
@@ -346,6 +344,7 @@ std::vector<Expr> value_number(std::span<const Expr> roots) {
   if (graph_of(roots) == nullptr) return same;
   const std::vector<Expr> merged = merge_close_constants(roots);
   std::vector<Expr> out = Numbering(merged).run(merged);
+  if (out == same) return same;
   const ExprCount before = count_operations(roots), after = count_operations(out);
   return after.total() + after.trig > before.total() + before.trig ? same : out;
 }
