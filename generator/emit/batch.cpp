@@ -72,8 +72,9 @@ std::string c_batch_call(const FunctionSignature& signature) {
 }
 
 /// Longer programs are cut into such blocks: what is longer does not fit the caches of code and of decoded
-/// instructions, shorter blocks hand over more values.
-constexpr BlockSizes kBatchBlocks = {300, 200};
+/// instructions, shorter blocks hand over more values. Measured with AVX2 and AVX-512 (see bench_dynamics);
+/// with two lanes a vector, code is twice as long and blocks of half the size would do better.
+constexpr BlockSizes kBatchBlocks = {600, 400};
 
 /// An array of a function over packs.
 struct PackArray {

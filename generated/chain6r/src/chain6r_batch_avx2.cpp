@@ -56,14 +56,14 @@ using pack::Pack;
 }
 
 ::std::size_t mass_matrix_and_bias_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(155);
+  constexpr int kPacks = pack::packs_together(55);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack M[kPacks * 36];
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 101];
+  Pack w[kPacks * 1];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -78,7 +78,7 @@ using pack::Pack;
 }
 
 ::std::size_t forward_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(167);
+  constexpr int kPacks = pack::packs_together(67);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack tau[kPacks * 6];
@@ -87,7 +87,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 101];
+  Pack w[kPacks * 1];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
