@@ -151,9 +151,7 @@ TEST_P(BatchSample, LoopsAreThoseOfOneState) {
   EXPECT_EQ(chain::mass_matrix_and_bias_batch(kStates, kStride, q.data(), qd.data(), {}, M.data(), c.data(),
                                               options_),
             0U);
-#ifdef ALEMBERT_TEST_JACOBIANS_OF_CHAIN
   EXPECT_EQ(chain::body_jacobians_batch(kStates, kStride, q.data(), {}, J.data(), options_), 0U);
-#endif
   const auto expect_rows = [](const auto& expected, const std::vector<double>& rows, std::size_t s) {
     double scale = 1;
     for (const double e : expected) scale = std::max(scale, std::abs(e));
@@ -170,11 +168,9 @@ TEST_P(BatchSample, LoopsAreThoseOfOneState) {
     std::array<double, kN * kN> matrix;
     chain::mass_matrix<double>(q_s.data(), {}, matrix.data());
     expect_rows(matrix, M, s);
-#ifdef ALEMBERT_TEST_JACOBIANS_OF_CHAIN
     std::array<double, 6 * kBodies * kN> jacobians;
     chain::body_jacobians<double>(q_s.data(), {}, jacobians.data());
     expect_rows(jacobians, J, s);
-#endif
     for (std::size_t i = 0; i < kN; ++i)
       EXPECT_NEAR(back[i * kStride + s], qdd[i * kStride + s], 1e-9) << i << " of state " << s;
   }
