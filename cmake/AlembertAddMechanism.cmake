@@ -205,8 +205,8 @@ function(alembert_add_mechanism)
     target_link_libraries(${arg_TARGET} PRIVATE ${CMAKE_THREAD_LIBS_INIT})
   endif()
   target_compile_features(${arg_TARGET} PUBLIC cxx_std_17)
-  # A target called m must not become libm.a; symbols of a shared library are for its users. A file repeats names of another,
-  # and its flags are its own.
+  # A target called m must not become libm.a; symbols of a shared library are for its users. PARTS are to be compiled
+  # each by itself.
   set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF WINDOWS_EXPORT_ALL_SYMBOLS ON UNITY_BUILD OFF
                         CXX_CLANG_TIDY "" CXX_CPPCHECK "" CXX_INCLUDE_WHAT_YOU_USE "")
