@@ -11,6 +11,7 @@
 
 #include "emit/literals.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/names.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -124,10 +125,7 @@ constexpr std::array<std::string_view, 14> kMacros = {"NULL",  "EOF",    "NAN", 
                                                       "linux", "unix",   "i386",  "offsetof"};
 
 bool is_identifier(std::string_view text) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  return !text.empty() && letter(text[0]) &&
-         std::ranges::all_of(text, [&](char c) { return letter(c) || digit(c); }) &&
+  return !text.empty() && !is_digit(text[0]) && std::ranges::all_of(text, is_word_character) &&
          std::ranges::find(kKeywords, text) == kKeywords.end() &&
          std::ranges::find(kMacros, text) == kMacros.end();
 }

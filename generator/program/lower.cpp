@@ -95,7 +95,7 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
   }
   if (!roots.empty()) {
     ExprGraph& graph = roots.front().graph();
-    std::vector<std::uint32_t> slot_of(graph.symbol_count(), ~std::uint32_t{0});
+    std::vector<std::uint32_t> slot_of(graph.symbol_count(), kNone);
     for (std::uint32_t i = 0; i < bindings.size(); ++i)
       slot_of[graph.symbol_index(bindings[i].symbol.ref().node())] = i;
 
@@ -116,7 +116,7 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
         folded[id] = fold(graph, id, folded);
       } else if (n.op == Op::symbol) {
         const std::uint32_t index = graph.symbol_index(id);
-        if (slot_of[index] == ~std::uint32_t{0})
+        if (slot_of[index] == kNone)
           throw InternalError("lower: " + program.function + " depends on the symbol '" +
                               graph.symbol_name(index) + "', which no argument stands for");
         values[id] = program.graph.input(slot_of[index]);

@@ -3,15 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <string_view>
 
 #include "program/program.hpp"
 
 namespace alembert {
-
-/// No instruction, no node.
-inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 /// Number of operands that are values of other instructions (0 for constants and inputs).
 constexpr int operand_count(Operation op) {

@@ -35,6 +35,9 @@ enum class Operation : std::uint8_t {
   pow,
 };
 
+/// No instruction, no node.
+inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
 struct Instruction {
   Operation op;
   std::uint32_t a = 0, b = 0;

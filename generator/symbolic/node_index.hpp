@@ -17,32 +17,18 @@ class NodeIndex {
   NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kAbsent, 0}) {}
 
   std::uint32_t find(std::uint32_t id) const {
-    for (std::size_t slot = home(id);; slot = (slot + 1) & (slots_.size() - 1)) {
-      if (slots_[slot].id == id) return slots_[slot].position;
-      if (slots_[slot].id == kAbsent) return kAbsent;
-    }
+    const Slot& slot = slots_[slot_of(id)];
+    return slot.id == id ? slot.position : kAbsent;
   }
-  bool contains(std::uint32_t id) const { return find(id) != kAbsent; }
 
   /// Adds an id, unless it is there: then false.
   bool add(std::uint32_t id, std::uint32_t position) {
     if (2 * (count_ + 1) > slots_.size()) grow();
-    std::size_t slot = home(id);
-    for (; slots_[slot].id != kAbsent; slot = (slot + 1) & (slots_.size() - 1))
-      if (slots_[slot].id == id) return false;
-    slots_[slot] = {id, position};
+    Slot& slot = slots_[slot_of(id)];
+    if (slot.id == id) return false;
+    slot = {id, position};
     ++count_;
     return true;
-  }
-  void set(std::uint32_t id, std::uint32_t position) {
-    for (std::size_t slot = home(id);; slot = (slot + 1) & (slots_.size() - 1)) {
-      if (slots_[slot].id == id) {
-        slots_[slot].position = position;
-        return;
-      }
-      if (slots_[slot].id == kAbsent) break;
-    }
-    add(id, position);
   }
 
  private:
@@ -56,10 +42,11 @@ class NodeIndex {
         (static_cast<std::uint64_t>(id >> 4) * 0x9e3779b97f4a7c15u) >> (64 - (bits_ - 4));
     return static_cast<std::size_t>(block) << 4 | (id & 15u);
   }
-  void place(Slot entry) {
-    std::size_t slot = home(entry.id);
-    while (slots_[slot].id != kAbsent) slot = (slot + 1) & (slots_.size() - 1);
-    slots_[slot] = entry;
+  /// That of the id, or the empty one that it would take.
+  std::size_t slot_of(std::uint32_t id) const {
+    std::size_t slot = home(id);
+    while (slots_[slot].id != id && slots_[slot].id != kAbsent) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
   }
   void grow() {
     std::vector<Slot> old;
@@ -67,7 +54,7 @@ class NodeIndex {
     ++bits_;
     slots_.assign(std::size_t{1} << bits_, Slot{kAbsent, 0});
     for (const Slot& entry : old) {
-      if (entry.id != kAbsent) place(entry);
+      if (entry.id != kAbsent) slots_[slot_of(entry.id)] = entry;
     }
   }
 
@@ -88,7 +75,10 @@ struct Postorder {
   std::vector<LocalOperands> operands;  ///< as many of them are meant as the operation has
   NodeIndex index;
   std::uint32_t at(std::uint32_t id) const { return index.find(id); }
-  std::uint32_t local(Ref x) const { return at(x.node()) << 1 | (x.negative() ? 1u : 0u); }
+  static std::uint32_t local(std::uint32_t position, Ref x) {
+    return position << 1 | (x.negative() ? 1u : 0u);
+  }
+  std::uint32_t local(Ref x) const { return local(at(x.node()), x); }
 };
 Postorder indexed_postorder(std::span<const Expr> roots);
 

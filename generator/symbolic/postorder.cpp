@@ -38,10 +38,8 @@ Postorder indexed_postorder(std::span<const Expr> roots) {
       open.pop_back();
       if (!out.index.add(id, static_cast<std::uint32_t>(out.ids.size()))) continue;
       out.ids.push_back(id);
-      const auto seen = [](std::uint32_t position, Ref x) {
-        return position << 1 | (x.negative() ? 1u : 0u);
-      };
-      out.operands.push_back({arity >= 1 ? seen(a, node.a) : 0, arity == 2 ? seen(b, node.b) : 0});
+      out.operands.push_back(
+          {arity >= 1 ? Postorder::local(a, node.a) : 0, arity == 2 ? Postorder::local(b, node.b) : 0});
     }
   }
   return out;

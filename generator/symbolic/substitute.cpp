@@ -20,8 +20,8 @@ std::vector<Expr> substitute(std::span<const Expr> roots,
     if (symbol.ref().negative() || graph->node(symbol.ref().node()).op != Op::symbol) {
       throw std::logic_error("only symbols can be substituted");
     }
-    if (replaced.contains(symbol.ref().node())) throw std::logic_error("a symbol is substituted twice");
-    replaced.add(symbol.ref().node(), static_cast<std::uint32_t>(i));
+    if (!replaced.add(symbol.ref().node(), static_cast<std::uint32_t>(i)))
+      throw std::logic_error("a symbol is substituted twice");
   }
   const Postorder order = indexed_postorder(roots);
   std::vector<Ref> image(order.ids.size());

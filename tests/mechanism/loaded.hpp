@@ -45,6 +45,14 @@ inline std::string with_transform(const std::string& transform, const std::strin
          "\nbodies:\n  - {name: arm, mass: 1, transform: " + transform + "}\n";
 }
 
+/// A description with one body that is shifted by `offset`, with parameters r = 1/4 and k (runtime).
+inline std::string with_parameters(const std::string& offset, const std::string& coordinates) {
+  return "alembert: 1\nname: one\nparameters: {r: 0.25, k: {value: 3, runtime: true}}\ncoordinates: " +
+         coordinates +
+         "\ngravity: [r, k, 0]\nbodies:\n  - {name: arm, mass: 1, transform: [{translate: " + offset +
+         "}]}\n";
+}
+
 inline const std::vector<Factor>& factors(const Loaded& loaded) {
   return loaded.mechanism.bodies.at(0).transform.factors;
 }

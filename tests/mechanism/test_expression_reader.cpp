@@ -14,10 +14,7 @@ using test::shift;
 /// A description whose only body is shifted along x by `expression`, over q, p, parameters r = 1/4 and k
 /// (runtime).
 std::string shifted(const std::string& expression) {
-  return "alembert: 1\nname: one\nparameters: {r: 0.25, k: {value: 3, runtime: true}}\n"
-         "coordinates: [{name: q, initial: 0.5}, p]\ngravity: [r, k, 0]\n"
-         "bodies:\n  - {name: arm, mass: 1, transform: [{translate: [\"" +
-         expression + "\", q, p]}]}\n";
+  return test::with_parameters("[\"" + expression + "\", q, p]", "[{name: q, initial: 0.5}, p]");
 }
 
 TEST(ExpressionReader, KeepsDecimalsExactly) {

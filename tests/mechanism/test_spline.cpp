@@ -72,10 +72,7 @@ std::string list_of(const std::vector<double>& numbers) {
 }
 /// A description whose body is shifted by `expression` of q.
 std::string shifted_by(const std::string& expression) {
-  return "alembert: 1\nname: one\nparameters: {r: 0.25, k: {value: 3, runtime: true}}\n"
-         "coordinates: [{name: q, initial: 0.4}]\ngravity: [r, k, 0]\n"
-         "bodies:\n  - {name: arm, mass: 1, transform: [{translate: [\"" +
-         expression + "\", q, 0]}]}\n";
+  return test::with_parameters("[\"" + expression + "\", q, 0]", "[{name: q, initial: 0.4}]");
 }
 
 /// Largest errors of value, first and second derivative at knots, between and beyond them, relative to the
