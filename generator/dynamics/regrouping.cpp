@@ -209,6 +209,7 @@ class RegroupingSearch {
       const auto split = links_.split(i, how, inertia);
       if (split) found.emplace_back(cost(i, how, *split), how);
     };
+    const int movable = links_.movable_count(i);
     for (const MassFrame frame : kMassFrames) {
       if (!links_.has_frame(i, frame)) continue;
       consider({frame, 0, 0, false, {}});
@@ -217,7 +218,7 @@ class RegroupingSearch {
         if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
         for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
           const int count = std::popcount(zeros) - std::popcount(points);
-          if (count != links_.movable_count(i)) continue;
+          if (count != movable) continue;
           consider({frame, zeros, points, false, {}});
           if (terms_may_move_ && points == 0 && !inertia.terms.empty())
             consider({frame, zeros, points, true, {}});

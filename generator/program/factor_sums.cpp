@@ -51,10 +51,11 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
 
 class SumFactoring : NodeRewrite {
  public:
-  SumFactoring(const ValueProgram& from, CommonPairs common_pairs)
+  SumFactoring(const ValueProgram& from, CommonPairs common_pairs, bool& any_spared)
       : NodeRewrite(from),
         graph_(from.graph),
         spares_pairs_(common_pairs == CommonPairs::spared),
+        any_spared_(any_spared),
         inner_(graph_.size(), 0),
         angle_(graph_.size(), 1) {
     for (const std::uint32_t id : order_) {
@@ -247,7 +248,10 @@ class SumFactoring : NodeRewrite {
     for (std::size_t begin = 0, end = 0; begin < occurrences_.size(); begin = end) {
       while (end < occurrences_.size() && occurrences_[end].first == occurrences_[begin].first) ++end;
       if (end - begin < 2) continue;
-      if (spares_pairs_ && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) continue;
+      if (spares_pairs_ && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) {
+        any_spared_ = true;
+        continue;
+      }
       const std::ptrdiff_t gained = gain(std::span(occurrences_).subspan(begin, end - begin));
       if (gained > 0) queue.push({gained, occurrences_[begin].second, begin, end});
     }
@@ -373,6 +377,7 @@ class SumFactoring : NodeRewrite {
 
   const ValueGraph& graph_;
   bool spares_pairs_;
+  bool& any_spared_;
   std::vector<std::uint64_t> pairs_;  ///< one for each product that a pair is in, in order
   std::vector<std::uint8_t> inner_;   ///< part of the sum or product that uses it
   std::vector<std::uint8_t> angle_;   ///< used by sin, cos and tan only
@@ -389,8 +394,9 @@ class SumFactoring : NodeRewrite {
 
 }  // namespace
 
-std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs) {
-  return SumFactoring(program, common_pairs).run();
+std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs,
+                                        bool& any_spared) {
+  return SumFactoring(program, common_pairs, any_spared).run();
 }
 
 }  // namespace alembert

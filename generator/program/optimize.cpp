@@ -15,7 +15,8 @@
 namespace alembert {
 namespace {
 
-// Rounds of all rewrites; the first that gains nothing ends the work, in practice the third to fifth.
+// Rounds of all rewrites at most; all of them in a row without a gain end the work, in practice in the third
+// to fifth.
 constexpr int kRounds = 8;
 
 // Operations weighted by their time: a division counts as four, a negation only between equals.
@@ -61,36 +62,54 @@ struct Candidate {
   Cost cost;
 };
 
-// The local rewrites, each kept if it gains, until none does.
-Candidate rewrite(ValueProgram values, CommonPairs pairs) {
-  Candidate best;
-  best.program = place_signs(values);
-  best.cost = cost(best.program);
-  const auto accept = [&](const std::optional<ValueProgram>& rewritten) {
-    if (!rewritten) return false;
-    Candidate next{place_signs(*rewritten), {}};
-    next.cost = cost(next.program);
-    if (!(next.cost < best.cost)) return false;
-    best = std::move(next);
-    values = to_values(best.program);
-    return true;
+Candidate candidate(Program program) {
+  const Cost its = cost(program);
+  return {std::move(program), its};
+}
+
+class Rewriting {
+ public:
+  explicit Rewriting(CommonPairs pairs) : pairs_(pairs) {}
+  Candidate run(const Program& program);
+  bool any_spared() const { return any_spared_; }
+
+ private:
+  Candidate rewrite(ValueProgram values);
+
+  CommonPairs pairs_;
+  bool any_spared_ = false;
+};
+
+// The local rewrites, each kept if it gains, until none does. The first, which is nearly certain to gain, is
+// not compared: callers compare what comes out.
+Candidate Rewriting::rewrite(ValueProgram values) {
+  std::optional<Candidate> best;
+  const auto rewritten = [&](int which) {
+    if (which == 0) return factor_sums(values, pairs_, any_spared_);
+    return which == 1 ? share_divisions(values) : share_products(values);
   };
-  for (int round = 0; round < kRounds; ++round) {
-    const bool factored = accept(factor_sums(values, pairs));
-    const bool divided = accept(share_divisions(values));
-    const bool bracketed = accept(share_products(values));
-    if (!factored && !divided && !bracketed) break;
+  constexpr int kRewrites = 3;
+  int failed = 0;  // since the last gain
+  for (int i = 0; i < kRounds * kRewrites && failed < kRewrites; ++i) {
+    ++failed;
+    const std::optional<ValueProgram> other = rewritten(i % kRewrites);
+    if (!other) continue;
+    Candidate next = candidate(place_signs(*other));
+    if (best && !(next.cost < best->cost)) continue;
+    best = std::move(next);
+    values = to_values(best->program);
+    failed = 0;
   }
-  return best;
+  return best ? *std::move(best) : candidate(place_signs(values));
 }
 
 // Rewriting and value numbering in turn, for as long as that gains.
-Candidate rewrite_and_merge(const Program& program, CommonPairs pairs) {
-  Candidate best = rewrite(to_values(program), pairs);
+Candidate Rewriting::run(const Program& program) {
+  Candidate best = rewrite(to_values(program));
   for (int round = 0; round < kRounds; ++round) {
     const std::optional<ValueProgram> merged = merge_equal_values(best.program);
     if (!merged) break;
-    Candidate next = rewrite(*merged, pairs);
+    Candidate next = rewrite(*merged);
     if (!(next.cost < best.cost)) break;
     best = std::move(next);
   }
@@ -101,9 +120,12 @@ Candidate rewrite_and_merge(const Program& program, CommonPairs pairs) {
 
 Program optimize(Program program) {
   const Cost given = cost(program);
-  Candidate best = rewrite_and_merge(program, CommonPairs::taken_apart);
-  Candidate other = rewrite_and_merge(program, CommonPairs::spared);
-  if (other.cost < best.cost) best = std::move(other);
+  Rewriting sparing(CommonPairs::spared);
+  Candidate best = sparing.run(program);
+  if (sparing.any_spared()) {
+    Candidate other = Rewriting(CommonPairs::taken_apart).run(program);
+    if (!(best.cost < other.cost)) best = std::move(other);
+  }
   if (given < best.cost) best = {std::move(program), given};
   if (given < cost(best.program))
     throw InternalError("optimise: " + best.program.function + " costs more than before");

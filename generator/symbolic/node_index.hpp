@@ -15,14 +15,28 @@ class NodeIndex {
   static constexpr std::uint32_t kAbsent = 0xffffffffu;
 
   NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kAbsent, 0}) {}
+  /// For nodes that a graph of that size has: of a small one, by their ids.
+  explicit NodeIndex(std::uint32_t graph_size) {
+    if (graph_size <= kDirect) {
+      positions_.assign(graph_size, kAbsent);
+    } else {
+      slots_.assign(std::size_t{1} << bits_, Slot{kAbsent, 0});
+    }
+  }
 
   std::uint32_t find(std::uint32_t id) const {
+    if (slots_.empty()) return id < positions_.size() ? positions_[id] : kAbsent;
     const Slot& slot = slots_[slot_of(id)];
     return slot.id == id ? slot.position : kAbsent;
   }
 
   /// Adds an id, unless it is there: then false.
   bool add(std::uint32_t id, std::uint32_t position) {
+    if (slots_.empty()) {
+      if (positions_[id] != kAbsent) return false;
+      positions_[id] = position;
+      return true;
+    }
     if (2 * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slots_[slot_of(id)];
     if (slot.id == id) return false;
@@ -58,9 +72,12 @@ class NodeIndex {
     }
   }
 
+  static constexpr std::uint32_t kDirect = 1 << 14;
+
   int bits_ = 6;
   std::size_t count_ = 0;
-  std::vector<Slot> slots_;
+  std::vector<Slot> slots_;               ///< empty for small graphs, ...
+  std::vector<std::uint32_t> positions_;  ///< ... for which this is by id
 };
 
 /// A node seen from inside a Postorder: positions in it instead of ids, shifted left by one, plus 1 if

@@ -22,6 +22,7 @@ ExprGraph* graph_of(std::span<const Expr> roots) {
 Postorder indexed_postorder(std::span<const Expr> roots) {
   const ExprGraph* graph = graph_of(roots);
   Postorder out;
+  if (graph != nullptr) out.index = NodeIndex(graph->size());
   std::vector<std::uint32_t> open;
   for (const Expr& root : roots) {
     open.push_back(root.ref().node());
