@@ -121,6 +121,22 @@ void solve_ldlt(const Eigen::Matrix<S, N, N>& A, Eigen::Matrix<S, N, 1>& x) {
     for (int k = i + 1; k < n; ++k) x(i) -= A(k, i) * x(k);
 }
 
+namespace detail {
+
+/// x = M^-1 (tau - x), given x = c; M is left as factor_ldlt leaves it. Both are spoilt unless the status is
+/// ok.
+template <class S, int N>
+[[nodiscard]] Status solve_for_rates(const Eigen::Matrix<S, N, 1>& tau, Eigen::Matrix<S, N, N>& mass,
+                                     Eigen::Matrix<S, N, 1>& x) {
+  x = tau - x;
+  if (!all_finite(mass) || !all_finite(x)) return Status::not_finite;
+  if (const Status status = factor_ldlt(mass); status != Status::ok) return status;
+  solve_ldlt(mass, x);
+  return all_finite(x) ? Status::ok : Status::not_finite;
+}
+
+}  // namespace detail
+
 /// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
 /// (constrained_dynamics.hpp has those).
 ///
@@ -138,12 +154,7 @@ template <class M>
   SpeedMatrix<M> mass;
   SpeedVector<M> x;
   M::mass_matrix_and_bias(q, qd, in, mass, x);
-  x = tau - x;
-  if (!detail::all_finite(mass) || !detail::all_finite(x)) return Status::not_finite;
-  const Status status = factor_ldlt(mass);
-  if (status != Status::ok) return status;
-  solve_ldlt(mass, x);
-  if (!detail::all_finite(x)) return Status::not_finite;
+  if (const Status status = detail::solve_for_rates(tau, mass, x); status != Status::ok) return status;
   qdd = x;
   return Status::ok;
 }

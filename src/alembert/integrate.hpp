@@ -52,11 +52,7 @@ template <class System, class Speeds>
   Eigen::Matrix<typename System::Scalar, System::kNv, System::kNv> mass;
   Speeds x;
   system.mass_matrix_and_bias(q, u, mass, x);
-  x = tau - x;
-  if (!all_finite(mass) || !all_finite(x)) return Status::not_finite;
-  if (const Status status = factor_ldlt(mass); status != Status::ok) return status;
-  solve_ldlt(mass, x);
-  if (!all_finite(x)) return Status::not_finite;
+  if (const Status status = solve_for_rates(tau, mass, x); status != Status::ok) return status;
   rate = x;
   return Status::ok;
 }

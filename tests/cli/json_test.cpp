@@ -55,7 +55,7 @@ TEST(Report, TellsWhichFunctionsHaveLoops) {
   const TemporaryFolder folder;
   const auto report = [&](const std::string& options) {
     const CommandResult result =
-        alembert(folder, "report --effort 0 --functions inverse_dynamics,mass_matrix " + options +
+        alembert(folder, "report --without scaling --functions inverse_dynamics,mass_matrix " + options +
                              " " ALEMBERT_SOURCE_DIR "/tests/emit/chain.yaml");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return result.out;
