@@ -3,7 +3,8 @@
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
-#                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias
+#                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
+#                                                  inverse_dynamics_derivatives
 #                          [SCALARS double float]  types to compile for; default both
 #                          [FORMULATION auto|factored|reduced] [LOOP_OPERATIONS n] [LOOP_RESULTS n]
 #                          [PARTS n]               source files to spread large functions over; default 4

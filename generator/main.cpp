@@ -113,7 +113,8 @@ int run(int argc, char** argv) {
   command->add_option("--out-dir", generate.out_dir, "folder of the files to be written")->required();
   command
       ->add_option("--functions", generate.functions,
-                   "functions to write (default: all but forward_dynamics, body_jacobians, body_inertias)")
+                   "functions to write (default: all but forward_dynamics, body_jacobians, body_inertias, "
+                   "inverse_dynamics_derivatives)")
       ->delimiter(',');
   command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
       ->delimiter(',');

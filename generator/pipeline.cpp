@@ -91,6 +91,7 @@ bool depends_on_formulation(FunctionKind kind) {
     case FunctionKind::bias:
     case FunctionKind::mass_matrix_and_bias:
     case FunctionKind::forward_dynamics:
+    case FunctionKind::inverse_dynamics_derivatives:
       return true;
     case FunctionKind::coordinate_rates:
     case FunctionKind::energy:
@@ -212,6 +213,7 @@ std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
       case FunctionKind::forward_dynamics:
       case FunctionKind::body_jacobians:
       case FunctionKind::body_inertias:
+      case FunctionKind::inverse_dynamics_derivatives:
         return false;
     }
     return false;

@@ -57,7 +57,8 @@ CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, co
 std::vector<std::string> dump_stages();
 
 /// Functions that `generate` writes unless told otherwise: all but forward_dynamics (the runtime library
-/// solves), body_jacobians and body_inertias; frames and constraints only if there are any.
+/// solves), body_jacobians, body_inertias and inverse_dynamics_derivatives; frames and constraints only if
+/// there are any.
 std::vector<FunctionKind> default_functions(const Mechanism& mechanism);
 
 }  // namespace alembert

@@ -19,7 +19,7 @@ constexpr const char* kConvention =
     "a constant offset in a trigonometric argument belongs to that call; constants folded; gravity "
     "included\n";
 
-/// Whether a function is counted unless others are asked for: poses and Jacobians are not.
+/// Whether a function is counted unless others are asked for: poses, Jacobians and derivatives are not.
 bool is_of_dynamics(FunctionKind kind) {
   switch (kind) {
     case FunctionKind::inverse_dynamics:
@@ -36,6 +36,7 @@ bool is_of_dynamics(FunctionKind kind) {
     case FunctionKind::frame_jacobians:
     case FunctionKind::body_jacobians:
     case FunctionKind::body_inertias:
+    case FunctionKind::inverse_dynamics_derivatives:
       return false;
   }
   return false;
@@ -74,10 +75,12 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
   }
   fmt::print("{}: {} coordinates, {} speeds, {} bodies{}\n", mechanism.name, mechanism.nq, mechanism.nv,
              mechanism.bodies.size(), rows > 0 ? fmt::format(", {} rows of constraints", rows) : "");
-  fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", "function", "x", "+", "x and +", "div",
-             "trig", "other", "formulation");
+  std::size_t width = 22;
+  for (const CompiledFunction& f : compiled.functions) width = std::max(width, to_string(f.kind).size());
+  fmt::print("{:<{}} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", "function", width, "x", "+", "x and +",
+             "div", "trig", "other", "formulation");
   for (const CompiledFunction& f : compiled.functions) {
-    fmt::print("{:<22} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", to_string(f.kind), f.count.mul,
+    fmt::print("{:<{}} {:>7} {:>7} {:>9} {:>5} {:>5} {:>6}  {}\n", to_string(f.kind), width, f.count.mul,
                f.count.add, f.count.arithmetic(), f.count.div, f.count.trig, f.count.other,
                to_string(f.formulation));
   }

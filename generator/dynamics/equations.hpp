@@ -81,6 +81,7 @@ enum class FunctionKind {
   constraints,
   body_jacobians,
   body_inertias,
+  inverse_dynamics_derivatives,
 };
 std::string_view to_string(FunctionKind kind);
 std::span<const FunctionKind> all_function_kinds();
@@ -88,7 +89,8 @@ std::span<const FunctionKind> all_function_kinds();
 /// The results of one function as expressions over the bound symbols: tau; M; c; M and c; qdd; qdot; energy
 /// (kinetic, potential); poses (rows [R | p] of each body); frames (likewise); J (6 x nv of each frame); P,
 /// gamma, velocity and position of the constraints (constraints.hpp); J (6 x nv of each body's centre of
-/// mass); inertias (10 of each body: mass, centre of mass, inertia about it xx yy zz xy xz yz, body axes).
+/// mass); inertias (10 of each body: mass, centre of mass, inertia about it xx yy zz xy xz yz, body axes);
+/// derivatives of tau along the speeds and by them (nv x nv each) at given qdd.
 ///
 /// The equations of motion are those of the tree: constraints act through M ud + c = tau + P^T lambda.
 std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,

@@ -132,8 +132,9 @@ struct MovingFrame {
   std::map<int, WorldTwist> twists;
 };
 
+/// `handed_on`: twists are taken along to every node; otherwise they stay at the joint they began at.
 std::vector<MovingFrame> moving_frames(const Mechanism& mechanism, const MotionTree& tree,
-                                       std::span<const Pose> poses, ExprGraph& graph) {
+                                       std::span<const Pose> poses, bool handed_on, ExprGraph& graph) {
   const Vec3 none = zeros<3, 1>(graph);
   std::vector<MovingFrame> all;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -145,6 +146,9 @@ std::vector<MovingFrame> moving_frames(const Mechanism& mechanism, const MotionT
     const bool turned =
         std::ranges::any_of(frame.twists, [&](const auto& twist) { return !(twist.second.angular == none); });
     if (shifts && turned) frame.origin = frame.origin + from.rotation * node.motion.offset;
+    if (shifts && handed_on)
+      for (auto& [speed, twist] : frame.twists)
+        twist = {twist.angular, twist.linear_at(frame.origin), frame.origin};
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
       WorldTwist& twist =
@@ -165,12 +169,14 @@ std::vector<MovingFrame> moving_frames(const Mechanism& mechanism, const MotionT
 // of a row of the twist and one of the body, which can be loops.
 constexpr int kManyBodies = 12;
 
-}  // namespace
+// Longer trees are not tried with twists handed from frame to frame, which takes twice as much a pair of
+// speed and body, and less only where frames coincide or turn little.
+constexpr std::size_t kHandedOn = 64;
 
-std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree,
+                                 std::span<const Pose> poses, std::span<const MovingFrame> frames,
+                                 ExprGraph& graph) {
   const Vec3 none = zeros<3, 1>(graph);
-  const std::vector<Pose> poses = node_poses(tree, graph);
-  const std::vector<MovingFrame> frames = moving_frames(mechanism, tree, poses, graph);
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   std::vector<int> bodies_of_speed(nv, 0);
   for (const BodyPlace& place : tree.places) {
@@ -213,6 +219,20 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
     }
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const std::vector<Pose> poses = node_poses(tree, graph);
+  const auto jacobians = [&](bool handed_on) {
+    return value_number(body_jacobians(mechanism, tree, poses,
+                                       moving_frames(mechanism, tree, poses, handed_on, graph), graph));
+  };
+  std::vector<Expr> at_joints = jacobians(false);
+  if (tree.nodes.size() > kHandedOn) return at_joints;
+  std::vector<Expr> at_frames = jacobians(true);
+  return count_operations(at_frames).total() < count_operations(at_joints).total() ? at_frames : at_joints;
 }
 
 std::vector<Expr> body_inertias(const Mechanism& mechanism) {

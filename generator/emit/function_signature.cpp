@@ -33,6 +33,10 @@ const std::vector<FunctionSignature>& table() {
         {"position", ArraySize::constraints}}},
       {"body_jacobians", {q}, true, {{"J", ArraySize::bodies_times_6_speeds}}},
       {"body_inertias", {}, true, {{"inertias", ArraySize::bodies_times_10}}},
+      {"inverse_dynamics_derivatives",
+       {q, qd, qdd},
+       true,
+       {{"tau_q", ArraySize::speeds_squared}, {"tau_qd", ArraySize::speeds_squared}}},
   };
   return rows;
 }

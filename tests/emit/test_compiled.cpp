@@ -148,6 +148,8 @@ TEST(Compiled, EqualsTheInterpreterBitForBit) {
     compare("body_jacobians");
     all::body_inertias(a.in, out.data());
     compare("body_inertias");
+    all::inverse_dynamics_derivatives(q, qd, qdd, a.in, out.data(), out.data() + all::kNv * all::kNv);
+    compare("inverse_dynamics_derivatives");
   }
   EXPECT_GT(finite, values / 2) << "the samples test little: too many values are not finite";
 }
@@ -258,6 +260,17 @@ TEST(Compiled, ConstraintsAndBodiesGoThroughTheLayers) {
   all::body_inertias(a.in, raw.data());
   ASSERT_EQ(sample_all_body_inertias(a.in.t, p, w, c.data()), 0);
   same(Model::body_inertias(a.in), 0, "body_inertias");
+  const Eigen::Map<const Model::SpeedVector> qdd(a.qdd.data());
+  Model::SpeedMatrix tau_q, tau_qd;
+  const std::size_t by_speeds = static_cast<std::size_t>(tau_q.size());
+  all::inverse_dynamics_derivatives(a.q.data(), a.qd.data(), a.qdd.data(), a.in, raw.data(),
+                                    raw.data() + by_speeds);
+  ASSERT_EQ(sample_all_inverse_dynamics_derivatives(a.q.data(), a.qd.data(), a.qdd.data(), a.in.t, p, w,
+                                                    c.data(), c.data() + by_speeds),
+            0);
+  Model::inverse_dynamics_derivatives(q, qd, qdd, a.in, tau_q, tau_qd);
+  same(tau_q, 0, "tau_q");
+  same(tau_qd, by_speeds, "tau_qd");
 
   EXPECT_STREQ(Model::kConstraintNames[0], "no_slip[0]");
   EXPECT_STREQ(Model::kConstraintNames[1], "no_slip[1]");

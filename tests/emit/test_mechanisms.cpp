@@ -6,12 +6,15 @@
 #include <chain/chain.hpp>
 #include <cstdint>
 #include <five_bar/five_bar.hpp>
+#include <free_body/free_body.hpp>
 #include <puma560/puma560.hpp>
 #include <rolling_ellipsoids/rolling_ellipsoids.hpp>
 #include <runtime_parameters/runtime_parameters.hpp>
 #include <span>
 #include <tree_every_joint/tree_every_joint.hpp>
 
+#include "alembert/integrate.hpp"
+#include "alembert/linearize.hpp"
 #include "emit/interpreted_states.hpp"
 #include "mechanism/load.hpp"
 #include "pipeline.hpp"
@@ -45,6 +48,11 @@ alembert::CompiledMechanism check(const std::string& name, alembert::CompileOpti
     M::body_jacobians(s.q, s.in);
   };
   if constexpr (kJacobians) options.functions.push_back(FunctionKind::body_jacobians);
+  typename M::SpeedMatrix tau_q, tau_qd;
+  constexpr bool kDerivatives = requires(const State<M>& s) {
+    M::inverse_dynamics_derivatives(s.q, s.qd, s.qdd, s.in, tau_q, tau_qd);
+  };
+  if constexpr (kDerivatives) options.functions.push_back(FunctionKind::inverse_dynamics_derivatives);
   if constexpr (M::kNc > 0) {
     options.functions.insert(options.functions.end(),
                              {FunctionKind::constraints, FunctionKind::body_inertias});
@@ -74,6 +82,13 @@ alembert::CompiledMechanism check(const std::string& name, alembert::CompileOpti
       std::vector<double> jacobians;
       append_rows(jacobians, M::body_jacobians(s.q, s.in));
       compare(FunctionKind::body_jacobians, jacobians);
+    }
+    if constexpr (kDerivatives) {
+      M::inverse_dynamics_derivatives(s.q, s.qd, s.qdd, s.in, tau_q, tau_qd);
+      std::vector<double> derivatives;
+      append_rows(derivatives, tau_q);
+      append_rows(derivatives, tau_qd);
+      compare(FunctionKind::inverse_dynamics_derivatives, derivatives);
     }
     if constexpr (M::kNc > 0) {
       typename M::ConstraintMatrix P;
@@ -118,6 +133,50 @@ TEST(CompiledMechanism, RollingEllipsoids) {
   EXPECT_STREQ(Model::kConstraintNames[1], "no_slip[1]");
   EXPECT_EQ(Model::kHolonomic, (std::array<bool, 2>{false, false}));
   check<Model>("mechanisms/paper/rolling_ellipsoids");
+}
+TEST(CompiledMechanism, FreeBody) {
+  check<bits::free_body::Mechanism<>>("mechanisms/free_body");
+}
+
+/// Derivatives of the forward dynamics against its differences, quaternions turned about the body's axes.
+template <class M>
+void check_linearization() {
+  constexpr double kStep = 1e-5;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const State<M> s = random_state<M>(seed);
+    alembert::Linearization<M> out;
+    ASSERT_EQ(alembert::linearize<M>(s.q, s.qd, s.qdd, s.in, out), alembert::Status::ok);
+    const auto expect_difference = [&](const State<M>& up, const State<M>& down, const auto& derivative) {
+      typename M::SpeedVector high, low;
+      ASSERT_EQ(alembert::forward_dynamics<M>(up.q, up.qd, up.qdd, s.in, high), alembert::Status::ok);
+      ASSERT_EQ(alembert::forward_dynamics<M>(down.q, down.qd, down.qdd, s.in, low), alembert::Status::ok);
+      const double scale = 1 + derivative.cwiseAbs().maxCoeff() + high.cwiseAbs().maxCoeff();
+      EXPECT_LT(((high - low) / (2 * kStep) - derivative).cwiseAbs().maxCoeff(), 1e-7 * scale);
+    };
+    for (int k = 0; k < M::kNv; ++k) {
+      const typename M::SpeedVector step = kStep * M::SpeedVector::Unit(k);
+      const typename M::CoordinateVector turn = M::coordinate_rates(s.q, step);
+      State<M> up = s, down = s;
+      up.q += turn;
+      down.q -= turn;
+      for (State<M>* moved : {&up, &down})
+        ASSERT_EQ(alembert::normalize_quaternions<M>(moved->q), alembert::Status::ok);
+      expect_difference(up, down, out.qdd_q.col(k));
+      up = down = s;
+      up.qd += step;
+      down.qd -= step;
+      expect_difference(up, down, out.qdd_qd.col(k));
+      up = down = s;
+      up.qdd += step;  // the state's qdd is the forces here
+      down.qdd -= step;
+      expect_difference(up, down, out.qdd_tau.col(k));
+    }
+  }
+}
+TEST(CompiledMechanism, LinearizationIsThatOfItsForwardDynamics) {
+  check_linearization<bits::free_body::Mechanism<>>();
+  check_linearization<bits::five_bar::Mechanism<>>();
+  check_linearization<bits::rolling_ellipsoids::Mechanism<>>();
 }
 TEST(CompiledMechanism, FiveBar) {
   using Model = bits::five_bar::Mechanism<>;

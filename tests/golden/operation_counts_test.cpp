@@ -16,7 +16,7 @@ namespace {
 
 const char* const kTable = ALEMBERT_SOURCE_DIR "/tests/golden/operation_counts.txt";
 const char* const kHeader =
-    "mechanism                function                  mul    add   div  trig other  formulation";
+    "mechanism                function                         mul    add   div  trig other  formulation";
 
 /// Rows of the table by mechanism.
 std::map<std::string, std::string> read_table() {
@@ -31,15 +31,20 @@ std::map<std::string, std::string> read_table() {
 
 std::string rows_of(const std::string& path) {
   CompileOptions options;
-  options.functions = {
-      FunctionKind::inverse_dynamics,     FunctionKind::mass_matrix,      FunctionKind::bias,
-      FunctionKind::mass_matrix_and_bias, FunctionKind::forward_dynamics, FunctionKind::energy};
+  options.functions = {FunctionKind::inverse_dynamics,
+                       FunctionKind::mass_matrix,
+                       FunctionKind::bias,
+                       FunctionKind::mass_matrix_and_bias,
+                       FunctionKind::forward_dynamics,
+                       FunctionKind::energy,
+                       FunctionKind::body_jacobians,
+                       FunctionKind::inverse_dynamics_derivatives};
   if (!LoadedMechanism::file(path).mechanism->constraints.empty())
     options.functions.push_back(FunctionKind::constraints);
   const CompiledMechanism compiled = compile_mechanism(read_source(path), options);
   std::string rows;
   for (const CompiledFunction& f : compiled.functions) {
-    rows += fmt::format("{:<24} {:<21} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,
+    rows += fmt::format("{:<24} {:<28} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,
                         to_string(f.kind), f.count.mul, f.count.add, f.count.div, f.count.trig, f.count.other,
                         to_string(f.formulation));
   }

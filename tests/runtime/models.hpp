@@ -27,6 +27,12 @@ struct Pendulum {
     M(0) = m * l * l;
     c(0) = m * g * l * sin(q(0));
   }
+  static void inverse_dynamics_derivatives(const Vector& q, const Vector&, const Vector&, const Inputs&,
+                                           Vector& tau_q, Vector& tau_qd) {
+    using std::cos;
+    tau_q(0) = m * g * l * cos(q(0));
+    tau_qd(0) = S(0);
+  }
   static Vector coordinate_rates(const Vector&, const Vector& qd) { return qd; }
   static Eigen::Matrix<S, 2, 1> energy(const Vector& q, const Vector& qd, const Inputs&) {
     using std::cos;
@@ -50,6 +56,16 @@ struct SpinningBody {
     for (int i = 0; i < 3; ++i) M(i, i) = inertia()(i);
     const Vector h(M(0, 0) * w(0), M(1, 1) * w(1), M(2, 2) * w(2));
     c = w.cross(h);
+  }
+  static void inverse_dynamics_derivatives(const Quaternion&, const Vector& w, const Vector&, const Inputs&,
+                                           Eigen::Matrix<S, 3, 3>& tau_q, Eigen::Matrix<S, 3, 3>& tau_qd) {
+    tau_q.setZero();
+    const Vector h = inertia().cwiseProduct(w);
+    for (int k = 0; k < 3; ++k) {
+      const Vector e = Vector::Unit(k);
+      const Vector change = inertia().cwiseProduct(e);
+      tau_qd.col(k) = e.cross(h) + w.cross(change);
+    }
   }
   static Quaternion coordinate_rates(const Quaternion& p, const Vector& w) {
     return S(0.5) *

@@ -3,6 +3,7 @@
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
 #include "alembert/integrate.hpp"
+#include "alembert/linearize.hpp"
 #include "alembert/topology.hpp"
 #include "runtime/constrained_models.hpp"
 #include "runtime/models.hpp"
@@ -19,6 +20,11 @@ alembert::Status step_in_cxx17(Eigen::Vector4f& q, Eigen::Vector3f& w, Model::In
     return status;
   return alembert::semi_implicit_euler_step<Model>(q, w, in, alembert::energy<Model>(q, w, in).total(),
                                                    force);
+}
+
+alembert::Status linearize_in_cxx17(const Eigen::Vector4f& q, const Eigen::Vector3f& w,
+                                    alembert::Linearization<Model>& out) {
+  return alembert::linearize<Model>(q, w, w, {}, out);
 }
 
 using Top = models::HeldTop<float>;

@@ -8,6 +8,7 @@
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
 #include "alembert/integrate.hpp"
+#include "alembert/linearize.hpp"
 #include "alembert/version.hpp"
 #include "runtime/allocation_counter.hpp"
 #include "runtime/models.hpp"
@@ -30,12 +31,14 @@ static_assert(!alembert::is_mechanism_v<NotAMechanism>);
 static_assert(!alembert::is_mechanism_v<int>);
 static_assert(alembert::has_energy_v<SpinningBody<>>);
 static_assert(!alembert::has_energy_v<Dense<3>>);
+static_assert(alembert::has_derivatives_v<SpinningBody<>> && !alembert::has_derivatives_v<Dense<3>>);
 static_assert(alembert::MechanismType<Pendulum<>> && !alembert::MechanismType<NotAMechanism>);
 
 template <int N>
 void check_dense_solution() {
   using M = Dense<N>;
   typename M::Vector q, qd, tau, qdd, bias;
+  qdd.setZero();  // gcc does not see that ASSERT_EQ lets nothing pass but ok
   for (int i = 0; i < N; ++i) {
     q(i) = 0;
     qd(i) = std::sin(i);
@@ -152,6 +155,39 @@ double spin_error(Step step, int n, const Eigen::Vector4d& exact_q, const Eigen:
   return std::max((q - exact_q).norm(), (w - exact_w).norm());
 }
 
+TEST(Linearize, Pendulum) {
+  using M = Pendulum<>;
+  alembert::Linearization<M> out;
+  ASSERT_EQ(alembert::linearize<M>(M::Vector(0.7), M::Vector(0.1), M::Vector(0.3), {}, out), Status::ok);
+  const double ml2 = M::m * M::l * M::l;
+  EXPECT_NEAR(out.qdd(0), 0.3 / ml2 - M::g / M::l * std::sin(0.7), 1e-14);
+  EXPECT_NEAR(out.qdd_q(0), -M::g / M::l * std::cos(0.7), 1e-14);
+  EXPECT_EQ(out.qdd_qd(0), 0.0);
+  EXPECT_NEAR(out.qdd_tau(0), 1 / ml2, 1e-15);
+  const double before = out.qdd_q(0);
+  EXPECT_EQ(alembert::linearize<M>(M::Vector(kNan), M::Vector(0.1), M::Vector(0.3), {}, out),
+            Status::not_finite);
+  EXPECT_EQ(out.qdd_q(0), before);
+}
+
+/// Euler's equations of a free body, J w' = tau - w x J w: w'_1 = (tau_1 - (J_3 - J_2) w_2 w_3) / J_1.
+TEST(Linearize, SpinningBody) {
+  using M = SpinningBody<>;
+  const M::Vector w(0.3, -0.8, 0.5), tau(0.1, 0.2, -0.4), J = M::inertia();
+  alembert::Linearization<M> out;
+  ASSERT_EQ(alembert::linearize<M>(Eigen::Vector4d(0, 0, 0, 1), w, tau, {}, out), Status::ok);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const double gyration = (J(k) - J(j)) / J(i);
+    EXPECT_NEAR(out.qdd(i), tau(i) / J(i) - gyration * w(j) * w(k), 1e-15);
+    EXPECT_NEAR(out.qdd_qd(i, i), 0, 1e-15);
+    EXPECT_NEAR(out.qdd_qd(i, j), -gyration * w(k), 1e-15);
+    EXPECT_NEAR(out.qdd_qd(i, k), -gyration * w(j), 1e-15);
+    EXPECT_NEAR(out.qdd_tau(i, i), 1 / J(i), 1e-15);
+  }
+  EXPECT_EQ(out.qdd_q.norm(), 0.0);
+}
+
 TEST(Integrate, OrderOfConvergenceWithQuaternions) {
   using M = SpinningBody<>;
   const auto rk4 = [](Eigen::Vector4d& q, Eigen::Vector3d& w, M::Inputs& in, double h) {
@@ -247,6 +283,10 @@ std::size_t allocations_of_all_calls(alembert::CoordinateVector<M> q) {
   ok = ok && alembert::rk4_step<M>(q, qd, in, 1e-3, no_force<M>) == Status::ok;
   ok = ok && alembert::semi_implicit_euler_step<M>(q, qd, in, 1e-3, no_force<M>) == Status::ok;
   ok = ok && alembert::kinetic_energy<M>(q, qd, in) > 0;
+  if constexpr (alembert::has_derivatives_v<M>) {
+    alembert::Linearization<M> out;
+    ok = ok && alembert::linearize<M>(q, qd, qd, in, out) == Status::ok;
+  }
   const std::size_t after = allocation_count();
   Eigen::internal::set_is_malloc_allowed(true);
   EXPECT_TRUE(ok);

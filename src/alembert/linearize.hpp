@@ -1,0 +1,77 @@
+// Forward dynamics to first order. In: a state, forces and a mechanism's derivatives of inverse dynamics.
+// Out: the accelerations and what they become as state and forces change. No heap, no exceptions.
+#pragma once
+
+#include <initializer_list>
+#include <type_traits>
+#include <utility>
+
+#include "alembert/forward_dynamics.hpp"
+
+namespace alembert {
+
+/// Rates of the speeds and their partial derivatives, n_v x n_v each: along the speeds, that is by the
+/// coordinates (by turns about the body's axes for a quaternion, column k as q changes by N(q) e_k), by the
+/// speeds, and by the forces.
+template <class M>
+struct Linearization {
+  SpeedVector<M> qdd;
+  SpeedMatrix<M> qdd_q, qdd_qd, qdd_tau;
+};
+
+namespace detail {
+
+template <class M, class = void>
+struct HasDerivatives : std::false_type {};
+template <class M>
+struct HasDerivatives<M,
+                      std::void_t<decltype(M::inverse_dynamics_derivatives(
+                          std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+                          std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
+                          std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
+    : std::true_type {};
+
+}  // namespace detail
+
+/// True if M also has inverse_dynamics_derivatives: generate it with this function.
+template <class M>
+inline constexpr bool has_derivatives_v = detail::HasDerivatives<M>::value;
+
+/// Linearizes forward dynamics, as if there were no constraints: with qdd = M^-1 (tau - c),
+/// d qdd = M^-1 (d tau - tau_q d q - tau_qd d qd), where tau_q and tau_qd are the derivatives of inverse
+/// dynamics at this qdd.
+///
+/// \param q    coordinates, n_q x 1
+/// \param qd   speeds, n_v x 1
+/// \param tau  generalized forces, n_v x 1
+/// \param in   time, runtime parameters, external wrenches
+/// \param out  result; left as it was unless the status is ok
+/// \return     ok, or why there is no result, as of forward_dynamics
+template <class M>
+[[nodiscard]] Status linearize(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
+                               const SpeedVector<M>& tau, const typename M::Inputs& in,
+                               Linearization<M>& out) {
+  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(has_derivatives_v<M>, "generate M with inverse_dynamics_derivatives");
+  SpeedMatrix<M> mass;
+  Linearization<M> result;
+  M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);
+  if (const Status status = detail::solve_for_rates(tau, mass, result.qdd); status != Status::ok)
+    return status;
+  M::inverse_dynamics_derivatives(q, qd, result.qdd, in, result.qdd_q, result.qdd_qd);
+  result.qdd_q = -result.qdd_q;
+  result.qdd_qd = -result.qdd_qd;
+  result.qdd_tau.setIdentity();
+  for (SpeedMatrix<M>* columns : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau}) {
+    for (int k = 0; k < M::kNv; ++k) {
+      SpeedVector<M> x = columns->col(k);
+      solve_ldlt(mass, x);
+      columns->col(k) = x;
+    }
+    if (!detail::all_finite(*columns)) return Status::not_finite;
+  }
+  out = result;
+  return Status::ok;
+}
+
+}  // namespace alembert
