@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "differentiation/jacobian.hpp"
 #include "dynamics/constraints.hpp"
+#include "dynamics/force_derivatives.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/reduced_equations.hpp"
 #include "dynamics/screw_peeling.hpp"
@@ -195,29 +195,6 @@ std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const Equations
   return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
 }
 
-/// Derivatives of the forces Q(q, u, ud): of each along the speeds, sum_a dQ/dq_a N_ak, and by them.
-std::vector<OutputExpressions> force_derivatives(const Kinematics& kinematics, const std::vector<Expr>& Q) {
-  std::vector<Expr> variables;
-  for (const Coordinate& coordinate : kinematics.mechanism.coordinates)
-    variables.insert(variables.end(), coordinate.symbols.begin(), coordinate.symbols.end());
-  const std::size_t nq = variables.size(), nv = Q.size();
-  for (int k = 0; k < kinematics.mechanism.nv; ++k) variables.push_back(kinematics.derivatives.speed(k));
-  const Jacobian by = jacobian(Q, variables);
-  const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
-  std::vector<Expr> both(2 * nv * nv, kinematics.graph.zero());
-  for (std::size_t i = 0; i < nv; ++i) {
-    for (std::size_t k = 0; k < nv; ++k) {
-      for (std::size_t a = 0; a < nq; ++a)
-        if (!N[a * nv + k].is_zero()) both[i * nv + k] += by(i, a) * N[a * nv + k];
-      both[(nv + i) * nv + k] = by(i, nq + k);
-    }
-  }
-  both = value_number(both);
-  const auto middle = both.begin() + static_cast<std::ptrdiff_t>(nv * nv);
-  const std::uint32_t n = static_cast<std::uint32_t>(nv);
-  return {{"tau_q", n, n, {both.begin(), middle}}, {"tau_qd", n, n, {middle, both.end()}}};
-}
-
 }  // namespace
 
 std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
@@ -273,8 +250,11 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
       return {{"J", 6 * bodies, nv, for_either_tree(kinematics, body_jacobians)}};
     case FunctionKind::body_inertias:
       return {{"inertias", bodies, 10, body_inertias(mechanism)}};
-    case FunctionKind::inverse_dynamics_derivatives:
-      return force_derivatives(kinematics, equations.Q);
+    case FunctionKind::inverse_dynamics_derivatives: {
+      const std::vector<Expr> both = force_derivatives(kinematics, equations);
+      const auto middle = both.begin() + static_cast<std::ptrdiff_t>(nv * nv);
+      return {{"tau_q", nv, nv, {both.begin(), middle}}, {"tau_qd", nv, nv, {middle, both.end()}}};
+    }
   }
   return {};
 }

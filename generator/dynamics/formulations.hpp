@@ -57,6 +57,11 @@ std::vector<Expr> straight_line_solve(std::vector<Expr> M, std::vector<Expr> rig
 std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, const MotionTree& tree,
                                                    std::span<const Expr> right_side, ExprGraph& graph);
 
+/// D_l Q_k, then dQ_k/du_l (nv x nv each, row major), by recursions over a tree of the mechanism's motions.
+std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const MotionTree& tree,
+                                              const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                              FarPairs far);
+
 /// Kinetic and potential energy, in this order.
 std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
 

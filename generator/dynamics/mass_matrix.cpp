@@ -2,6 +2,7 @@
 // `substitute`.
 #include <algorithm>
 
+#include "dynamics/composite.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/meeting_frames.hpp"
 #include "dynamics/scaled_vectors.hpp"
@@ -10,70 +11,6 @@
 namespace alembert {
 
 namespace {
-
-/// Mass, first moment h and pseudo-inertia K (integral of r r^T dm) of everything that moves with a frame,
-/// about its origin.
-struct Composite {
-  Expr mass;
-  Vec3 h;
-  Mat3 K;  ///< symmetric; all nine entries are kept equal in pairs
-};
-
-Composite plus(Composite x, const Composite& y) {
-  x.mass += y.mass;
-  x.h = x.h + y.h;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      x.K(i, j) += y.K(i, j);
-      x.K(j, i) = x.K(i, j);
-    }
-  }
-  return x;
-}
-
-/// K = tr(J)/2 - J.
-Mat3 pseudo_inertia(const Mat3& J, ExprGraph& g) {
-  Expr trace = J(0, 0) + J(1, 1);
-  trace += J(2, 2);
-  const Expr half_trace = g.rational(Rational(1, 2)) * trace;
-  Mat3 K;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) K(i, j) = i == j ? half_trace - J(i, j) : -J(i, j);
-  }
-  return K;
-}
-
-/// J d = tr(K) d - K d.
-Vec3 times_inertia(const Mat3& K, const Vec3& d) {
-  Vec3 out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
-    Expr sum = (K(j, j) + K(l, l)) * d[i];
-    sum -= K(i, j) * d[j];
-    sum -= K(i, l) * d[l];
-    out[i] = sum;
-  }
-  return out;
-}
-
-/// Moves the point of reference: h' = h + m t; with k = h + m t/2, K' = K + k t^T + t k^T.
-Composite shifted(const Composite& x, const Vec3& t, ExprGraph& g) {
-  Composite out = x;
-  const Expr half = g.rational(Rational(1, 2));
-  Vec3 k;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Expr mt = x.mass * t[i];
-    out.h[i] = x.h[i] + mt;
-    k[i] = x.h[i] + half * mt;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      const Expr kt = k[i] * t[j], tk = t[i] * k[j];
-      out.K(i, j) = out.K(j, i) = x.K(i, j) + (kt + tk);
-    }
-  }
-  return out;
-}
 
 std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& g) {
   std::vector<UnitMotion> result;
@@ -112,8 +49,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
   const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far), graph);
   for (std::size_t i = 0; i < count; ++i) {
-    const NodeMass& mass = tree.masses[i];
-    composites[i] = {mass.mass, mass.moment, pseudo_inertia(mass.inertia, graph)};
+    composites[i] = composite(tree.masses[i], graph);
   }
 
   const std::vector<Scale> scales = node_scales(tree);
@@ -174,13 +110,7 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
       }
     }
     if (node.parent < 0) continue;
-    Composite moved = body;
-    if (linear) {
-      moved = shifted(body, node.motion.offset, graph);
-    } else {
-      moved.h = node.motion.to_parent(body.h);
-      moved.K = turned_symmetric(body.K, node.motion);
-    }
+    const Composite moved = linear ? shifted(body, node.motion.offset, graph) : turned(body, node.motion);
     Composite& up = composites[static_cast<std::size_t>(node.parent)];
     up = plus(up, moved);
   }

@@ -280,7 +280,8 @@ MeetingFrames::MeetingFrames(const MotionTree& tree, const UnitMotions& units, M
 
 void MeetingFrames::add_twists(int meeting, std::size_t node, const Pose& pose,
                                std::span<const UnitMotion> units, ExprGraph& graph) {
-  std::vector<Twist>& twists = twists_[{meeting, static_cast<int>(node)}];
+  std::vector<Twist>& twists =
+      inside_.emplace(std::pair(meeting, static_cast<int>(node)), Inside{pose, {}}).first->second.twists;
   const bool linear = tree_.nodes[node].motion.kind == MotionKind::translation;
   // Any point of the axis will do; one before the slide has more zeros near the meeting frame.
   const std::size_t point = point_on_axis(tree_, node);
@@ -305,7 +306,7 @@ Momentum MeetingFrames::at_meeting(std::size_t node, const Momentum& momentum) c
 
 Expr MeetingFrames::along(std::size_t posed, std::size_t node, std::size_t unit,
                           const Momentum& momentum) const {
-  const Twist& twist = twists_.at({plan_[posed], static_cast<int>(node)})[unit];
+  const Twist& twist = inside_.at({plan_[posed], static_cast<int>(node)}).twists[unit];
   const Expr angular = dot(twist.angular, momentum.n);
   const Expr linear = dot(twist.linear, momentum.f);
   return angular + linear;

@@ -49,19 +49,29 @@ class MeetingFrames {
   /// Component of a momentum that is in the meeting frame of `posed` along a unit motion of `node`, which is
   /// `posed` or lies inward of it.
   Expr along(std::size_t posed, std::size_t node, std::size_t unit, const Momentum& momentum) const;
+  /// The meeting frame of a posed node, and the pose there of that node or of one inward of it.
+  int meeting_of(std::size_t posed) const { return plan_[posed]; }
+  const Pose& pose(int meeting, std::size_t node) const {
+    return inside_.at({meeting, static_cast<int>(node)}).pose;
+  }
 
  private:
   /// In a meeting frame: angular velocity a, and velocity of what moves along at its origin.
   struct Twist {
     Vec3 angular, linear;
   };
+  /// A node in a meeting frame, posed in it or inward of it.
+  struct Inside {
+    Pose pose;
+    std::vector<Twist> twists;
+  };
   void add_twists(int meeting, std::size_t node, const Pose& pose, std::span<const UnitMotion> units,
                   ExprGraph& graph);
 
   const MotionTree& tree_;
   MeetingPlan plan_;
-  std::vector<Pose> poses_;                                   ///< of posed nodes
-  std::map<std::pair<int, int>, std::vector<Twist>> twists_;  ///< by meeting frame and node
+  std::vector<Pose> poses_;                       ///< of posed nodes
+  std::map<std::pair<int, int>, Inside> inside_;  ///< by meeting frame and node
 };
 
 }  // namespace alembert

@@ -1,0 +1,14 @@
+// Derivatives of the forces of inverse dynamics, along the speeds and by them: equations of motion in, the
+// shortest derivatives that the methods give out.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/equations.hpp"
+
+namespace alembert {
+
+/// D_l Q_k, then dQ_k/du_l (nv x nv each, row major), where D_l is the derivative along speed l.
+std::vector<Expr> force_derivatives(const Kinematics& kinematics, const EquationsOfMotion& equations);
+
+}  // namespace alembert
