@@ -68,6 +68,14 @@ std::vector<int> SpeedDerivatives::variables_in(std::span<const Expr> functions)
 }
 
 std::vector<SpeedPartial> SpeedDerivatives::partials(std::span<const Expr> functions) const {
+  std::vector<std::uint32_t> key;
+  for (const Expr function : functions) key.push_back(function.ref().bits);
+  const auto at = known_.find(key);
+  if (at != known_.end()) return at->second;
+  return known_.emplace(std::move(key), derived(functions)).first->second;
+}
+
+std::vector<SpeedPartial> SpeedDerivatives::derived(std::span<const Expr> functions) const {
   const std::vector<int> present = variables_in(functions);
   if (present.empty()) return {};
 

@@ -3,6 +3,9 @@
 // D_t f.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -53,6 +56,7 @@ class SpeedDerivatives {
     int coordinate;  ///< -1: time
     int component;
   };
+  std::vector<SpeedPartial> derived(std::span<const Expr> functions) const;
   /// Indices into variables_ of those that the functions depend on, ascending.
   std::vector<int> variables_in(std::span<const Expr> functions) const;
 
@@ -63,6 +67,7 @@ class SpeedDerivatives {
   std::vector<Variable> variables_;      ///< all coordinates' symbols, then time
   std::vector<int> variable_of_symbol_;  ///< by symbol index; -1: not a variable
   std::vector<Expr> speeds_, rates_;
+  mutable std::map<std::vector<std::uint32_t>, std::vector<SpeedPartial>> known_;  ///< by the functions' bits
 };
 
 /// Column `speed` (0..2) of N for a unit quaternion x y z w with qdot = 1/2 q (u, 0): four entries.

@@ -9,8 +9,8 @@
 #include <functional>
 #include <map>
 
-#include "differentiation/complex_evaluation.hpp"
 #include "differentiation/jacobian.hpp"
+#include "dynamics/by_complex_steps.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/rigid_links.hpp"
@@ -292,41 +292,14 @@ TEST_P(UnmovedLaws, BodyJacobiansAndInertiasGiveTheKineticEnergy) {
   EXPECT_GE(finite, kStates / 2);
 }
 
-/// The derivatives of the forces against complex steps, which share nothing with them but the forces.
 TEST_P(Laws, DerivativesOfTheForcesAreThoseByComplexSteps) {
-  const Mechanism& mechanism = *loaded.mechanism;
   const std::vector<OutputExpressions> outputs =
       function_outputs(kinematics, equations, FunctionKind::inverse_dynamics_derivatives);
   ASSERT_EQ(outputs.size(), 2U);
-  std::vector<Expr> coordinates, speeds;
-  for (const Coordinate& coordinate : mechanism.coordinates)
-    coordinates.insert(coordinates.end(), coordinate.symbols.begin(), coordinate.symbols.end());
-  for (std::size_t k = 0; k < nv; ++k) speeds.push_back(kinematics.derivatives.speed(static_cast<int>(k)));
+  std::vector<Expr> both = outputs[0].values;
+  both.insert(both.end(), outputs[1].values.begin(), outputs[1].values.end());
   constexpr unsigned kFewStates = 3;
-  unsigned finite = 0;
-  for (unsigned seed = 0; seed < kFewStates; ++seed) {
-    const std::vector<double> state = state_values(mechanism, *loaded.graph, seed);
-    for (const std::size_t k : {0U, 1U}) {
-      std::vector<double> expected = complex_step(equations.Q, k == 0 ? coordinates : speeds, state);
-      if (k == 0) {
-        using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-        const auto n = static_cast<Eigen::Index>(nv), nq = static_cast<Eigen::Index>(mechanism.nq);
-        const std::vector<double> rates = evaluate(kinematics.derivatives.coordinate_rate_matrix(), state);
-        const Matrix along =
-            Eigen::Map<const Matrix>(expected.data(), n, nq) * Eigen::Map<const Matrix>(rates.data(), nq, n);
-        expected.assign(along.data(), along.data() + along.size());
-      }
-      const std::vector<double> found = evaluate(outputs[k].values, state);
-      ASSERT_EQ(found.size(), expected.size());
-      double scale = 1;
-      for (const double v : expected) scale = std::max(scale, std::abs(v));
-      if (!std::isfinite(scale)) continue;
-      ++finite;
-      for (std::size_t i = 0; i < found.size(); ++i)
-        EXPECT_NEAR(found[i], expected[i], 1e-10 * scale) << outputs[k].name << i << " at state " << seed;
-    }
-  }
-  EXPECT_GE(finite, kFewStates);
+  EXPECT_GE(expect_force_derivatives(loaded, kinematics.derivatives, equations.Q, both, kFewStates), 2U);
 }
 
 /// Solving for the accelerations by the straight-line factorisation gives back the forces.
