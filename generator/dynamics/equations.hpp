@@ -56,6 +56,8 @@ struct EquationsOfMotion {
   std::vector<Expr> c;  ///< nv
   /// Motions and masses that M is of, if forward dynamics may be by articulated bodies.
   std::optional<MotionTree> articulated = {};
+  /// Motions and masses that Q is of, in the reduced form.
+  std::optional<MotionTree> tree = {};
 };
 /// Stage `equations`. Q by the formulation; M by `coefficient`, or by composite bodies where that is shorter;
 /// c by `substitute`. The passes are for the reduced form.

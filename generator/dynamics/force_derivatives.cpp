@@ -58,6 +58,7 @@ std::vector<Expr> force_derivatives(const Kinematics& kinematics, const Equation
     }
   };
   if (equations.articulated) add_recursions(*equations.articulated);
+  if (equations.tree && (found.empty() || found.front().first <= kLong)) add_recursions(*equations.tree);
   if (found.empty() || found.front().first <= kLong) {
     add_recursions(kinematics.tree);
     if (kinematics.peeled) add_recursions(*kinematics.peeled);

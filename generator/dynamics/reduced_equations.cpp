@@ -298,6 +298,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   EquationsOfMotion equations;
   equations.formulation = Formulation::reduced;
   equations.Q = forces.best();
+  equations.tree = forces.best_tree();
   if (passes.articulation) equations.articulated = masses.best_tree();
   Shortest M([&](const std::vector<Expr>& values) { return masses.measure(values); });
   Shortest c([&](const std::vector<Expr>& values) { return forces.measure(values); });
