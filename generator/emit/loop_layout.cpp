@@ -5,6 +5,7 @@
 
 #include "emit/statement_layout.hpp"
 #include "program/operation.hpp"
+#include "support/error.hpp"
 
 namespace alembert {
 namespace {
@@ -50,6 +51,7 @@ LoopLayout::LoopLayout(const Program& program, std::vector<Fixed> fixed, std::si
   if (!possible_) return;
   assign_places();
   find_stores();
+  check();
 }
 
 int LoopLayout::operands(std::uint32_t v) const {
@@ -254,6 +256,22 @@ int LoopLayout::direction_of_row(const std::vector<std::uint32_t>& values, std::
   return (k == 0) == last ? direction : -direction;
 }
 
+/// Whether a loop leaves value v at a position of a track: its row lies there as a whole. Only fixed tracks
+/// have parts of rows; straight code fills those, after all loops.
+bool LoopLayout::is_left_at(const Track& track, int position, std::uint32_t v) const {
+  if (loop_[v] == kNoPlace || !track.fixed) return true;
+  const Loop& l = program_.loops[loop_[v]];
+  const auto own = static_cast<int>(iteration(v));
+  for (const int d : {1, -1}) {
+    bool whole = true;
+    for (int n = 0; n < static_cast<int>(l.count) && whole; ++n)
+      whole = at(track, position + d * (n - own)) ==
+              value(loop_[v], static_cast<std::uint32_t>(n), (v - l.first) % l.length);
+    if (whole) return true;
+  }
+  return false;
+}
+
 bool LoopLayout::arrange(std::uint32_t number, int position, int direction,
                          const std::vector<std::uint32_t>& values, bool more_stores) {
   const Track& track = tracks_[number];
@@ -261,7 +279,10 @@ bool LoopLayout::arrange(std::uint32_t number, int position, int direction,
   for (std::size_t k = 0; k < values.size(); ++k) {
     const int here = position + direction * static_cast<int>(k);
     const std::uint32_t v = values[k];
-    if (at(track, here) == v) continue;
+    if (at(track, here) == v) {
+      if (!is_left_at(track, here, v)) return false;
+      continue;
+    }
     if (!more_stores && loop_[v] != kNoPlace) return false;
     if (!add(additions, track, here, v)) return false;
     if (loop_[v] == kNoPlace) continue;
@@ -341,6 +362,38 @@ void LoopLayout::find_stores() {
         std::erase_if(places, [&](std::uint32_t place) { return std::ranges::count(stored, place) == 0; });
       }
     }
+}
+
+/// Goes through the loops as the code will, and looks whether they find what they are to find.
+void LoopLayout::check() const {
+  std::vector<std::uint32_t> held(end_, kNoPlace);  // the value in each element of w
+  const auto leave = [&](std::uint32_t v) {
+    for (const std::uint32_t place : places_[v]) held[place] = v;
+  };
+  for (std::uint32_t v = 0; v < program_.code.size(); ++v)
+    if (is_leaf(program_.code[v].op)) leave(v);
+  std::uint32_t begin = 0;
+  for (std::uint32_t l = 0; l < program_.loops.size(); ++l) {
+    const Loop& loop = program_.loops[l];
+    for (; begin < loop.first; ++begin) leave(begin);
+    begin += loop.length * loop.count;
+    for (std::uint32_t n = 0; n < loop.count; ++n)
+      for (std::uint32_t i = 0; i < loop.length; ++i) {
+        const std::uint32_t v = value(l, n, i);
+        for (int k = 0; k < operands(v); ++k) {
+          const LoopOperand& o = bodies_[l].operands[i][static_cast<std::size_t>(k)];
+          const std::uint32_t wanted = operand(v, static_cast<std::size_t>(k));
+          bool found = true;  // what is no value of w is compared where it is found
+          if (o.kind == LoopOperand::Kind::inside) found = value(l, n, o.index) == wanted;
+          if (o.kind == LoopOperand::Kind::carried && n > 0) found = value(l, n - 1, o.index) == wanted;
+          if (o.kind == LoopOperand::Kind::memory || (o.kind == LoopOperand::Kind::carried && n == 0))
+            found = held[static_cast<std::size_t>(o.element.first + o.element.step * n)] == wanted;
+          if (!found) throw InternalError("a loop does not find a value that it needs");
+        }
+        for (const Element& e : bodies_[l].stores[i])
+          held[static_cast<std::size_t>(e.first + e.step * n)] = v;
+      }
+  }
 }
 
 }  // namespace alembert

@@ -115,6 +115,7 @@ class LoopLayout {
   bool arrange(std::uint32_t track, int position, int direction, const std::vector<std::uint32_t>& values,
                bool more_stores);
   bool add(Additions& additions, const Track& track, int position, std::uint32_t v) const;
+  bool is_left_at(const Track& track, int position, std::uint32_t v) const;
   int direction_of_row(const std::vector<std::uint32_t>& values, std::size_t k, int direction) const;
   std::uint32_t at(const Track& track, int position) const;
   void set(std::uint32_t track, int position, std::uint32_t v);
@@ -122,6 +123,7 @@ class LoopLayout {
   void assign_places();
   void find_carried();
   void find_stores();
+  void check() const;
 
   const Program& program_;
   bool possible_ = true;

@@ -7,14 +7,17 @@
 #include <cstdint>
 #include <five_bar/five_bar.hpp>
 #include <free_body/free_body.hpp>
+#include <memory>
 #include <puma560/puma560.hpp>
 #include <rolling_ellipsoids/rolling_ellipsoids.hpp>
 #include <runtime_parameters/runtime_parameters.hpp>
 #include <span>
+#include <string>
 #include <tree_every_joint/tree_every_joint.hpp>
 
 #include "alembert/integrate.hpp"
 #include "alembert/linearize.hpp"
+#include "emit/emit.hpp"
 #include "emit/interpreted_states.hpp"
 #include "mechanism/load.hpp"
 #include "pipeline.hpp"
@@ -136,6 +139,44 @@ TEST(CompiledMechanism, RollingEllipsoids) {
 }
 TEST(CompiledMechanism, FreeBody) {
   check<bits::free_body::Mechanism<>>("mechanisms/free_body");
+}
+
+/// A general chain by modified Denavit-Hartenberg parameters.
+std::string revolute_chain(int joints) {
+  const auto number = [](int k, int which) {  // 0.20 to 0.99
+    return "0." + std::to_string(20 + (k * 37 + which * 23 + k * k * (which + 5)) % 80);
+  };
+  std::string coordinates, bodies;
+  for (int k = 0; k < joints; ++k) {
+    const std::string name = std::to_string(k);
+    coordinates += "  - q" + name + "\n";
+    bodies += "  - name: b" + name + "\n";
+    if (k > 0) bodies += "    parent: b" + std::to_string(k - 1) + "\n";
+    bodies += "    transform:\n      - rotate: {axis: x, angle: " + number(k, 1) + "}\n";
+    bodies += "      - translate: [" + number(k, 2) + ", 0, 0]\n";
+    bodies += "      - joint: {type: revolute, axis: z, coordinates: [q" + name + "]}\n";
+    bodies += "      - translate: [0, 0, " + number(k, 3) + "]\n";
+    bodies +=
+        "    mass: 2\n    com: [" + number(k, 4) + ", 0.2, 0.1]\n    inertia: {xx: 0.2, yy: 0.21, zz: 0.22, ";
+    bodies += "xy: 0.02, xz: 0.01, yz: 0.01}\n";
+  }
+  return "alembert: 1\nname: chain\ncoordinates:\n" + coordinates + "bodies:\n" + bodies;
+}
+
+/// A loop reads what another has left for the tables of dot products. That it finds it is checked while the
+/// code is written.
+TEST(CompiledMechanism, LoopsReadTables) {
+  alembert::CompileOptions options;
+  options.functions = {FunctionKind::inverse_dynamics_derivatives};
+  for (const int joints : {16, 20}) {
+    const auto source = std::make_shared<const alembert::SourceText>(
+        alembert::SourceText{"chain.yaml", revolute_chain(joints)});
+    const alembert::CompiledMechanism compiled = alembert::compile_mechanism(source, options);
+    const alembert::Program& program = compiled.functions[0].program;
+    EXPECT_GE(program.loops.size(), 2u);
+    EXPECT_GT(alembert::dot_products(program), 50u);
+    EXPECT_NO_THROW(alembert::emit_mechanism(*compiled.mechanism, {&program, 1}, {}));
+  }
 }
 
 /// Derivatives of the forward dynamics against its differences, quaternions turned about the body's axes.
