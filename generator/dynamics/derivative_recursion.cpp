@@ -160,7 +160,7 @@ void Recursion::outward() {
     shift_rates_.push_back(is_linear(i) ? cross(from.om, node(i).motion.offset) + node(i).velocity : none_);
     FrameMotion frame = next(from, node(i));
     movers_.push_back(movers(from, node(i), frame));
-    frames_.push_back(std::move(frame));
+    frames_.push_back(frame);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "dynamics/force_derivatives.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "differentiation/jacobian.hpp"
@@ -70,12 +71,12 @@ std::vector<Expr> force_derivatives(const Kinematics& kinematics, const Equation
 
   // Where it is close, the optimised programs decide.
   std::size_t best = 0;
-  Length shortest;
+  std::optional<Length> shortest;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto& [operations, values] = found[i];
     if (2 * operations > 3 * least) continue;
     const Length length = least > kCounted ? Length{operations, 0} : kinematics.lengths.of(values);
-    if (shortest.first != 0 && !(length < shortest)) continue;
+    if (shortest && !(length < *shortest)) continue;
     shortest = length;
     best = i;
   }
