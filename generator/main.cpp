@@ -36,12 +36,14 @@ std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names) 
   for (const FunctionKind kind : all_function_kinds()) known.emplace_back(to_string(kind));
   std::vector<FunctionKind> kinds;
   for (const std::string& name : names) {
+    const SourceLocation here{std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1};
     const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end()) {
-      throw InputError({std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1},
-                       "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
-    }
-    kinds.push_back(all_function_kinds()[static_cast<std::size_t>(found - known.begin())]);
+    if (found == known.end())
+      throw InputError(here, "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
+    const FunctionKind kind = all_function_kinds()[static_cast<std::size_t>(found - known.begin())];
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
+      throw InputError(here, name + " is given twice");
+    kinds.push_back(kind);
   }
   return kinds;
 }
@@ -147,11 +149,15 @@ int run(int argc, char** argv) {
   command->add_flag("--json", report.json, "as JSON");
   command->callback([&] { result = run_report(common, report); });
 
-  bool evaluate_json = false;
+  EvaluateOptions evaluate;
   command = add_command(app, "evaluate",
                         "states in (JSON, one a line, standard input), tau, M, c and qdd out", common);
-  command->add_flag("--json", evaluate_json, "as JSON, one object a line");
-  command->callback([&] { result = run_evaluate(common, evaluate_json); });
+  command
+      ->add_option("--functions", evaluate.functions,
+                   "functions whose results are wanted instead, as `generate` writes them")
+      ->delimiter(',');
+  command->add_flag("--json", evaluate.json, "as JSON, one object a line");
+  command->callback([&] { result = run_evaluate(common, evaluate); });
 
   SimulateOptions simulate;
   command =

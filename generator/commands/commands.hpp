@@ -25,7 +25,8 @@ struct CommonOptions {
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions);
 
-/// The functions with these names, as `--functions` takes them; an unknown name is an InputError.
+/// The functions with these names, as `--functions` takes them; a name that is unknown or given twice is an
+/// InputError.
 std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
 
 struct GenerateOptions {
@@ -47,7 +48,13 @@ struct ReportOptions {
   bool json = false;
 };
 int run_report(const CommonOptions& common, const ReportOptions& options);
-int run_evaluate(const CommonOptions& common, bool json);
+
+struct EvaluateOptions {
+  std::vector<std::string> functions;  ///< none: tau, M, c, qdd and what else a state gives
+  bool json = false;
+};
+int run_evaluate(const CommonOptions& common, const EvaluateOptions& options);
+
 int run_check(const CommonOptions& common);
 
 struct SimulateOptions {

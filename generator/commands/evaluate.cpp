@@ -1,16 +1,18 @@
 // `evaluate`: states in, one JSON object a line; tau, M, c and the accelerations of forward dynamics out, and
-// with constraints their rows, residuals and reactions.
+// with constraints their rows, residuals and reactions; or the results of the functions asked for.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "commands/dynamics_evaluator.hpp"
 #include "commands/interpreted_mechanism.hpp"
+#include "emit/function_signature.hpp"
 
 namespace alembert {
 
@@ -233,21 +235,74 @@ std::string text_answer(const Answer& a) {
   return out + "\n";
 }
 
+/// tau, M, c, accelerations, rates and poses, and the constraints there are.
+class WholeDynamics {
+ public:
+  WholeDynamics(const CompiledMechanism& compiled, const EvaluationState& defaults)
+      : compiled_(compiled), evaluator_(compiled), system_(compiled, defaults) {}
+  static std::vector<FunctionKind> functions() {
+    return {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias,
+            FunctionKind::coordinate_rates, FunctionKind::body_poses, FunctionKind::constraints};
+  }
+
+  std::string at(const EvaluationState& state, bool json) {
+    Answer answer;
+    answer.nv = static_cast<std::size_t>(compiled_.mechanism->nv);
+    answer.nc = system_.rows().size();
+    answer.tau = evaluator_(FunctionKind::inverse_dynamics, state);
+    answer.mass_matrix_and_bias = evaluator_(FunctionKind::mass_matrix_and_bias, state);
+    answer.constraints = evaluator_(FunctionKind::constraints, state);
+    answer.rates = evaluator_(FunctionKind::coordinate_rates, state);
+    answer.poses = evaluator_(FunctionKind::body_poses, state);
+    answer.forward = forward_dynamics(system_, state, state.tau.empty() ? answer.tau : state.tau);
+    return json ? json_answer(answer) : text_answer(answer);
+  }
+
+ private:
+  const CompiledMechanism& compiled_;
+  DynamicsEvaluator evaluator_;
+  InterpretedMechanism system_;
+};
+
+/// Results of each compiled function: arrays as the generated function fills them, by function and name.
+std::string function_results(const CompiledMechanism& compiled, const EvaluationState& state, bool json) {
+  DynamicsEvaluator evaluator(compiled);
+  std::string out;
+  for (const CompiledFunction& function : compiled.functions) {
+    const std::vector<double> values = evaluator(function.kind, state);
+    std::span<const double> left = values;
+    std::string arrays;
+    for (const ResultArray& result : find_signature(to_string(function.kind))->results) {
+      const std::span<const double> array = left.first(array_size(result.size, *compiled.mechanism));
+      left = left.subspan(array.size());
+      const std::size_t columns = array_columns(result.size, *compiled.mechanism);
+      if (json) {
+        arrays += fmt::format("{}\"{}\": {}", arrays.empty() ? "" : ", ", result.name,
+                              columns == 0 ? json_array(array) : json_matrix(array, columns));
+      } else {
+        arrays += columns == 0 ? text_row(result.name, array) : text_matrix(result.name, array, columns);
+      }
+    }
+    out += json ? fmt::format("{}\"{}\": {{{}}}", out.empty() ? "" : ", ", to_string(function.kind), arrays)
+                : fmt::format("{}\n{}", to_string(function.kind), arrays);
+  }
+  return json ? "{" + out + "}\n" : out + "\n";
+}
+
 }  // namespace
 
-int run_evaluate(const CommonOptions& common, bool json) {
+int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
   if (common.file == "-") {
     throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
                      "evaluate reads states from standard input, so the description must be a file");
   }
+  const std::vector<FunctionKind> functions = function_kinds(options.functions);
   const CompiledMechanism compiled =
-      compile(common, {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias,
-                       FunctionKind::coordinate_rates, FunctionKind::body_poses, FunctionKind::constraints});
-  const Mechanism& mechanism = *compiled.mechanism;
-  DynamicsEvaluator evaluator(compiled);
-  const EvaluationState defaults = evaluator.initial_state();
-  InterpretedMechanism system(compiled, defaults);
-  StateReader reader(mechanism, defaults);
+      compile(common, functions.empty() ? WholeDynamics::functions() : functions);
+  const EvaluationState defaults = DynamicsEvaluator(compiled).initial_state();
+  std::optional<WholeDynamics> whole;
+  if (functions.empty()) whole.emplace(compiled, defaults);
+  StateReader reader(*compiled.mechanism, defaults);
 
   std::string text;
   for (int line = 1; std::getline(std::cin, text); ++line) {
@@ -257,16 +312,8 @@ int run_evaluate(const CommonOptions& common, bool json) {
                        "this line is too long for a state");
     }
     const EvaluationState state = reader.read(text, line);
-    Answer answer;
-    answer.nv = static_cast<std::size_t>(mechanism.nv);
-    answer.nc = system.rows().size();
-    answer.tau = evaluator(FunctionKind::inverse_dynamics, state);
-    answer.mass_matrix_and_bias = evaluator(FunctionKind::mass_matrix_and_bias, state);
-    answer.constraints = evaluator(FunctionKind::constraints, state);
-    answer.rates = evaluator(FunctionKind::coordinate_rates, state);
-    answer.poses = evaluator(FunctionKind::body_poses, state);
-    answer.forward = forward_dynamics(system, state, state.tau.empty() ? answer.tau : state.tau);
-    fmt::print("{}", json ? json_answer(answer) : text_answer(answer));
+    fmt::print("{}",
+               whole ? whole->at(state, options.json) : function_results(compiled, state, options.json));
     std::fflush(stdout);
   }
   return 0;

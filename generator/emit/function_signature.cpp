@@ -114,6 +114,27 @@ std::size_t array_size(ArraySize size, const Mechanism& mechanism) {
   throw InternalError("emit: array of unknown size");
 }
 
+std::size_t array_columns(ArraySize size, const Mechanism& mechanism) {
+  switch (size) {
+    case ArraySize::coordinates:
+    case ArraySize::speeds:
+    case ArraySize::two:
+    case ArraySize::constraints:
+      return 0;
+    case ArraySize::bodies_times_12:
+    case ArraySize::frames_times_12:
+      return 12;
+    case ArraySize::bodies_times_10:
+      return 10;
+    case ArraySize::speeds_squared:
+    case ArraySize::frames_times_6_speeds:
+    case ArraySize::constraints_times_speeds:
+    case ArraySize::bodies_times_6_speeds:
+      return static_cast<std::size_t>(mechanism.nv);
+  }
+  throw InternalError("emit: array of unknown size");
+}
+
 std::string_view array_name(ArgumentKind kind) {
   switch (kind) {
     case ArgumentKind::q:

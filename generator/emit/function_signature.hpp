@@ -48,6 +48,9 @@ const FunctionSignature* find_signature(std::string_view function);
 
 std::size_t array_size(ArraySize size, const Mechanism& mechanism);
 
+/// Columns of an array that holds matrices row by row (poses and inertias: one row a body); 0 for a vector.
+std::size_t array_columns(ArraySize size, const Mechanism& mechanism);
+
 /// Name of the array argument: q, qd, qdd, tau. InternalError for what is no array of its own.
 std::string_view array_name(ArgumentKind kind);
 

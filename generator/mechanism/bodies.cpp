@@ -97,7 +97,8 @@ std::map<std::string, int, std::less<>> declare_names(const Document& document, 
   return indices;
 }
 
-/// Positions of bodies in the file, every parent before its children and otherwise in file order.
+/// Positions of bodies in the file, in its order except that ancestors that come later stand just before the
+/// first body that needs them.
 std::vector<int> parents_first(const std::vector<Body>& bodies,
                                const std::vector<SourceLocation>& parent_places) {
   enum class Mark { unseen, on_path, placed };

@@ -101,6 +101,15 @@ TEST(Generate, UnknownFunctionNamesTheNearest) {
   EXPECT_THAT(result.err, HasSubstr("mass_matrix"));
 }
 
+TEST(Generate, AFunctionGivenTwiceIsAnError) {
+  const TemporaryFolder folder;
+  const CommandResult result =
+      alembert(folder, "generate " + mechanism_file("pendulum") +
+                           " --functions energy,bias,energy --out-dir " + (folder / "out"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("energy is given twice"));
+}
+
 TEST(Generate, AFolderThatCannotBeMadeIsAnError) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "text");

@@ -111,6 +111,42 @@ TEST(Evaluate, GivesForcesMassBiasAndAccelerations) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
+TEST(Evaluate, GivesTheResultsOfFunctionsAskedFor) {
+  const TemporaryFolder folder;
+  const std::string command =
+      "evaluate " + folder.write("pendulum.yaml", kPendulum) +
+      " --functions energy,inverse_dynamics_derivatives,forward_dynamics,body_jacobians,frame_poses";
+  const std::string state = R"({"q": [0.3], "qd": [0.7], "tau": [2]})";
+  const CommandResult result = alembert(folder, command + " --json", state + "\n{}\n");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  const json first = json::parse(line);
+  EXPECT_EQ(first.size(), 5u);
+  const double mass = 2 * 0.25, torque = 2 * 9.81 * 0.5;  // of gravity at a right angle
+  const auto expect_near = [](const json& value, double expected) {
+    EXPECT_NEAR(value.get<double>(), expected, 1e-14);
+  };
+  expect_near(first["energy"]["e"][0], mass * 0.7 * 0.7 / 2);
+  expect_near(first["energy"]["e"][1], -torque * std::cos(0.3));
+  expect_near(first["inverse_dynamics_derivatives"]["tau_q"][0][0], torque * std::cos(0.3));
+  expect_near(first["inverse_dynamics_derivatives"]["tau_qd"][0][0], 0);
+  expect_near(first["forward_dynamics"]["qdd"][0], (2 - torque * std::sin(0.3)) / mass);
+  ASSERT_EQ(first["body_jacobians"]["J"].size(), 6u);
+  expect_near(first["body_jacobians"]["J"][1][0], 1);
+  expect_near(first["body_jacobians"]["J"][3][0], -0.5 * std::cos(0.3));
+  EXPECT_EQ(first["frame_poses"]["F"], json::array());
+  // At the initial state, without forces.
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(json::parse(line)["forward_dynamics"]["qdd"][0], 0);
+  EXPECT_FALSE(std::getline(lines, line));
+
+  const CommandResult text = alembert(folder, command, state);
+  EXPECT_THAT(text.out, StartsWith("energy\ne "));
+  EXPECT_THAT(text.out, HasSubstr("\ninverse_dynamics_derivatives\ntau_q "));
+}
+
 struct BadState {
   const char* name;
   const char* line;
