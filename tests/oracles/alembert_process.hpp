@@ -7,6 +7,7 @@
 
 #include "oracles/state.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
+#include "oracles/taylor/numeric_functions.hpp"
 
 namespace alembert::oracles {
 
@@ -24,5 +25,13 @@ std::string json_of(const State& state);
 /// std::runtime_error with what it said if it fails, or if it does not answer each state.
 std::vector<Answer> ask_alembert(const std::string& executable, const std::string& file,
                                  const std::vector<State>& states, const std::string& formulation);
+
+/// The same with `--functions`, of the formulation that is chosen: what each function gives at each state.
+/// \param tau  forces at the states
+std::vector<std::map<std::string, Arrays>> ask_functions(const std::string& executable,
+                                                         const std::string& file,
+                                                         const std::vector<State>& states,
+                                                         const std::vector<Eigen::VectorXd>& tau,
+                                                         const std::vector<std::string>& functions);
 
 }  // namespace alembert::oracles

@@ -9,6 +9,7 @@
 
 #include "oracles/engines/constrained_engine.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
+#include "oracles/taylor/numeric_functions.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
 namespace alembert::oracles {
@@ -90,6 +91,37 @@ void append_forward(std::vector<Comparison>& lines, const Comparison& base,
   if (description.constraints.empty()) return;
   lines.push_back(judged(rows, "constraints"));
   lines.push_back(judged(reactions, "reactions"));
+}
+
+/// Each function as it would be generated. What inverse dynamics, M and c are at the states goes to
+/// `subject`.
+void append_functions(std::vector<Comparison>& lines, const Comparison& base, const std::string& executable,
+                      const std::string& file, const Description& description,
+                      const std::vector<State>& states, std::vector<Dynamics>& subject) {
+  std::vector<std::map<std::string, Arrays>> expected;
+  std::vector<Eigen::VectorXd> tau;
+  for (const State& state : states) {
+    expected.push_back(numeric_functions(description, state));
+    tau.emplace_back(expected.back().at("inverse_dynamics").at("tau"));
+  }
+  std::vector<std::string> functions;
+  for (const auto& [function, arrays] : expected.front()) functions.push_back(function);
+  const auto found = ask_functions(executable, file, states, tau, functions);
+  for (const std::string& function : functions) {
+    Comparison line = base;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      for (const auto& [name, values] : expected[i].at(function)) {
+        const Eigen::MatrixXd& subjects = found[i].at(function).at(name);
+        if (values.size() > 0 || subjects.size() > 0)
+          line.error = std::max(line.error, relative_error(subjects, values));
+      }
+    }
+    lines.push_back(judged(line, function));
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    subject[i] = {found[i].at("inverse_dynamics").at("tau"), found[i].at("mass_matrix").at("M"),
+                  found[i].at("bias").at("c")};
+  }
 }
 
 void append_engine(std::vector<Comparison>& lines, Comparison base, const Engine& engine,
@@ -234,7 +266,7 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
     for (const State& state : states) taylor.push_back(numeric_lagrangian(description, state));
     std::vector<Dynamics> subject = taylor;
     if (!executable.empty()) {
-      for (const std::string formulation : {"factored", "reduced", "auto"}) {
+      for (const std::string formulation : {"factored", "reduced"}) {
         if (formulation == "reduced" && description.bodies.size() > kChosenUpTo) continue;
         base.formulation = formulation;
         const std::vector<Answer> answers = ask_alembert(executable, file, states, formulation);
@@ -242,6 +274,8 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
         append(lines, base, subject, taylor);
         append_forward(lines, base, answers, description, states);
       }
+      base.formulation = "auto";
+      append_functions(lines, base, executable, file, description, states, subject);
     }
     const Description for_engines = equivalent.empty() ? description : read_description(equivalent);
     if (!equivalent.empty() && executable.empty()) {
@@ -264,7 +298,7 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
 }
 
 void print_table(const std::vector<Comparison>& lines) {
-  std::printf("%-22s %-18s %-11s %-8s %12s %8s  %s\n", "mechanism", "function", "formulation", "oracle",
+  std::printf("%-22s %-28s %-11s %-8s %12s %8s  %s\n", "mechanism", "function", "formulation", "oracle",
               "worst error", "within", "verdict");
   for (const Comparison& line : lines) {
     const bool measured =
@@ -274,7 +308,7 @@ void print_table(const std::vector<Comparison>& lines) {
       std::snprintf(error, sizeof error, "%.1e", line.error);
       std::snprintf(tolerance, sizeof tolerance, "%.0e", line.tolerance);
     }
-    std::printf("%-22s %-18s %-11s %-8s %12s %8s  %s%s%s\n", line.mechanism.c_str(), line.function.c_str(),
+    std::printf("%-22s %-28s %-11s %-8s %12s %8s  %s%s%s\n", line.mechanism.c_str(), line.function.c_str(),
                 line.formulation.c_str(), line.oracle.c_str(), error, tolerance, to_string(line.verdict),
                 line.note.empty() ? "" : "  ", line.note.c_str());
   }

@@ -30,10 +30,10 @@ struct BadlyConditioned : std::runtime_error {
 /// BadlyConditioned if they are too few.
 std::vector<State> comparable_states(const Description& description, int count, std::uint64_t seed);
 
-/// Compares `alembert evaluate`, by every formulation that gives a program of its own (or, if `executable` is
-/// empty, the numeric Lagrangian) with all oracles. Engines are given `equivalent` instead, if it is not
-/// empty: a description of the same mechanism in their words. Runtime parameters have their defaults, or
-/// these values.
+/// Compares `alembert evaluate`, by both formulations and for every function as it would be generated (or, if
+/// `executable` is empty, the numeric Lagrangian) with all oracles. Engines are given `equivalent` instead,
+/// if it is not empty: a description of the same mechanism in their words. Runtime parameters have their
+/// defaults, or these values.
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
                                 std::uint64_t seed, const std::string& equivalent = "",
                                 const std::map<std::string, double>& values = {});

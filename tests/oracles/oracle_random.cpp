@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   }
   std::filesystem::remove(file);
   for (const auto& [name, summary] : summaries) {
-    std::printf("%-36s %6d compared, %d failed, worst error %.1e\n", name.c_str(), summary.compared,
+    std::printf("%-42s %6d compared, %d failed, worst error %.1e\n", name.c_str(), summary.compared,
                 summary.failed, summary.worst);
   }
   std::printf("%d random mechanisms from seed %llu: %s\n", count, static_cast<unsigned long long>(seed),

@@ -204,25 +204,22 @@ class Reader {
     return b;
   }
 
-  /// Files may name a parent before it appears: take, again and again, the first body whose parent is there.
+  /// In the order of the file, but ancestors that come later stand just before the first that needs them.
   void read_bodies() {
-    const YAML::Node bodies = root_["bodies"];
-    std::vector<bool> done(bodies.size(), false);
-    std::map<std::string, int> index = {{"world", -1}};
-    while (result_.bodies.size() < bodies.size()) {
-      bool progress = false;
-      for (std::size_t i = 0; i < bodies.size() && !progress; ++i) {
-        const YAML::Node node = bodies[i];
-        const std::string parent = node["parent"] ? node["parent"].as<std::string>() : "world";
-        if (done[i] || index.count(parent) == 0) continue;
-        Body b = body(node);
-        b.parent = index[parent];
-        index[b.name] = static_cast<int>(result_.bodies.size());
-        result_.bodies.push_back(std::move(b));
-        done[i] = progress = true;
-      }
-      if (!progress) throw std::runtime_error("bodies without a way to the world");
-    }
+    std::map<std::string, YAML::Node> waiting;
+    for (const YAML::Node& node : root_["bodies"]) waiting.emplace(node["name"].as<std::string>(), node);
+    for (const YAML::Node& node : root_["bodies"]) read_body(node["name"].as<std::string>(), waiting);
+  }
+  void read_body(const std::string& name, std::map<std::string, YAML::Node>& waiting) {
+    const auto found = waiting.find(name);
+    if (found == waiting.end()) return;
+    const YAML::Node node = found->second;
+    waiting.erase(found);
+    const std::string parent = node["parent"] ? node["parent"].as<std::string>() : "world";
+    read_body(parent, waiting);
+    Body b = body(node);
+    b.parent = body_index(parent);
+    result_.bodies.push_back(std::move(b));
   }
 
   int body_index(const std::string& name) const {

@@ -1,0 +1,19 @@
+// A mechanism and a state in; out, what each function that can be generated must give there, from motions of
+// bodies as numbers.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "oracles/state.hpp"
+
+namespace alembert::oracles {
+
+/// Arrays of one function by name. Vectors are columns; poses are rows [R | p] and inertias rows (mass,
+/// centre of mass, xx yy zz xy xz yz), one a body or frame; Jacobians have six rows each.
+using Arrays = std::map<std::string, Eigen::MatrixXd>;
+
+/// By function. Forces of forward dynamics are those that give the state's rates.
+std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state);
+
+}  // namespace alembert::oracles
