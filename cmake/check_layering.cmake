@@ -7,7 +7,7 @@ set(allowed_symbolic "")
 set(allowed_differentiation symbolic)
 set(allowed_mechanism symbolic)
 # Programs are independent of expressions except where one becomes the other, or is compared with it.
-set(allowed_program passes:symbolic lower:symbolic verify:symbolic optimize:symbolic expression_operation:symbolic
+set(allowed_program passes:symbolic lower:symbolic verify:symbolic error_bound:symbolic optimize:symbolic expression_operation:symbolic
                     exact_comparison:symbolic to_expressions:symbolic)
 set(allowed_dynamics differentiation symbolic mechanism program)
 set(allowed_emit program mechanism)

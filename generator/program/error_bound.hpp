@@ -1,23 +1,26 @@
-// Running error analysis: how far a computed value can be from the exact one. In: an operation, its operands
-// with their errors, its result. Out: the error of the result.
+// Errors of the operations of programs. See symbolic/error_bound.hpp.
 #pragma once
 
-#include "program/program.hpp"
+#include <array>
+#include <cstddef>
+
+#include "program/expression_operation.hpp"
+#include "symbolic/error_bound.hpp"
 
 namespace alembert {
 
-/// Half the distance from 1 to the next double.
-inline constexpr double kUnitRoundoff = 0x1p-53;
-
-/// A computed value and a bound on its distance to the exact value, to first order.
-struct Approximate {
-  double value = 0;
-  double error = 0;
-};
-
-/// Error of `result` = op(a, b): that of the operands carried through the derivative, and the operation's own
-/// rounding. Infinite where the operation is not continuous within the errors of its operands. Source: N. J.
-/// Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 3.3 (running error analysis).
-double error_bound(Operation op, Approximate a, Approximate b, double result);
+/// Error of `result` = op(a, b), as that of the expression's operation that this one computes.
+inline double error_bound(Operation op, Approximate a, Approximate b, double result) {
+  static constexpr auto kOpOf = [] {
+    std::array<Op, static_cast<std::size_t>(Operation::pow) + 1> table{};
+    for (int i = 0; i < kOpCount; ++i)
+      table[static_cast<std::size_t>(operation_of(static_cast<Op>(i)))] = static_cast<Op>(i);
+    // Signs change no error.
+    table[static_cast<std::size_t>(Operation::sub)] = Op::add;
+    table[static_cast<std::size_t>(Operation::neg)] = Op::abs;
+    return table;
+  }();
+  return error_bound(kOpOf[static_cast<std::size_t>(op)], a, b, result);
+}
 
 }  // namespace alembert

@@ -104,39 +104,6 @@ class PointSource {
   std::mt19937_64 random_{20250101};
 };
 
-/// The expressions' side: values and error bounds of the roots.
-class ExpressionSide {
- public:
-  explicit ExpressionSide(std::span<const Expr> roots)
-      : graph_(roots.front().graph()), order_(postorder(roots)), at_(graph_.size()) {
-    for (const std::uint32_t id : order_) nodes_.push_back(Expr(graph_, Ref(id, false)));
-    for (const Expr& root : roots) roots_.push_back(root.ref());
-  }
-
-  std::vector<Approximate> values(std::span<const double> symbols) {
-    const std::vector<double> values = evaluate(nodes_, symbols);
-    const auto operand = [this](Ref r) {
-      return Approximate{r.negative() ? -at_[r.node()].value : at_[r.node()].value, at_[r.node()].error};
-    };
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const Node& n = graph_.node(order_[i]);
-      const Approximate a = n.arity() > 0 ? operand(n.a) : Approximate{};
-      const Approximate b = n.arity() > 1 ? operand(n.b) : Approximate{};
-      at_[order_[i]] = {values[i], error_bound(operation_of(n.op), a, b, values[i])};
-    }
-    std::vector<Approximate> out;
-    for (const Ref r : roots_) out.push_back(operand(r));
-    return out;
-  }
-
- private:
-  ExprGraph& graph_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Expr> nodes_;
-  std::vector<Ref> roots_;
-  std::vector<Approximate> at_;
-};
-
 /// The program's side; `scratch` holds the values of all instructions, as `interpret` left them.
 std::vector<Approximate> program_values(const Program& program, const std::vector<double>& scratch,
                                         std::vector<double>& errors) {
@@ -169,7 +136,6 @@ std::vector<Comparisons> compare_numerically(const Program& program, std::span<c
                                              std::span<const SymbolBinding> bindings) {
   ExprGraph& graph = roots.front().graph();
   PointSource points(graph);
-  ExpressionSide expressions(roots);
   std::vector<Comparisons> done(roots.size());
   std::vector<double> inputs(bindings.size()), results(roots.size()), scratch, errors;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -179,7 +145,7 @@ std::vector<Comparisons> compare_numerically(const Program& program, std::span<c
     const std::vector<double> symbols = points.point(attempt);
     for (std::size_t i = 0; i < bindings.size(); ++i)
       inputs[i] = symbols[graph.symbol_index(bindings[i].symbol.ref().node())];
-    const std::vector<Approximate> wanted = expressions.values(symbols);
+    const std::vector<Approximate> wanted = evaluate_bounded(roots, symbols);
     interpret(program, inputs, results, scratch);
     const std::vector<Approximate> found = program_values(program, scratch, errors);
     for (std::size_t k = 0; k < roots.size(); ++k) {

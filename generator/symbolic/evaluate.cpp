@@ -1,4 +1,5 @@
-// Evaluation in double precision. In: roots and the values of all symbols. Out: the values of the roots.
+// Evaluation in double precision. In: roots and the values of all symbols. Out: the values of the roots, or
+// of all nodes.
 #include <cmath>
 #include <stdexcept>
 
@@ -7,10 +8,9 @@
 
 namespace alembert {
 
-std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double> symbols) {
+std::vector<double> node_values(const ExprGraph& graph, const Postorder& order,
+                                std::span<const double> symbols) {
   constexpr double kPi = 3.14159265358979323846;
-  const ExprGraph* graph = graph_of(roots);
-  const Postorder order = indexed_postorder(roots);
   std::vector<double> values(order.ids.size());
   const auto of = [&](std::uint32_t local) {
     const double value = values[local >> 1];
@@ -18,25 +18,25 @@ std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double
   };
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
     const std::uint32_t id = order.ids[i];
-    const Node& node = graph->node(id);
+    const Node& node = graph.node(id);
     const int arity = node.arity();
     const LocalOperands operands = order.operands[i];
     const double a = arity >= 1 ? of(operands.a) : 0, b = arity == 2 ? of(operands.b) : 0;
     double value = 0;
     switch (node.op) {
       case Op::rational:
-        value = graph->rational_value(id).to_double();
+        value = graph.rational_value(id).to_double();
         break;
       case Op::pi_multiple:
-        value = graph->rational_value(id).to_double() * kPi;
+        value = graph.rational_value(id).to_double() * kPi;
         break;
       case Op::real:
-        value = graph->real_value(id);
+        value = graph.real_value(id);
         break;
       case Op::symbol: {
-        const std::uint32_t index = graph->symbol_index(id);
+        const std::uint32_t index = graph.symbol_index(id);
         if (index >= symbols.size())
-          throw std::out_of_range("no value for symbol " + graph->symbol_name(index));
+          throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
         value = symbols[index];
         break;
       }
@@ -100,9 +100,20 @@ std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double
     }
     values[i] = value;
   }
+  return values;
+}
+
+std::vector<double> evaluate(std::span<const Expr> roots, std::span<const double> symbols) {
   std::vector<double> out;
+  const ExprGraph* graph = graph_of(roots);
+  if (graph == nullptr) return out;
+  const Postorder order = indexed_postorder(roots);
+  const std::vector<double> values = node_values(*graph, order, symbols);
   out.reserve(roots.size());
-  for (const Expr& root : roots) out.push_back(of(order.local(root.ref())));
+  for (const Expr& root : roots) {
+    const double value = values[order.at(root.ref().node())];
+    out.push_back(root.ref().negative() ? -value : value);
+  }
   return out;
 }
 

@@ -99,6 +99,10 @@ struct Postorder {
 };
 Postorder indexed_postorder(std::span<const Expr> roots);
 
+/// Values of all nodes of an order in double precision; symbols[i] belongs to the symbol with index i.
+std::vector<double> node_values(const ExprGraph& graph, const Postorder& order,
+                                std::span<const double> symbols);
+
 /// The graph of some roots; throws std::logic_error if they belong to several or to none.
 ExprGraph* graph_of(std::span<const Expr> roots);
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "symbolic/close_constants.hpp"
+#include "symbolic/error_bound.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {
@@ -23,6 +24,8 @@ constexpr std::size_t kPoints = 4;
 constexpr std::size_t kRootPoints =
     40;  // further points where roots are involved: each halves the chance of error
 constexpr std::size_t kDoublePoints = 8;
+constexpr double kRoundingFactor = 1e3;  // of the bounds on rounding errors; a wrong sign is far more,
+                                         // however small the constants are
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using Values = std::array<std::vector<Modular>, kPoints>;
@@ -233,7 +236,7 @@ class Numbering {
     return true;
   }
 
-  // Takes back matches that fail where roots have a definite sign.
+  // Takes back matches that fail where roots have a definite sign, or that could not be compared there.
   void confirm() {
     if (matches_.empty()) return;
     // What is compared is often a few constants of a large graph: only they are evaluated.
@@ -256,17 +259,20 @@ class Numbering {
       for (std::size_t m = 0; m < matches_.size(); ++m)
         if (of(pairs[2 * m]) != of(pairs[2 * m + 1])) rejected[m] = true;
     }
+    std::vector<bool> compared(matches_.size(), false);
     for (std::size_t k = 0; k < kDoublePoints; ++k) {
-      const std::vector<double> value = evaluate(pairs, double_point(graph_, 0xd0b1e + k));
+      const std::vector<Approximate> value = evaluate_bounded(pairs, double_point(graph_, 0xd0b1e + k));
       for (std::size_t m = 0; m < matches_.size(); ++m) {
-        const double x = value[2 * m], y = value[2 * m + 1];
-        if (!std::isfinite(x) || !std::isfinite(y)) continue;  // outside the domain of a root
-        constexpr double kTolerance = 1e-6;                    // far above rounding, far below a wrong sign
-        if (std::abs(x - y) > kTolerance * std::max(1.0, std::abs(x) + std::abs(y))) rejected[m] = true;
+        const Approximate &x = value[2 * m], &y = value[2 * m + 1];
+        const double rounding = kRoundingFactor * (x.error + y.error);
+        if (!std::isfinite(x.value) || !std::isfinite(y.value) || !std::isfinite(rounding))
+          continue;  // outside the domain of a root
+        compared[m] = true;
+        if (std::abs(x.value - y.value) > rounding) rejected[m] = true;
       }
     }
     for (std::size_t m = 0; m < matches_.size(); ++m) {
-      if (rejected[m]) reject(matches_[m]);
+      if (rejected[m] || !compared[m]) reject(matches_[m]);
     }
   }
 

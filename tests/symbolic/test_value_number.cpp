@@ -45,18 +45,24 @@ TEST_F(ValueNumber, SignsOfRootsAreNotGuessed) {
 }
 
 TEST_F(ValueNumber, SignsOfConstantRootsAreNotGuessed) {
-  // sqrt(a + 2 sqrt(b)) = sqrt(p) + sqrt(q) for a = p + q, b = p q: the field may take any of the signs.
-  for (int p = 2; p < 12; ++p) {
-    for (int q = p + 1; q < 13; ++q) {
-      ExprGraph graph;
-      const Expr u = graph.symbol("u");
-      const Expr nested = sqrt(graph.integer(p + q) + graph.integer(2) * sqrt(graph.integer(p * q)));
-      const Expr plain = sqrt(graph.integer(p)) + sqrt(graph.integer(q));
-      const Expr other = sqrt(graph.integer(q)) - sqrt(graph.integer(p));
-      const std::vector<Expr> roots{plain * u, nested * u * u, other * u + nested};
-      const std::vector<double> at{1.7};
-      const std::vector<double> before = evaluate(roots, at), after = evaluate(value_number(roots), at);
-      for (std::size_t i = 0; i < roots.size(); ++i) EXPECT_NEAR(before[i], after[i], 1e-12) << p << " " << q;
+  // sqrt(a + 2 sqrt(b)) = sqrt(p) + sqrt(q) for a = p + q, b = p q: the field may take any of the signs. They
+  // matter in small numbers too.
+  for (const std::int64_t parts : {std::int64_t{1}, std::int64_t{100'000'000'000'000'000}}) {
+    for (int p = 2; p < 12; ++p) {
+      for (int q = p + 1; q < 13; ++q) {
+        ExprGraph graph;
+        const Expr u = graph.symbol("u");
+        const auto number = [&](std::int64_t n) { return graph.integer(n) / graph.integer(parts); };
+        const Expr nested =
+            sqrt(number(p + q) + graph.integer(2) * sqrt(graph.integer(p * q)) / graph.integer(parts));
+        const Expr plain = sqrt(number(p)) + sqrt(number(q));
+        const Expr other = sqrt(number(q)) - sqrt(number(p));
+        const std::vector<Expr> roots{plain * u, nested * u * u, other * u + nested};
+        const std::vector<double> at{1.7};
+        const std::vector<double> before = evaluate(roots, at), after = evaluate(value_number(roots), at);
+        for (std::size_t i = 0; i < roots.size(); ++i)
+          EXPECT_NEAR(after[i] / before[i], 1, 1e-12) << p << " " << q << " / " << parts;
+      }
     }
   }
 }
