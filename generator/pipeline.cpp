@@ -295,13 +295,16 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
 }  // namespace
 
+void fail_without_value(std::shared_ptr<const SourceText> source, const std::domain_error& error) {
+  throw InputError({std::move(source), 1, 1},
+                   std::string("the equations of this mechanism have no value: ") + error.what());
+}
+
 CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
-  const SourceLocation start{source, 1, 1};
   try {
-    return compile_stages(std::move(source), options);
+    return compile_stages(source, options);
   } catch (const std::domain_error& error) {
-    // A divisor that is zero for all values of the coordinates, found only once the equations are simplified.
-    throw InputError(start, std::string("the equations of this mechanism have no value: ") + error.what());
+    fail_without_value(std::move(source), error);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,11 @@ struct CompiledMechanism {
 
 /// Throws InputError where the description is at fault, InternalError where verification fails.
 CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options);
+
+/// What a domain_error means that is thrown when equations are derived: a divisor is zero for all values of
+/// the coordinates, or a constant is too large, found only once they are simplified. Throws the InputError.
+[[noreturn]] void fail_without_value(std::shared_ptr<const SourceText> source,
+                                     const std::domain_error& error);
 
 /// Names of the stages that can be dumped.
 std::vector<std::string> dump_stages();

@@ -76,11 +76,9 @@ bool check_constraints(const Kinematics& kinematics) {
   return good;
 }
 
-}  // namespace
-
-int run_check(const CommonOptions& common) {
+int check_laws(const std::shared_ptr<const SourceText>& source) {
   ExprGraph graph;
-  const Mechanism mechanism = load_mechanism(read_source(common.file), graph);
+  const Mechanism mechanism = load_mechanism(source, graph);
   const Kinematics kinematics = symbolic_kinematics(mechanism, graph);
   const EquationsOfMotion reduced = equations_of_motion(kinematics, Formulation::reduced);
   check_mass_matrix(kinematics, reduced);
@@ -112,6 +110,17 @@ int run_check(const CommonOptions& common) {
     throw InternalError(
         "the equations of this mechanism do not obey their laws; please report the description");
   return 0;
+}
+
+}  // namespace
+
+int run_check(const CommonOptions& common) {
+  const std::shared_ptr<const SourceText> source = read_source(common.file);
+  try {
+    return check_laws(source);
+  } catch (const std::domain_error& error) {
+    fail_without_value(source, error);
+  }
 }
 
 }  // namespace alembert

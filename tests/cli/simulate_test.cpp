@@ -72,6 +72,22 @@ TEST(Check, ReportsTheLaws) {
   EXPECT_THAT(result.out, testing::Not(HasSubstr("FAILS")));
 }
 
+TEST(Check, EquationsWithoutAValueAreAnErrorOfTheDescription) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("far.yaml", R"(alembert: 1
+name: far
+coordinates: [q]
+bodies:
+  - {name: arm, transform: [{rotate: {axis: y, angle: q}}], mass: 1, com: [1e300, 0, 0]}
+)");
+  for (const std::string command : {"check ", "report "}) {
+    const CommandResult result = alembert(folder, command + file);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err,
+                testing::StartsWith(file + ":1:1: error: the equations of this mechanism have no value"));
+  }
+}
+
 TEST(Check, WarnsOfRedundantAndUnmetConstraints) {
   const TemporaryFolder folder;
   const std::string file = folder.write("loops.yaml", R"(alembert: 1
