@@ -98,9 +98,6 @@ struct Pack {
   friend Pack operator-(const Pack& a, const Pack& b) {
     return {a.v - b.v, a.w - b.w};
   }
-  friend Pack operator/(const Pack& a, const Pack& b) {
-    return {a.v / b.v, a.w / b.w};
-  }
   friend Pack operator-(const Pack& a) {
     return {-a.v, -a.w};
   }
@@ -117,6 +114,11 @@ struct Pack {
 
   Vector v, w;
 };
+
+// No friend: both operands may be products.
+inline Pack operator/(const Pack& a, const Pack& b) {
+  return {a.v / b.v, a.w / b.w};
+}
 
 /// a b, not yet rounded: the sum or difference that it stands in takes it up by a fused operation.
 struct Product {
