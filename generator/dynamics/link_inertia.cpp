@@ -32,6 +32,12 @@ bool is_number(const Entries& entries) {
   return std::all_of(entries.begin(), entries.end(), [](const Expr& e) { return e.is_constant(); });
 }
 
+/// Mass, moment and inertia in units.
+void put_in_units(std::span<double, 13> v, const Units& units) {
+  for (std::size_t i = 0; i < v.size(); ++i)
+    v[i] /= i == 0 ? units.mass : i < 4 ? units.moment() : units.inertia();
+}
+
 /// K = tr(J)/2 - J.
 Matrix4d pseudo_inertia(std::span<const double, 13> v) {
   Matrix3d J;
@@ -45,8 +51,9 @@ Matrix4d pseudo_inertia(std::span<const double, 13> v) {
   return S;
 }
 
-Matrix4d number_inertia(const Entries& entries) {
+Matrix4d number_inertia(const Entries& entries, const Units& units) {
   std::vector<double> v = evaluate(entries, {});
+  put_in_units(std::span<double, 13>(v.data(), 13), units);
   for (double& x : v) {
     if (std::abs(x) < 1e-16) x = 0;
   }
@@ -144,8 +151,8 @@ std::array<double, 10> coefficients(const Matrix4d& S) {
 
 }  // namespace
 
-Expr rounded_number(ExprGraph& graph, double x) {
-  return std::abs(x) < 1e-15 ? graph.zero() : graph.real(x);
+Expr rounded_number(ExprGraph& graph, double x, double unit) {
+  return std::abs(x) < 1e-15 ? graph.zero() : graph.real(x * unit);
 }
 
 LinkInertia& LinkInertia::operator+=(const LinkInertia& other) {
@@ -185,7 +192,7 @@ LinkInertia RuntimeTerms::of_node(const Mechanism& mechanism, const MotionTree& 
   LinkInertia out;
   const Entries sum = entries_of(tree.masses[node]);
   if (is_number(sum)) {
-    out.number = number_inertia(sum);
+    out.number = number_inertia(sum, units_);
     return out;
   }
   // Body by body, so that the numbers of one are not mixed with what another has for terms.
@@ -200,7 +207,7 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
   const Entries entries = entries_of(mass);
   LinkInertia out;
   if (is_number(entries)) {
-    out.number = number_inertia(entries);
+    out.number = number_inertia(entries, units_);
     return out;
   }
   const PolynomialReader reader(entries, graph);
@@ -242,8 +249,10 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
       terms.emplace_back(term, numbers);
     }
   }
+  put_in_units(constants, units_);
   out.number = pseudo_inertia(constants);
-  for (const auto& [term, numbers] : terms) {
+  for (auto& [term, numbers] : terms) {
+    put_in_units(numbers, units_);
     const bool negative = term.ref().negative();
     LinkInertia part;
     part.terms.emplace(index_of(negative ? -term : term), (negative ? -1.0 : 1.0) * pseudo_inertia(numbers));
@@ -255,13 +264,13 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
 NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, const std::array<MomentForm, 3>& forms,
                                  ExprGraph& graph) const {
   const Matrix4d& S = inertia.number;
-  NodeMass mass{rounded_number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
+  NodeMass mass{rounded_number(graph, S(3, 3), units_.mass), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
   const double trace = S(0, 0) + S(1, 1) + S(2, 2);
   for (int r = 0; r < 3; ++r) {
-    mass.moment[static_cast<std::size_t>(r)] = rounded_number(graph, S(r, 3));
+    mass.moment[static_cast<std::size_t>(r)] = rounded_number(graph, S(r, 3), units_.moment());
     for (int c = 0; c < 3; ++c) {
       mass.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
-          rounded_number(graph, r == c ? trace - S(r, c) : -S(r, c));
+          rounded_number(graph, r == c ? trace - S(r, c) : -S(r, c), units_.inertia());
     }
   }
   if (inertia.terms.empty()) return mass;
@@ -269,7 +278,10 @@ NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, const std::array<Mo
   sums.fill(graph.zero());
   for (const auto& [k, coefficient] : inertia.terms) {
     const std::array<double, 10> numbers = coefficients(coefficient);
-    for (std::size_t e = 0; e < sums.size(); ++e) sums[e] += graph.real(numbers[e]) * terms_[k];
+    for (std::size_t e = 0; e < sums.size(); ++e) {
+      const double unit = e == 0 ? units_.mass : e < 4 ? units_.moment() : units_.inertia();
+      sums[e] += graph.real(numbers[e] * unit) * terms_[k];
+    }
   }
   mass.mass += sums[0];
   for (std::size_t r = 0; r < 3; ++r) {

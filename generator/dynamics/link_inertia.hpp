@@ -23,6 +23,14 @@ namespace alembert {
 inline constexpr std::array<std::pair<int, int>, 10> kInertiaEntries{
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}, {3, 3}}};
 
+/// What numbers of lengths and masses are multiples of: powers of two, 1 for mechanisms of the usual sizes.
+/// In these units numbers are about 1, and what is small is rounding.
+struct Units {
+  double length = 1, mass = 1;
+  double moment() const { return mass * length; }
+  double inertia() const { return mass * length * length; }
+};
+
 /// number + sum over k of terms[k] * (term k of the RuntimeTerms it was made with).
 struct LinkInertia {
   Eigen::Matrix4d number = Eigen::Matrix4d::Zero();
@@ -37,6 +45,8 @@ struct LinkInertia {
 /// The terms of one mechanism.
 class RuntimeTerms {
  public:
+  explicit RuntimeTerms(Units units) : units_(units) {}
+
   /// What is fixed to node `node` of the tree, in its axes.
   LinkInertia of_node(const Mechanism& mechanism, const MotionTree& tree, std::size_t node, ExprGraph& graph);
 
@@ -50,6 +60,7 @@ class RuntimeTerms {
   LinkInertia with_terms(const NodeMass& mass, ExprGraph& graph);
   std::size_t index_of(Expr term);
 
+  Units units_;  ///< of all pseudo-inertias
   std::vector<Expr> terms_;
 };
 
@@ -57,7 +68,7 @@ class RuntimeTerms {
 /// only the moment about z is wanted.
 std::size_t composition_cost(const LinkInertia& inertia, bool about_z_only);
 
-/// A number in an expression, zero where it is nothing but rounding.
-Expr rounded_number(ExprGraph& graph, double x);
+/// A number of units in an expression, zero where it is nothing but rounding.
+Expr rounded_number(ExprGraph& graph, double x, double unit = 1);
 
 }  // namespace alembert

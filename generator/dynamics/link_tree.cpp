@@ -25,7 +25,7 @@ Expr angle_number(ExprGraph& graph, double x) {
 /// Builds the nodes one after another.
 class TreeBuilder {
  public:
-  explicit TreeBuilder(ExprGraph& graph) : graph_(graph) {}
+  TreeBuilder(ExprGraph& graph, double length) : graph_(graph), length_(length) {}
 
   /// A constant rotation about a coordinate axis; the parent itself where there is none.
   int turn(int parent, int axis, double angle) {
@@ -34,10 +34,13 @@ class TreeBuilder {
     return add(parent, axis_rotation_motion(axis, a));
   }
   int shift(int parent, const Eigen::Vector3d& t) {
-    const Vec3 offset{
-        {rounded_number(graph_, t[0]), rounded_number(graph_, t[1]), rounded_number(graph_, t[2])}};
-    if (offset == zeros<3, 1>(graph_)) return parent;
-    return add(parent, translation_motion(offset));
+    const Motion motion = shift(t);
+    if (motion.offset == zeros<3, 1>(graph_)) return parent;
+    return add(parent, motion);
+  }
+  Motion shift(const Eigen::Vector3d& t) const {
+    const auto entry = [&](int i) { return rounded_number(graph_, t[i], length_); };
+    return translation_motion({{entry(0), entry(1), entry(2)}});
   }
   /// A constant pose: its shift, then its rotation by Euler angles z x z.
   int pose(int parent, const Matrix4d& pose) {
@@ -69,13 +72,14 @@ class TreeBuilder {
 
  private:
   ExprGraph& graph_;
+  double length_;  // unit of shifts
 };
 
 }  // namespace
 
 MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
   const std::vector<Split> splits = flow(regroupings).splits;
-  TreeBuilder builder(graph);
+  TreeBuilder builder(graph, units_.length);
   std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const RigidLink& link = links_[i];
@@ -146,9 +150,7 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
       } else {
         const std::size_t i = static_cast<std::size_t>(l);
         const Matrix4d pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
-        const Motion shift =
-            translation_motion({{rounded_number(graph, pose(0, 3)), rounded_number(graph, pose(1, 3)),
-                                 rounded_number(graph, pose(2, 3))}});
+        const Motion shift = builder.shift(pose.topRightCorner<3, 1>());
         Motion turn;
         turn.kind = MotionKind::rotation;
         for (int r = 0; r < 3; ++r) {

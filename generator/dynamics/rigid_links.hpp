@@ -9,6 +9,9 @@
 // (Denavit and Hartenberg), with the offset before the rotation it belongs to: both shifts happen in one
 // frame.
 //
+// Lengths, masses and inertias are in units in which they are about 1 (link_inertia.hpp), so that what counts
+// as zero does not depend on the size of the mechanism.
+//
 // Regrouping: a symmetric 4x4 part d of a link's pseudo-inertia may move to its parent, S_parent += X d X^T,
 // exactly when (dA/dq) d = 0, that is when its range lies in the points and directions that the motion leaves
 // still. What an inertia has of runtime parameters (link_inertia.hpp) moves with the numbers or stays.
@@ -112,6 +115,7 @@ class RigidLinks {
   std::vector<Eigen::Matrix4d> movable(std::size_t i) const;
 
   const MotionTree* tree_ = nullptr;
+  Units units_;  ///< of all numbers here
   RuntimeTerms terms_;
   std::vector<RigidLink> links_;
   std::vector<int> link_of_node_;              ///< link that a node moves with; -1: world
