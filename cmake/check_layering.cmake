@@ -6,6 +6,7 @@ set(allowed_support "")
 set(allowed_symbolic "")
 set(allowed_differentiation symbolic)
 set(allowed_mechanism symbolic)
+set(allowed_urdf mechanism)
 # Programs are independent of expressions except where one becomes the other, or is compared with it.
 set(allowed_program passes:symbolic lower:symbolic verify:symbolic error_bound:symbolic optimize:symbolic expression_operation:symbolic
                     exact_comparison:symbolic to_expressions:symbolic)
@@ -13,10 +14,10 @@ set(allowed_dynamics differentiation symbolic mechanism program)
 set(allowed_emit program mechanism)
 set(allowed_viewer dynamics mechanism symbolic)
 # Commands integrate and solve by the algorithms that users get.
-set(allowed_commands pipeline emit viewer program dynamics mechanism symbolic src)
+set(allowed_commands pipeline urdf emit viewer program dynamics mechanism symbolic src)
 set(allowed_pipeline emit program dynamics mechanism symbolic)
 set(allowed_main pipeline emit program dynamics mechanism commands)
-set(rooms support symbolic differentiation mechanism program dynamics emit viewer commands)
+set(rooms support symbolic differentiation mechanism urdf program dynamics emit viewer commands)
 
 set(failures 0)
 set(includes 0)

@@ -16,7 +16,7 @@ run(${CMAKE_COMMAND} -S ${ROOT} -B ${BUILD} -G Ninja -DCMAKE_C_COMPILER=clang -D
     "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -g1" -DALEMBERT_ENGINE_FLAGS=-O1 -DALEMBERT_SANITIZE=address,undefined -DALEMBERT_BUILD_TESTS=ON
     -DALEMBERT_BUILD_FUZZERS=ON -DALEMBERT_TEST_WHOLE_PROGRAMS=ON -DALEMBERT_BUILD_VIEWER=OFF
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
-set(rooms support symbolic differentiation mechanism program dynamics emit emitted batch cli runtime generated)
+set(rooms support symbolic differentiation mechanism urdf program dynamics emit emitted batch cli runtime generated)
 list(TRANSFORM rooms PREPEND test_ OUTPUT_VARIABLE programs)
 run(${CMAKE_COMMAND} --build ${BUILD} --target alembert fuzz_load ${programs})
 

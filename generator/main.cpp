@@ -194,6 +194,24 @@ int run(int argc, char** argv) {
       add_command(app, "check", "load, derive both formulations and test the laws they must obey", common);
   command->callback([&] { result = run_check(common); });
 
+  ImportOptions import;
+  command = app.add_subcommand("import", "describe a robot that is given as URDF");
+  command->add_option("file", import.file, "URDF; - is standard input")->required();
+  command->add_option("--out", import.out, "description to write; - is standard output")
+      ->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--root", [&import](const std::string& value) { import.floating = value == "floating"; },
+          "whether the root link stands still or moves freely: fixed or floating")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->default_str("fixed");
+  command
+      ->add_option("--snap-angles", import.snap_angles,
+                   "angles of origins so near to a multiple of pi/12 are that multiple, rad")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->callback([&] { result = run_import(import); });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

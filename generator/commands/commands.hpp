@@ -57,6 +57,14 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options);
 
 int run_check(const CommonOptions& common);
 
+struct ImportOptions {
+  std::string file;            ///< URDF; `-` is standard input
+  std::string out = "-";       ///< file to be written; `-` is standard output
+  bool floating = false;       ///< the root link moves freely
+  double snap_angles = 1e-10;  ///< rad
+};
+int run_import(const ImportOptions& options);
+
 struct SimulateOptions {
   double duration = 10, step = 1e-3;
   int every = 10;  ///< one row of output each so many steps

@@ -182,8 +182,40 @@ class TreeBuilder final : public YAML::EventHandler {
   std::vector<const YamlNode*> anchors_;
 };
 
-Document::Document(std::shared_ptr<const SourceText> source) : source_(std::move(source)) {
-  check_text();
+std::vector<std::size_t> line_starts(std::string_view text) {
+  std::vector<std::size_t> starts{0};
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') starts.push_back(i + 1);
+  return starts;
+}
+
+void check_characters(const std::shared_ptr<const SourceText>& source) {
+  const std::string_view text = source->text;
+  const auto fail = [&](std::size_t at, const std::string& message) {
+    const std::vector<std::size_t> starts = line_starts(text.substr(0, at));
+    return InputError({source, static_cast<int>(starts.size()), static_cast<int>(at - starts.back()) + 1},
+                      message);
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) throw fail(i, fmt::format("byte 0x{:02x} is not UTF-8 text", byte));
+    if ((byte < 0x20 && !is_space(text[i])) || byte == 0x7f)
+      throw fail(i, fmt::format("control character 0x{:02x}; expected text", byte));
+    i += length;
+  }
+}
+
+Document::Document(std::shared_ptr<const SourceText> source, std::deque<YamlNode> nodes, const YamlNode& root)
+    : source_(std::move(source)),
+      line_starts_(line_starts(source_->text)),
+      nodes_(std::move(nodes)),
+      root_(&root) {}
+
+Document::Document(std::shared_ptr<const SourceText> source)
+    : source_(std::move(source)), line_starts_(line_starts(source_->text)) {
+  check_characters(source_);
+  check_layout();
   const std::string& text = source_->text;
   const bool marked = text.starts_with(kByteOrderMark);
   std::istringstream stream(marked ? text.substr(kByteOrderMark.size()) : text);
@@ -205,45 +237,31 @@ Document::Document(std::shared_ptr<const SourceText> source) : source_(std::move
                      "is empty; expected a mechanism description, a mapping that begins with 'alembert: 1'");
 }
 
-/// Finds what is no text, and indents with tabs; fills the table of lines.
-void Document::check_text() {
+/// Finds indents with tabs, and lists opened so deep that yaml-cpp would read the whole text before the
+/// first.
+void Document::check_layout() const {
   const std::string_view text = source_->text;
-  line_starts_.push_back(0);
-  std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   bool indentation = true;
   std::size_t tab = std::string_view::npos;
-  int opened =
-      0;  // lists and mappings opened in a row; yaml-cpp would read the whole text before the first of them
-  const auto fail = [&](std::size_t at, const std::string& message, const std::string& note = {}) {
-    return InputError(
-        {source_, static_cast<int>(line_starts_.size()), static_cast<int>(at - line_starts_.back()) + 1},
-        message, note);
-  };
-  while (i < text.size()) {
+  int opened = 0;  // lists and mappings opened in a row
+  for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
     const char c = text[i];
-    const std::size_t length = utf8_length(text, i);
     if (c == '[' || c == '{') {
       if (++opened > kMaximumDepth)
-        throw fail(i, fmt::format("nested more than {} levels deep", kMaximumDepth));
+        throw InputError(place(i), fmt::format("nested more than {} levels deep", kMaximumDepth));
     } else if (!is_space(c)) {
       opened = 0;
     }
-    if (length == 0)
-      throw fail(i, fmt::format("byte 0x{:02x} is not UTF-8 text", static_cast<unsigned char>(c)));
     if (c == '\n') {
-      line_starts_.push_back(i + 1);
       indentation = true;
       tab = std::string_view::npos;
     } else if (c == '\t') {
       if (indentation && tab == std::string_view::npos) tab = i;
-    } else if ((static_cast<unsigned char>(c) < 0x20 && c != '\r') || c == 0x7f) {
-      throw fail(i, fmt::format("control character 0x{:02x}; expected text", static_cast<unsigned char>(c)));
     } else if (c != ' ' && c != '\r') {
       if (indentation && tab != std::string_view::npos && c != '#')
-        throw fail(tab, "tab in the indentation", "YAML indents by spaces");
+        throw InputError(place(tab), "tab in the indentation", "YAML indents by spaces");
       indentation = false;
     }
-    i += length;
   }
 }
 
@@ -300,6 +318,10 @@ SourceLocation Document::where(const YamlNode& scalar, std::size_t offset) const
     at = skip(text, at);
     if (at >= text.size() || text[at] != value[v]) return where(scalar);
   }
+  return place(at);
+}
+
+SourceLocation Document::place(std::size_t at) const {
   const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - line_starts_.begin();
   return {source_, static_cast<int>(line),
           static_cast<int>(at - line_starts_[static_cast<std::size_t>(line - 1)]) + 1};

@@ -1,12 +1,13 @@
 // Text of a description in; a tree of YAML nodes out, each with its place. What is wrong as text or as YAML
 // (encoding, tabs, duplicate keys, nesting, aliases that multiply) is found here, before any meaning is
-// looked at.
+// looked at. Readers of other formats make such trees too, with places in their own text.
 #pragma once
 
 #include <cstddef>
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/error.hpp"
@@ -26,11 +27,18 @@ struct YamlNode {
   std::vector<const YamlNode*> items;  ///< of a sequence; of a mapping: key, value, key, value ...
 };
 
+/// Offsets at which the lines of a text begin.
+std::vector<std::size_t> line_starts(std::string_view text);
+/// Throws InputError at the first byte that is not UTF-8 or a control character other than white space.
+void check_characters(const std::shared_ptr<const SourceText>& source);
+
 /// A parsed text. Nodes live as long as the document.
 class Document {
  public:
   /// Throws InputError at what is not UTF-8 text or not one YAML document within the limits below.
   explicit Document(std::shared_ptr<const SourceText> source);
+  /// The tree that another reader made from a text: `root` and all that it leads to are among `nodes`.
+  Document(std::shared_ptr<const SourceText> source, std::deque<YamlNode> nodes, const YamlNode& root);
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
@@ -47,9 +55,10 @@ class Document {
 
  private:
   friend class TreeBuilder;
-  void check_text();
+  void check_layout() const;
   bool quote_is_closed(const YamlNode& scalar) const;
   std::size_t position(int line, int column) const;
+  SourceLocation place(std::size_t at) const;
 
   std::shared_ptr<const SourceText> source_;
   std::vector<std::size_t> line_starts_;

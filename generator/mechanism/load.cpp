@@ -80,7 +80,10 @@ Vec3 read_gravity(Loading& loading, const YamlNode* node) {
 }  // namespace
 
 Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph) {
-  const Document document(std::move(source));
+  return load_mechanism(Document(std::move(source)), graph);
+}
+
+Mechanism load_mechanism(const Document& document, ExprGraph& graph) {
   check_version(document, document.root());
   const Section root(document, document.root(), "the description",
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",

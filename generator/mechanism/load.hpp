@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "mechanism/document.hpp"
 #include "mechanism/model.hpp"
 #include "support/error.hpp"
 #include "symbolic/expr.hpp"
@@ -17,5 +18,8 @@ std::shared_ptr<const SourceText> read_source(const std::string& path);
 /// Parses and checks a description (mechanisms/README.md: all checks that need no equations of motion).
 /// Expressions are made in `graph`. Throws InputError with the place of what is wrong.
 Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph);
+
+/// The same from a document, which another reader may have made.
+Mechanism load_mechanism(const Document& document, ExprGraph& graph);
 
 }  // namespace alembert

@@ -1,5 +1,6 @@
-// libFuzzer target: any bytes in; the loader must give a mechanism or an InputError with a place inside the
-// text, and never crash, hang, leak or throw anything else.
+// libFuzzer target: any bytes in; the loader, or the reader of URDF if they begin as XML does, must give a
+// mechanism or an InputError with a place inside the text, and never crash, hang, leak or throw anything
+// else.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +9,26 @@
 #include <string>
 
 #include "mechanism/load.hpp"
+#include "urdf/describe.hpp"
+#include "urdf/robot.hpp"
+#include "urdf/yaml.hpp"
 
 namespace {
+
+alembert::Mechanism load(const std::shared_ptr<const alembert::SourceText>& source,
+                         alembert::ExprGraph& graph) {
+  if (!source->text.starts_with('<')) return alembert::load_mechanism(source, graph);
+  const alembert::UrdfRobot robot = alembert::read_urdf(source);
+  const alembert::DescribedRobot described =
+      alembert::describe_robot(robot, source, {source->text.size() % 2 == 0, 1e-10});
+  alembert::Mechanism mechanism = alembert::load_mechanism(described.document, graph);
+  // What was understood once is understood from its text.
+  alembert::ExprGraph again;
+  alembert::load_mechanism(std::make_shared<const alembert::SourceText>(
+                               alembert::SourceText{"again", alembert::yaml_text(described.document.root())}),
+                           again);
+  return mechanism;
+}
 
 void require(bool condition, const char* what) {
   if (condition) return;
@@ -35,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::ptrdiff_t lines = std::count(source->text.begin(), source->text.end(), '\n') + 1;
   alembert::ExprGraph graph;
   try {
-    check_mechanism(alembert::load_mechanism(source, graph));
+    check_mechanism(load(source, graph));
   } catch (const alembert::InputError& error) {
     require(error.where().line >= 1 && error.where().line <= lines, "a line outside the text");
     require(error.where().column >= 1, "a column before the line");

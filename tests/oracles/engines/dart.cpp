@@ -5,33 +5,15 @@
 #include <dart/dynamics/RevoluteJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
-#include <iostream>
 
 #include "oracles/engines/engine.hpp"
+#include "oracles/engines/silence.hpp"
 
 namespace alembert::oracles {
 
 namespace {
 
 namespace dd = dart::dynamics;
-
-/// DART warns, on every massless node, on standard error; while this lives it does not.
-class Silence {
- public:
-  Silence() : error_(std::cerr.rdbuf(nullptr)), output_(std::cout.rdbuf(nullptr)) {}
-  ~Silence() {
-    std::cerr.rdbuf(error_);
-    std::cerr.clear();
-    std::cout.rdbuf(output_);
-    std::cout.clear();
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  std::streambuf* error_;
-  std::streambuf* output_;
-};
 
 class TimedDart : public TimedModel {
  public:

@@ -1,0 +1,37 @@
+// A robot in; its description in the language of mechanisms out, every value with its place in the URDF.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanism/document.hpp"
+#include "urdf/robot.hpp"
+
+namespace alembert {
+
+struct DescribeOptions {
+  bool floating = false;       ///< the root moves freely, by a position and a quaternion
+  double snap_angles = 1e-10;  ///< angles of origins so near to a multiple of pi/12 are that multiple, rad
+};
+
+struct DescribedRobot {
+  Document document;
+  /// What is doubtful or left out, each with its place.
+  std::vector<std::string> warnings;
+};
+
+/// Links are bodies, joints factors of their transforms:
+///   revolute, continuous, prismatic   one coordinate, called as the joint
+///   planar                            NAME_x, NAME_y, NAME_angle: shifts along the two coordinate axes that
+///   follow
+///                                     the joint's axis (for another axis: along two of the shortest rotation
+///                                     from z to it), then a turn about it
+///   floating                          NAME_x, NAME_y, NAME_z and the quaternion NAME_rotation
+///   mimicking                         a definition, called as the joint
+/// Coordinates stand in the order of the joints in the file, those of a floating root first. A link without
+/// mass and shapes at the end of a fixed joint is a frame. A massless root called world is the world.
+/// Throws InputError where nothing with mass is moved, or names clash.
+DescribedRobot describe_robot(const UrdfRobot& robot, std::shared_ptr<const SourceText> source,
+                              const DescribeOptions& options);
+
+}  // namespace alembert

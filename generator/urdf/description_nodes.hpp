@@ -1,0 +1,33 @@
+// The nodes of a description while it is being made, each with a place in the URDF.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <initializer_list>
+#include <string>
+
+#include "mechanism/document.hpp"
+
+namespace alembert {
+
+class DescriptionNodes {
+ public:
+  YamlNode& mapping(const SourceLocation& where) { return make(YamlNode::Kind::mapping, where); }
+  YamlNode& sequence(const SourceLocation& where) { return make(YamlNode::Kind::sequence, where); }
+  const YamlNode& text(std::string value, const SourceLocation& where);
+  const YamlNode& list(std::initializer_list<std::string> values, const SourceLocation& where);
+  const YamlNode& numbers(const std::array<double, 3>& values, const SourceLocation& where);
+  /// Adds a key, at the place of its value.
+  void put(YamlNode& mapping, std::string key, const YamlNode& value);
+  /// {key: value}
+  const YamlNode& single(std::string key, const YamlNode& value);
+
+  std::deque<YamlNode> take() { return std::move(nodes_); }
+
+ private:
+  YamlNode& make(YamlNode::Kind kind, const SourceLocation& where);
+
+  std::deque<YamlNode> nodes_;
+};
+
+}  // namespace alembert

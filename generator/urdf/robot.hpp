@@ -1,0 +1,81 @@
+// What a URDF file says of a robot, as it says it: links, joints between them, names and numbers with their
+// places. SI units; angles in radians.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/error.hpp"
+
+namespace alembert {
+
+/// Shift by xyz, then rotation Rz(yaw) Ry(pitch) Rx(roll), rpy = roll pitch yaw.
+struct UrdfPose {
+  std::array<double, 3> xyz{}, rpy{};
+  SourceLocation where;
+};
+
+struct UrdfInertial {
+  UrdfPose origin;                ///< of the centre of mass and the axes of the inertia, in the link's frame
+  double mass = 0;                ///< kg
+  std::array<double, 6> inertia;  ///< xx yy zz xy xz yz about the centre of mass
+  SourceLocation mass_where, inertia_where;
+};
+
+/// A shape of <visual> that is no mesh.
+struct UrdfShape {
+  enum class Kind { box, sphere, cylinder, capsule };
+  Kind kind = Kind::box;
+  std::vector<double> sizes;  ///< box: x y z; sphere: radius; cylinder, capsule: radius and length
+  UrdfPose origin;
+  std::optional<std::array<double, 3>> color;  ///< red green blue
+  SourceLocation where;
+};
+
+struct UrdfLink {
+  std::string name;
+  std::optional<UrdfInertial> inertial;
+  std::vector<UrdfShape> shapes;
+  SourceLocation where;
+};
+
+/// The joint's position is multiplier times that of another, plus offset.
+struct UrdfMimic {
+  std::string joint;   ///< its name
+  std::size_t of = 0;  ///< its index
+  double multiplier = 1, offset = 0;
+  SourceLocation where;
+};
+
+enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar };
+
+struct UrdfJoint {
+  std::string name;
+  UrdfJointType type = UrdfJointType::fixed;
+  std::size_t parent = 0, child = 0;  ///< indices of links
+  UrdfPose origin;  ///< of the joint, and of the child where it has not moved, in the parent
+  std::array<double, 3> axis{1, 0, 0};
+  std::optional<std::array<double, 2>> limits;
+  std::optional<UrdfMimic> mimic;
+  bool resists = false;  ///< has damping or friction
+  SourceLocation where, type_where;
+};
+
+/// Links make a tree: every one but the root is the child of one joint.
+struct UrdfRobot {
+  std::string name;
+  std::vector<UrdfLink> links;
+  std::vector<UrdfJoint> joints;
+  std::size_t root = 0;               ///< index of the link that no joint moves
+  std::vector<std::size_t> joint_of;  ///< by link: the joint that it is the child of; of the root: none
+  std::vector<std::vector<std::size_t>> children;  ///< by link: the joints that it is the parent of
+  SourceLocation where;
+};
+
+/// Reads a robot. Throws InputError at what is not URDF, misspelt, missing or no tree.
+UrdfRobot read_urdf(std::shared_ptr<const SourceText> source);
+
+}  // namespace alembert
