@@ -74,7 +74,7 @@ std::string c_batch_call(const FunctionSignature& signature) {
 /// Longer programs are cut into such blocks: what is longer does not fit the caches of code and of decoded
 /// instructions, shorter blocks hand over more values. Measured with AVX2 and AVX-512 (see bench_dynamics);
 /// with two lanes a vector, code is twice as long and blocks of half the size would do better.
-constexpr BlockSizes kBatchBlocks = {600, 400};
+constexpr BlockSizes kBatchBlocks = {2000, 1200};
 
 /// An array of a function over packs.
 struct PackArray {
@@ -97,7 +97,8 @@ std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const FunctionSig
 /// A program over packs: its blocks, and a function that calls them.
 struct PackFunction {
   std::string definition;
-  std::size_t crossing;  ///< elements of w a pack
+  std::size_t crossing;  ///< elements of w
+  bool of_all;  ///< w serves all packs, one after the other, since there is one block; or each has its own
 };
 
 PackFunction pack_function(const Mechanism& mechanism, const Program& program, const EmitOptions& options) {
@@ -106,17 +107,18 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
   const bool straight = products > 0 && products < options.batch_dot_products;
   const Program written = straight ? schedule(program) : program;
   const FunctionBody body =
-      function_body(order_for_registers(written, States::many), signature, kBatchBlocks);
+      function_body(order_for_registers(written, States::many), signature, kBatchBlocks, Registers::planned);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
+  const bool of_all = body.blocks.size() == 1;
   std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
   const auto add = [&](std::string_view type, std::string_view name, std::size_t size) {
     one += fmt::format("[[maybe_unused]] {}* ALEMBERT_RESTRICT {}, ", type, name);
     all += fmt::format("{}* {}, ", type, name);
-    arguments += fmt::format("{0} + {1} * k, ", name, size);
+    arguments += size == 0 ? fmt::format("{}, ", name) : fmt::format("{} + {} * k, ", name, size);
   };
   for (const PackArray& array : pack_arrays(mechanism, signature))
     add(array.result ? "S" : "const S", array.name, array.size);
-  add("S", "w", crossing);
+  add("S", "w", of_all ? 0 : crossing);
   if (signature.takes_inputs) {
     one += "[[maybe_unused]] const Inputs<S>& in";
     all += "const Inputs<S>* inputs";
@@ -144,9 +146,10 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
                       body.blocks.size() == 1 ? "one block" : fmt::format("{} blocks", body.blocks.size())},
                      {"blocks", blocks},
                      {"arguments", wrap_list(all, start.size(), 4)},
-                     {"crossing_count", std::to_string(crossing)},
+                     {"crossing_count",
+                      fmt::format("{} {}", of_all ? "All packs together have" : "A pack has", crossing)},
                      {"calls", calls}}),
-      crossing};
+      crossing, of_all};
 }
 
 /// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
@@ -182,7 +185,11 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
     loads += "take_own(call, window, inputs);\n";
     call += ", inputs";
   }
-  add({"w", packs.crossing, true});
+  if (packs.of_all) {
+    arrays += fmt::format("Pack w[{}];\n", packs.crossing);
+  } else {
+    add({"w", packs.crossing, true});
+  }
   std::string calls = fmt::format("detail::{}_packs<Pack>({});\n", called.name, call);
   if (solved)
     calls += fmt::format(

@@ -206,6 +206,8 @@ std::string documented(const Function& function, const Slots& common, std::strin
 std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& functions,
                        const EmitOptions& options, const Slots& common) {
   std::string declarations, externs, sign, sines_and_cosines, dot_products;
+  // Over packs, angles are brought together that one state computes one by one.
+  bool calls_sines_and_cosines = !options.batch.empty();
   for (const Function& function : functions) {
     const std::string name(function.signature->name);
     declarations += fill_template(
@@ -217,12 +219,12 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
     externs += instantiation("extern template", name, *function.signature, options.scalars, false);
     for (const CodeBlock& block : function.body.blocks) {
       if (block.calls_sign && sign.empty()) sign = fill_template("sign.hpp", {}) + "\n";
-      if (block.calls_sines_and_cosines && sines_and_cosines.empty())
-        sines_and_cosines = fill_template("sines_and_cosines.hpp", {}) + "\n";
+      calls_sines_and_cosines |= block.calls_sines_and_cosines;
       if (block.calls_dot_products && dot_products.empty())
         dot_products = fill_template("dot_products.hpp", {}, common) + "\n";
     }
   }
+  if (calls_sines_and_cosines) sines_and_cosines = fill_template("sines_and_cosines.hpp", {}) + "\n";
   if (declarations.ends_with("\n\n")) declarations.pop_back();
   std::string description;
   if (!mechanism.description.empty())

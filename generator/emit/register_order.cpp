@@ -6,10 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "emit/list_schedule.hpp"
+#include "emit/order_search.hpp"
 #include "emit/statement_layout.hpp"
 #include "program/operation.hpp"
 #include "support/error.hpp"
@@ -17,41 +20,31 @@
 namespace alembert {
 namespace {
 
-/// One fewer than x86 has, for what is being computed.
-constexpr std::size_t kRegisters = 15;
-
-/// Statements later than the first unwritten one by more are not looked at: the order of the whole stays, and
-/// the time is linear.
+// For one state, statements later than the first unwritten one by more are not looked at: the order of the
+// whole stays.
 constexpr std::uint32_t kLookAhead = 256;
 
-// A choice's weights: a register that becomes free, a value that is in none, an operation between the choice
-// and the last result that hangs on it (for one state only); and at most so many statements since the last
-// use of an operand.
-constexpr int kFreed = 200, kMissing = 100, kHeight = 128, kLongAgo = 100;
+// One register fewer than x86 has, for what is being computed.
+constexpr ScheduleWeights kOneState = {15, 200, 100, 128};
+
+// Over packs the best of these is taken, or of the first ones in long programs, so that the time is bounded.
+constexpr std::size_t kRegistersTried[] = {12, 16, 14, 10, 8, 20, 13, 11};
+constexpr int kMissingTried[] = {100, 200, 30, 400};
+constexpr std::size_t kAllStatements = 100'000;
 
 // A division takes as long as some other operations.
 constexpr int kDivision = 4;
 
-/// One statement: a named value with what is written into it.
-struct Statement {
-  std::vector<std::uint32_t> members;  ///< instructions, in their order; the last is the named value
-  std::vector<std::uint32_t> reads;    ///< inputs and values of other statements, each once
-  std::vector<std::uint32_t> readers;  ///< statements that read its value
-  std::uint32_t unknown = 0;           ///< statements still to be written before it
-  int height = 0;                      ///< operations from its first to the last result that needs it
-  bool written = false;
-};
-
 class Ordering {
  public:
-  Ordering(const Program& program, States states) : program_(program), size_(program.code.size()) {
+  Ordering(const Program& program, States states)
+      : program_(program), states_(states), size_(program.code.size()) {
     collect_statements();
     if (states == States::one) measure_heights();
     result_ = program;
     result_.code.clear();
     result_.constants.clear();
     place_.assign(size_, kNoPlace);
-    used_at_.assign(size_, kNoPlace);
   }
 
   /// Instructions in their new order.
@@ -62,12 +55,11 @@ class Ordering {
     for (std::uint32_t s = 0; s < leading_; ++s)
       for (const std::uint32_t v : statements_[s].reads)
         if (is_leaf(program_.code[v].op)) emit(v);
-    std::uint32_t next = 0;  // the first that is not written
-    for (; next < leading_; ++next) write(next);
-    while (next < statements_.size()) {
-      write(best(next));
-      while (next < statements_.size() && statements_[next].written) ++next;
-    }
+    const std::vector<std::uint32_t> sequence =
+        states_ == States::one ? list_schedule(statements_, leading_, left_, kOneState, kLookAhead)
+                               : best_of_many();
+    for (const std::uint32_t s : sequence)
+      for (const std::uint32_t v : statements_[s].members) emit(v);
     const std::size_t straight = size_ - program_.dot_product_code;
     // Results and entries of tables that are inputs or constants.
     for (const OutputArray& output : program_.outputs)
@@ -94,7 +86,9 @@ class Ordering {
   }
 
   void collect_statements() {
-    const StatementLayout layout(program_, {size_, size_});
+    const StatementLayout layout(
+        program_, {size_, size_},
+        states_ == States::many && program_.loops.empty() ? Grain::operations : Grain::expressions);
     std::vector<std::uint32_t> statement(size_, kNoPlace);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (!layout.live(v) || !layout.named(v)) continue;
@@ -111,7 +105,7 @@ class Ordering {
     left_.assign(size_, 0);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (statement[v] == kNoPlace) continue;
-      Statement& s = statements_[statement[v]];
+      ScheduledStatement& s = statements_[statement[v]];
       s.members.push_back(v);
       for (const std::uint32_t operand : operands(v)) {
         if (operand == kNoPlace || program_.code[operand].op == Operation::constant) continue;
@@ -121,7 +115,7 @@ class Ordering {
         ++left_[operand];
         if (statement[operand] == kNoPlace) continue;
         statements_[statement[operand]].readers.push_back(statement[v]);
-        ++s.unknown;
+        ++s.before;
       }
     }
   }
@@ -133,35 +127,8 @@ class Ordering {
       for (const std::uint32_t operand : operands(static_cast<std::uint32_t>(v)))
         if (operand != kNoPlace) height[operand] = std::max(height[operand], height[v]);
     }
-    for (Statement& s : statements_)
+    for (ScheduledStatement& s : statements_)
       for (const std::uint32_t v : s.members) s.height = std::max(s.height, height[v]);
-  }
-
-  bool in_register(std::uint32_t v) const { return used_at_[v] != kNoPlace; }
-
-  int score(const Statement& s) const {
-    int score = kHeight * s.height, age = kLongAgo;
-    for (const std::uint32_t v : s.reads) {
-      if (!in_register(v)) {
-        score -= kMissing;
-        continue;
-      }
-      if (left_[v] == 1) score += kFreed;
-      age = std::min(age, static_cast<int>(time_ - used_at_[v]));
-    }
-    return score - age;
-  }
-
-  std::uint32_t best(std::uint32_t first) const {
-    const auto count = static_cast<std::uint32_t>(statements_.size());
-    std::optional<std::pair<int, std::uint32_t>> found;
-    for (std::uint32_t s = first; s < std::min(first + kLookAhead, count); ++s) {
-      if (statements_[s].written || statements_[s].unknown > 0) continue;
-      const int value = score(statements_[s]);
-      if (!found || value > found->first) found = {value, s};
-    }
-    if (!found) throw InternalError("emit: no statement of " + program_.function + " can be next");
-    return found->second;
   }
 
   void emit(std::uint32_t v) {
@@ -180,43 +147,55 @@ class Ordering {
     instructions_.push_back(v);
   }
 
-  void write(std::uint32_t number) {
-    Statement& s = statements_[number];
-    for (const std::uint32_t v : s.members) emit(v);
-    s.written = true;
-    ++time_;
-    for (const std::uint32_t v : s.reads) {
-      use(v);
-      if (--left_[v] == 0) give_up(v);
+  /// The cheapest of several orders, made cheaper by moving statements behind those of the call for all
+  /// angles.
+  std::vector<std::uint32_t> best_of_many() const {
+    RegisterUses uses;
+    for (std::uint32_t v = 0; v < size_; ++v) uses.in_memory.push_back(is_leaf(program_.code[v].op) ? 1 : 0);
+    Predecessors predecessors(statements_.size());
+    for (std::uint32_t i = 0; i < statements_.size(); ++i) {
+      const ScheduledStatement& s = statements_[i];
+      const std::uint32_t result = s.members.back();
+      if (i < leading_) uses.in_memory[result] = 1;
+      uses.statements.push_back({static_cast<std::uint32_t>(uses.values.size()),
+                                 static_cast<std::uint32_t>(s.reads.size()),
+                                 s.readers.empty() ? RegisterUses::kNoValue : result});
+      uses.values.insert(uses.values.end(), s.reads.begin(), s.reads.end());
+      for (const std::uint32_t reader : s.readers) predecessors[reader].push_back(i);
     }
-    // Sines and cosines wait in memory, as inputs do.
-    if (!s.readers.empty() && number >= leading_) use(s.members.back());
-    while (registers_.size() > kRegisters)
-      give_up(*std::ranges::min_element(registers_, {}, [&](std::uint32_t v) { return used_at_[v]; }));
-    for (const std::uint32_t reader : s.readers) --statements_[reader].unknown;
-  }
-
-  void use(std::uint32_t v) {
-    if (!in_register(v)) registers_.push_back(v);
-    used_at_[v] = time_;
-  }
-
-  void give_up(std::uint32_t v) {
-    registers_.erase(std::ranges::find(registers_, v));
-    used_at_[v] = kNoPlace;
+    RegisterFile file(uses);
+    std::vector<std::uint32_t> best;
+    std::uint64_t cost = RegisterFile::kNoLimit;
+    const auto count = static_cast<std::uint32_t>(statements_.size());
+    std::size_t written = 0;
+    for (const std::size_t registers : kRegistersTried)
+      for (const int missing : kMissingTried) {
+        if (written > kAllStatements) break;
+        written += statements_.size();
+        std::vector<std::uint32_t> sequence =
+            list_schedule(statements_, leading_, left_, {registers, 200, missing, 0}, count);
+        sequence.erase(sequence.begin(), sequence.begin() + leading_);
+        const std::uint64_t c = file.cost(sequence, cost);
+        if (c >= cost) continue;
+        cost = c;
+        best = std::move(sequence);
+      }
+    search_order(uses, predecessors, best);
+    std::vector<std::uint32_t> all(leading_);
+    std::iota(all.begin(), all.end(), 0U);
+    all.insert(all.end(), best.begin(), best.end());
+    return all;
   }
 
   const Program& program_;
+  States states_;
   std::size_t size_;
   Program result_;
   std::vector<std::uint32_t> instructions_;
-  std::vector<Statement> statements_;
-  std::uint32_t leading_ = 0;             // statements up to the last of the call for all angles
-  std::uint32_t time_ = 0;                // statements written
-  std::vector<std::uint32_t> left_;       // of a value: statements that will read it
-  std::vector<std::uint32_t> used_at_;    // of a value in a register: the time of its last use
-  std::vector<std::uint32_t> registers_;  // values in registers
-  std::vector<std::uint32_t> place_;      // of an instruction: in the result
+  std::vector<ScheduledStatement> statements_;
+  std::uint32_t leading_ = 0;         // statements up to the last of the call for all angles
+  std::vector<std::uint32_t> left_;   // of a value: statements that read it
+  std::vector<std::uint32_t> place_;  // of an instruction: in the result
 };
 
 /// Orders what lies between loops, and one iteration of each, which stands for all.

@@ -10,11 +10,10 @@ namespace alembert {
 /// packs of states have others to compute meanwhile.
 enum class States { one, many };
 
-/// A list scheduler on statements as they will be written. Of those whose operands are known, the one is next
-/// that frees most registers and needs fewest values that have left them, where a set of registers that gives
-/// up the least recently used value first stands for what a compiler will do; for one state, what most
-/// operations hang on comes sooner. Sines and cosines of the call for all angles stay first, dot products in
-/// loops last. Same values, bit for bit.
+/// For one state, a list schedule (list_schedule.hpp) in which what most operations hang on comes sooner. For
+/// many, the best of several, made better by search (order_search.hpp), for a plan of what registers hold
+/// (register_plan.hpp). Sines and cosines of the call for all angles stay first, dot products in loops last.
+/// Same values, bit for bit.
 Program order_for_registers(const Program& program, States states);
 
 }  // namespace alembert

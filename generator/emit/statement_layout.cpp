@@ -18,11 +18,12 @@ constexpr int kMaxOperations = 16;
 
 }  // namespace
 
-StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes)
+StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes, Grain grain)
     : program_(program), size_(program.code.size()), loop_(loop_numbers(program)) {
   place_tables();
   collect_uses();
   choose_names();
+  if (grain == Grain::operations) name_operations();
   assign_blocks(sizes);
   collect_angles();
   if (!program.loops.empty()) place_loops();
@@ -104,6 +105,23 @@ void StatementLayout::choose_names() {
       operations[v] += operations[child];
     }
     named_[v] = uses_[v] > 1 || !results_[v].empty() || !table_places_[v].empty() || is_call(instruction.op);
+  }
+}
+
+void StatementLayout::name_operations() {
+  std::vector<bool> taken_up(size_, false);
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    const Instruction& c = program_.code[v];
+    if (c.op != Operation::add && c.op != Operation::sub) continue;
+    for (const std::uint32_t operand : {c.a, c.b}) {
+      if (named_[operand] || program_.code[operand].op != Operation::mul) continue;
+      taken_up[operand] = true;
+      break;
+    }
+  }
+  for (std::uint32_t v = 0; v < size_; ++v) {
+    const Operation op = program_.code[v].op;
+    if (live(v) && !is_leaf(op) && op != Operation::neg && !taken_up[v]) named_[v] = true;
   }
 }
 

@@ -23,6 +23,10 @@ struct BlockSizes {
   std::size_t longest = 2000, size = 1000;
 };
 
+/// What a statement is: an expression, as large as can be read, or an operation, with the product that a sum
+/// takes up and signs.
+enum class Grain { expressions, operations };
+
 inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
 
 /// True for constants and inputs, which never have a statement.
@@ -40,7 +44,7 @@ constexpr bool is_call(Operation op) {
 /// Layout of one program: what is live, named, in which block, and where values cross.
 class StatementLayout {
  public:
-  StatementLayout(const Program& program, const BlockSizes& sizes);
+  StatementLayout(const Program& program, const BlockSizes& sizes, Grain grain = Grain::expressions);
 
   bool live(std::uint32_t v) const { return uses_[v] > 0; }
   /// Has a statement of its own. Leaves have none.
@@ -89,6 +93,7 @@ class StatementLayout {
   void place_tables();
   void collect_uses();
   void choose_names();
+  void name_operations();
   void assign_blocks(const BlockSizes& sizes);
   void assign_crossings();
   void collect_angles();

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
 #include <utility>
 
 #include "emit/literals.hpp"
+#include "emit/register_plan.hpp"
 #include "program/operation.hpp"
 #include "support/error.hpp"
 
@@ -70,8 +72,16 @@ std::string input_source(const InputSlot& slot) {
 /// Writes the statements of a layout.
 class Writer {
  public:
-  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes)
-      : program_(program), signature_(signature), layout_(program, sizes) {}
+  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes,
+         Registers registers)
+      : program_(program),
+        signature_(signature),
+        layout_(program, sizes, registers == Registers::planned ? grain_of(program) : Grain::expressions) {
+    if (registers == Registers::planned && program.loops.empty()) plan_.emplace(program_, layout_);
+  }
+  static Grain grain_of(const Program& program) {
+    return program.loops.empty() ? Grain::operations : Grain::expressions;
+  }
 
   /// Whether the values of loops, if there are loops, can be arranged.
   bool possible() const { return !layout_.loops() || layout_.loops()->possible(); }
@@ -98,10 +108,10 @@ class Writer {
     layout_.loops() ? write_late(last) : write_leaves(last);
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
-    if (body_.blocks.size() == 1 && layout_.crossing() > 0)
+    if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_)
       states_[0].lines.insert(0, fmt::format("S w[{}];\n", layout_.crossing()));
     for (std::size_t b = 0; b < body_.blocks.size(); ++b) finish(b);
-    body_.crossing = layout_.crossing();
+    body_.crossing = plan_ ? plan_->crossing() : layout_.crossing();
     return std::move(body_);
   }
 
@@ -111,6 +121,7 @@ class Writer {
     std::set<std::uint32_t> loaded;                           ///< values of earlier blocks
     std::map<std::string, std::string> elements;              ///< what a loop has read, with its name
     std::set<std::string> calls;
+    std::set<std::string> touched;  ///< elements that the compiler may take for known
     std::string lines;
   };
 
@@ -125,7 +136,53 @@ class Writer {
   }
 
   void keep(std::uint32_t block, std::uint32_t place, std::string_view value) {
-    line(block, fmt::format("w[{}] = {};", place, value));
+    std::string element = fmt::format("w[{}]", place);
+    line(block, fmt::format("{} = {};", element, value));
+    if (plan_) states_[block].touched.insert(std::move(element));
+  }
+
+  /// Where memory has a value, as the plan reads it.
+  std::string element_of(std::uint32_t v, std::uint32_t block) const {
+    if (program_.code[v].op == Operation::input) return input_source(program_.inputs[program_.code[v].a]);
+    if (layout_.angle(v) != kNoPlace && layout_.block(v) == block) return from_trig_call(v);
+    const std::uint32_t place = !layout_.table_places(v).empty() ? layout_.table_places(v).front()
+                                : layout_.place(v) != kNoPlace   ? layout_.place(v)
+                                                                 : plan_->slot(v);
+    return fmt::format("w[{}]", place);
+  }
+
+  /// Says so if the compiler could take one of these elements for known.
+  void read_again(std::uint32_t block, const std::vector<std::string>& elements) {
+    std::set<std::string>& touched = states_[block].touched;
+    if (std::ranges::any_of(elements, [&](const std::string& e) { return touched.contains(e); })) {
+      line(block, "ALEMBERT_FROM_MEMORY;");
+      touched.clear();
+    }
+    touched.insert(elements.begin(), elements.end());
+  }
+
+  /// Brings the operands of a statement to where the plan wants them.
+  void begin_planned(std::uint32_t statement, std::uint32_t block) {
+    if (statement == planned_) return;
+    planned_ = statement;
+    std::vector<std::string> elements;
+    for (const auto& [v, from] : plan_->reads(statement)) {
+      if (from == OperandFrom::a_register) continue;
+      elements.push_back(element_of(v, block));
+      if (from == OperandFrom::memory) text_in_plan_[v] = elements.back();
+    }
+    read_again(block, elements);
+    for (const auto& [v, from] : plan_->reads(statement)) {
+      if (from != OperandFrom::memory_into_register) continue;
+      const Instruction& c = program_.code[v];
+      const bool input = c.op == Operation::input;
+      std::string name = input ? input_local(program_.inputs[c.a]) : fmt::format("t{}", layout_.number(v));
+      const int again = times_named_[v]++;
+      if (again > 0) name += fmt::format("_{}", again + 1);
+      const std::string comment = input ? "  // " + comment_text(program_.inputs[c.a].name) : "";
+      line(block, fmt::format("const S {} = {};{}", name, element_of(v, block), comment));
+      text_in_plan_[v] = std::move(name);
+    }
   }
 
   /// Results and entries of tables that are inputs or constants.
@@ -133,7 +190,9 @@ class Writer {
     for (std::uint32_t v = 0; v < program_.code.size(); ++v)
       if (layout_.live(v) && is_leaf(program_.code[v].op) &&
           !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
-        const std::string value = operand(v, block, Binding::sum);
+        const bool again = plan_ && program_.code[v].op == Operation::input;
+        if (again) read_again(block, {element_of(v, block)});
+        const std::string value = again ? element_of(v, block) : operand(v, block, Binding::sum);
         store_all(block, layout_.results(v), value);
         for (const std::uint32_t place : layout_.table_places(v)) keep(block, place, value);
       }
@@ -299,6 +358,8 @@ class Writer {
     const Instruction& instruction = program_.code[v];
     if (instruction.op == Operation::constant)
       return fmt::format("S({})", number_literal(program_.constants[instruction.a]));
+    if (const auto planned = text_in_plan_.find(v); plan_ && planned != text_in_plan_.end())
+      return planned->second;
     if (instruction.op == Operation::input) {
       const InputSlot& slot = program_.inputs[instruction.a];
       // Two inputs of a program may be the same element.
@@ -385,6 +446,7 @@ class Writer {
   void write_value(std::uint32_t v) {
     const Instruction& c = program_.code[v];
     const std::uint32_t block = layout_.block(v);
+    if (plan_ && !is_leaf(c.op)) begin_planned(plan_->statement(v), block);
     std::string text;
     Binding binding = Binding::primary;
     switch (c.op) {
@@ -453,6 +515,11 @@ class Writer {
     const bool from_arrays = layout_.angle(v) != kNoPlace;
     const std::string name = from_arrays ? text : fmt::format("t{}", layout_.number(v));
     if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
+    if (plan_ && !from_arrays) {
+      text_in_plan_[v] = name;
+      ++times_named_[v];
+      if (plan_->slot(v) != kNoPlace) keep(block, plan_->slot(v), name);
+    }
     const std::vector<std::uint32_t>& in_tables = layout_.table_places(v);
     for (const std::uint32_t place : in_tables) keep(block, place, name);
     const bool there = from_arrays && layout_.trig_place() != kNoPlace;
@@ -489,6 +556,10 @@ class Writer {
   const Program& program_;
   const FunctionSignature& signature_;
   StatementLayout layout_;
+  std::optional<RegisterPlan> plan_;
+  std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place
+  std::map<std::uint32_t, std::string> text_in_plan_;  // of a value, at this statement
+  std::map<std::uint32_t, int> times_named_;
   FunctionBody body_;
   std::vector<BlockState> states_;
   std::string indent_;
@@ -499,12 +570,12 @@ class Writer {
 }  // namespace
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes) {
-  Writer writer(program, signature, sizes);
+                           const BlockSizes& sizes, Registers registers) {
+  Writer writer(program, signature, sizes, registers);
   if (writer.possible()) return writer.write();
   Program straight = program;
   straight.loops.clear();
-  return Writer(straight, signature, sizes).write();
+  return Writer(straight, signature, sizes, registers).write();
 }
 
 }  // namespace alembert

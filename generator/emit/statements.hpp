@@ -35,7 +35,12 @@ struct FunctionBody {
   std::size_t crossing = 0;
 };
 
+/// Who decides what registers hold: the compiler, or a plan (register_plan.hpp), where the program has no
+/// loops. With a plan w is a parameter, and what is read from memory again stands behind
+/// ALEMBERT_FROM_MEMORY.
+enum class Registers { compiled, planned };
+
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes = {});
+                           const BlockSizes& sizes = {}, Registers registers = Registers::compiled);
 
 }  // namespace alembert

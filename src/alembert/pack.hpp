@@ -58,13 +58,13 @@ namespace alembert::ALEMBERT_PACK_NAMESPACE {
 #undef ALEMBERT_TRIG_MULTIPLY_ADD
 #endif
 
-/// Two vectors: straight-line code on one is a chain of dependent operations that leaves half of the machine
-/// idle.
+/// One vector: code that reads and writes memory where registers are full (ALEMBERT_FROM_MEMORY in the files
+/// of batches) needs all of them for it.
 struct Pack {
-  static constexpr int kLanes = 2 * ALEMBERT_PACK_LANES;
+  static constexpr int kLanes = ALEMBERT_PACK_LANES;
 #if defined(__GNUC__)
   typedef double Vector __attribute__((vector_size(8 * ALEMBERT_PACK_LANES)));
-  /// A vector in an array of doubles. memcpy would move halves.
+  /// A vector in an array of doubles.
   typedef double Stored __attribute__((vector_size(8 * ALEMBERT_PACK_LANES), aligned(8), may_alias));
 #else
   typedef double Vector;
@@ -72,57 +72,51 @@ struct Pack {
 #endif
 
   Pack() = default;
-  // Written out: as one object, it would be copied through memory.
-  Pack(const Pack& other) : v(other.v), w(other.w) {}
-  Pack& operator=(const Pack& other) {
-    v = other.v;
-    w = other.w;
-    return *this;
+  explicit Pack(double x) : v(x - Vector{}) {}
+  static Pack of(Vector v) {
+    Pack out;
+    out.v = v;
+    return out;
   }
-  explicit Pack(double x) : v(x - Vector{}), w(x - Vector{}) {}
-  Pack(const Vector& first, const Vector& second) : v(first), w(second) {}
 
   static Pack load(const double* x) {
-    const Vector first = *reinterpret_cast<const Stored*>(x);
-    const Vector second = *reinterpret_cast<const Stored*>(x + ALEMBERT_PACK_LANES);
-    return {first, second};
+    return of(*reinterpret_cast<const Stored*>(x));
   }
   void store(double* x) const {
     *reinterpret_cast<Stored*>(x) = v;
-    *reinterpret_cast<Stored*>(x + ALEMBERT_PACK_LANES) = w;
   }
 
   friend Pack operator+(const Pack& a, const Pack& b) {
-    return {a.v + b.v, a.w + b.w};
+    return of(a.v + b.v);
   }
   friend Pack operator-(const Pack& a, const Pack& b) {
-    return {a.v - b.v, a.w - b.w};
+    return of(a.v - b.v);
   }
   friend Pack operator-(const Pack& a) {
-    return {-a.v, -a.w};
+    return of(-a.v);
   }
 
   /// 0 in lanes where a > b, NaN in the others.
   static Pack nan_unless_greater(const Pack& a, const Pack& b) {
 #if defined(__GNUC__)
-    return {reinterpret_cast<Vector>(~(a.v > b.v)), reinterpret_cast<Vector>(~(a.w > b.w))};
+    return of(reinterpret_cast<Vector>(~(a.v > b.v)));
 #else
     constexpr double kNan = ::std::numeric_limits<double>::quiet_NaN();
-    return {a.v > b.v ? 0.0 : kNan, a.w > b.w ? 0.0 : kNan};
+    return of(a.v > b.v ? 0.0 : kNan);
 #endif
   }
 
-  Vector v, w;
+  Vector v;
 };
 
 // No friend: both operands may be products.
 inline Pack operator/(const Pack& a, const Pack& b) {
-  return {a.v / b.v, a.w / b.w};
+  return Pack::of(a.v / b.v);
 }
 
 /// a b, not yet rounded: the sum or difference that it stands in takes it up by a fused operation.
 struct Product {
-  operator Pack() const { return {a.v * b.v, a.w * b.w}; }
+  operator Pack() const { return Pack::of(a.v * b.v); }
   Pack a, b;
 };
 inline Product operator*(const Pack& a, const Pack& b) {
@@ -132,7 +126,7 @@ inline Product operator-(const Product& p) {
   return {-p.a, p.b};
 }
 inline Pack operator+(const Product& p, const Pack& c) {
-  return {ALEMBERT_PACK_MULTIPLY_ADD(p.a.v, p.b.v, c.v), ALEMBERT_PACK_MULTIPLY_ADD(p.a.w, p.b.w, c.w)};
+  return Pack::of(ALEMBERT_PACK_MULTIPLY_ADD(p.a.v, p.b.v, c.v));
 }
 inline Pack operator+(const Pack& c, const Product& p) {
   return p + c;
@@ -278,7 +272,7 @@ struct Window {
 };
 
 /// The most packs that are done together.
-constexpr int kMostPacks = 8;
+constexpr int kMostPacks = 16;
 
 /// Packs that are done together if a function has `size` values for each: no more than half fill a
 /// second-level cache.
@@ -315,6 +309,15 @@ inline Pack zero_if_finite(int n, const Pack* x) {
     odd = odd + x[i + 1] * zero;
   }
   return n % 2 == 0 ? even + odd : even + odd + x[n - 1] * zero;
+}
+
+/// Whether all lanes are 0.
+inline bool is_zero(const Pack& a) {
+  double x[Pack::kLanes];
+  a.store(x);
+  bool zero = true;
+  for (int i = 0; i < Pack::kLanes; ++i) zero = zero && x[i] == 0;
+  return zero;
 }
 
 /// x = M^-1 b by L D L^T without a branch; M and b are spoilt. In lanes where M has a pivot that is not
