@@ -71,9 +71,8 @@ std::string c_batch_call(const FunctionSignature& signature) {
   return out + "options";
 }
 
-/// Longer programs are cut into such blocks: what is longer does not fit the caches of code and of decoded
-/// instructions, shorter blocks hand over more values. Measured with AVX2 and AVX-512 (see bench_dynamics);
-/// with two lanes a vector, code is twice as long and blocks of half the size would do better.
+/// Longer programs are cut into such blocks, of operations: what is longer does not fit the nearest cache of
+/// code, and blocks hand over values. Each operation takes some 14 bytes with AVX2.
 constexpr BlockSizes kBatchBlocks = {2000, 1200};
 
 /// An array of a function over packs.
