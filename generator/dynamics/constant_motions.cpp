@@ -41,8 +41,11 @@ std::vector<Motion> plane_rotations(const Mat3& given, ExprGraph& graph) {
   }
   std::vector<Motion> out;
   for (std::size_t a = 0; a < 3; ++a) {
-    if (std::abs(v[4 * a] - 1) > kRounding) continue;
+    // The axis' own entry is 1 up to rounding for tilts of 1e-8 as well; the entries beside it are the tilt.
     const std::size_t i = (a + 1) % 3, j = (a + 2) % 3;
+    const double tilt =
+        std::max(std::hypot(v[3 * i + a], v[3 * j + a]), std::hypot(v[3 * a + i], v[3 * a + j]));
+    if (v[4 * a] < 0 || tilt > kRounding) continue;
     append_motion(out, rotation_by(static_cast<int>(a), R(i, i), R(j, i), graph), graph);
     return out;
   }
@@ -85,7 +88,7 @@ bool moves(const Motion& motion, const SpeedDerivatives& derivatives) {
   return true;
 }
 
-std::vector<Motion> gathered(const std::vector<Motion>& run, ExprGraph& graph) {
+std::vector<Motion> gathered(const std::vector<Motion>& run, double length, ExprGraph& graph) {
   Pose pose = identity_pose(graph);
   std::vector<Motion> turns;
   bool numbers = true;
@@ -99,7 +102,7 @@ std::vector<Motion> gathered(const std::vector<Motion>& run, ExprGraph& graph) {
   for (Expr& e : offset) {
     if (!e.is_constant()) continue;
     e = short_number(e);
-    if (std::abs(value_of(e)) < kRounding) e = graph.zero();
+    if (std::abs(value_of(e)) < kRounding * length) e = graph.zero();
   }
   if (numbers) {
     const std::vector<Expr> R = simplify(pose.rotation.entries);
@@ -136,12 +139,12 @@ std::vector<Motion> turned_to_z(const Vec3& axis, ExprGraph& graph) {
 }
 
 std::vector<Motion> gathered_constants(const std::vector<Motion>& motions,
-                                       const SpeedDerivatives& derivatives, ExprGraph& graph) {
+                                       const SpeedDerivatives& derivatives, double length, ExprGraph& graph) {
   std::vector<Motion> out, run;
   const auto flush = [&] {
     if (run.empty()) return;
     const std::vector<Motion> shorter =
-        run.size() > 1 || run[0].kind == MotionKind::rotation ? gathered(run, graph) : run;
+        run.size() > 1 || run[0].kind == MotionKind::rotation ? gathered(run, length, graph) : run;
     const bool gain = shorter.size() < run.size() || std::any_of(run.begin(), run.end(), [](const Motion& m) {
                         return m.kind == MotionKind::rotation;
                       });

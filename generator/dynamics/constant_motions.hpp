@@ -16,8 +16,9 @@ Expr short_number(Expr constant);
 std::vector<Motion> turned_to_z(const Vec3& axis, ExprGraph& graph);
 
 /// The product with every run of motions that do not move gathered: its shifts in one, before its rotations,
-/// and these as rotations about z, x, z where they are numbers. A run that is short already stays.
+/// and these as rotations about z, x, z where they are numbers. A run that is short already stays. Shifts are
+/// zero where they are rounding of lengths of this size.
 std::vector<Motion> gathered_constants(const std::vector<Motion>& motions,
-                                       const SpeedDerivatives& derivatives, ExprGraph& graph);
+                                       const SpeedDerivatives& derivatives, double length, ExprGraph& graph);
 
 }  // namespace alembert

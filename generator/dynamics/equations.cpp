@@ -10,6 +10,7 @@
 #include "dynamics/reduced_equations.hpp"
 #include "dynamics/screw_peeling.hpp"
 #include "dynamics/state_checks.hpp"
+#include "dynamics/units.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
@@ -122,8 +123,9 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   MotionTree tree = motion_tree(mechanism, motions, derivatives, graph);
   std::optional<MotionTree> peeled;
   bool any = false;
+  const Units units = units_of(mechanism, tree, graph);
   for (std::vector<Motion>& given : motions) {
-    auto other = peeled_motions(given, mechanism, derivatives, graph);
+    auto other = peeled_motions(given, mechanism, units, derivatives, graph);
     if (!other) continue;
     given = std::move(*other);
     any = true;

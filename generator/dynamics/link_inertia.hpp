@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "dynamics/motion_tree.hpp"
+#include "dynamics/units.hpp"
 #include "mechanism/model.hpp"
 
 namespace alembert {
@@ -22,14 +23,6 @@ namespace alembert {
 /// Entries of a pseudo-inertia [K h; h^T m] in this order: Kxx Kyy Kzz Kxy Kxz Kyz hx hy hz m.
 inline constexpr std::array<std::pair<int, int>, 10> kInertiaEntries{
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}, {3, 3}}};
-
-/// What numbers of lengths and masses are multiples of: powers of two, 1 for mechanisms of the usual sizes.
-/// In these units numbers are about 1, and what is small is rounding.
-struct Units {
-  double length = 1, mass = 1;
-  double moment() const { return mass * length; }
-  double inertia() const { return mass * length * length; }
-};
 
 /// number + sum over k of terms[k] * (term k of the RuntimeTerms it was made with).
 struct LinkInertia {

@@ -21,6 +21,7 @@ constexpr double kSame = 1e-10;  ///< twists at two states, relative
 
 struct NumericTwist {
   Vector3d om = Vector3d::Zero(), v = Vector3d::Zero();
+  double om_size = 0, v_size = 0;  ///< of all that they are sums of: what rounding is relative to
 };
 
 void append_pose(std::vector<Expr>& out, const Motion& motion, ExprGraph& graph) {
@@ -61,15 +62,19 @@ std::optional<std::vector<NumericTwist>> twists_at(std::span<const Part> parts, 
       const Vector3d d = R * vector();
       if (part.motion.kind == MotionKind::translation) {
         twist.v += d;
+        twist.v_size += d.norm();
       } else {
         twist.om += d;
+        twist.om_size += d.norm();
         twist.v += p.cross(d);
+        twist.v_size += p.norm() * d.norm();
       }
     }
   }
   if (side == Side::right) {
     for (NumericTwist& twist : twists) {
       twist.v = R.transpose() * (twist.v - p.cross(twist.om));
+      twist.v_size += p.norm() * twist.om_size;
       twist.om = R.transpose() * twist.om;
     }
   }
@@ -145,8 +150,9 @@ std::vector<char> MotionCore::constant_twists(std::span<const int> speeds, Side 
       if (!first) first = here;
       for (std::size_t k = 0; k < speeds.size(); ++k) {
         const NumericTwist &x = (*first)[k], &y = (*here)[k];
-        const double size = std::max({1e-3, x.om.norm(), x.v.norm()});
-        if ((x.om - y.om).norm() > kSame * size || (x.v - y.v).norm() > kSame * size) constant[k] = 0;
+        const double om_size = std::max(1e-3, x.om_size);
+        const double v_size = std::max(1e-3 * states_.length(), x.v_size);
+        if ((x.om - y.om).norm() > kSame * om_size || (x.v - y.v).norm() > kSame * v_size) constant[k] = 0;
       }
     }
     if (finite < 2) return std::vector<char>(speeds.size(), 0);
@@ -226,7 +232,8 @@ std::optional<Twist> MotionCore::constant_twist(int speed, Side side) const {
     }
     std::vector<Expr> flat(twist.om.entries.begin(), twist.om.entries.end());
     flat.insert(flat.end(), twist.v.entries.begin(), twist.v.entries.end());
-    flat = states_.recognised(simplify(flat));
+    const double length = states_.length();
+    flat = states_.recognised(simplify(flat), std::array{1.0, 1.0, 1.0, length, length, length});
     if (!states_.finite_everywhere(flat)) continue;
     // An axis that a runtime parameter moves can get where it has no direction, or no angles to turn it by.
     if (!std::all_of(flat.begin(), flat.begin() + 3, [](Expr e) { return e.is_constant(); }))

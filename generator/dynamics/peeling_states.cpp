@@ -44,8 +44,9 @@ std::vector<PeelingStates::States> random_states(const Mechanism& mechanism, Exp
 
 }  // namespace
 
-PeelingStates::PeelingStates(const Mechanism& mechanism, ExprGraph& graph)
-    : graph_(graph), groups_(random_states(mechanism, graph)) {}
+// A long mechanism has short parts too, of which nothing may be lost.
+PeelingStates::PeelingStates(const Mechanism& mechanism, const Units& units, ExprGraph& graph)
+    : graph_(graph), length_(std::min(units.length, 1.0)), groups_(random_states(mechanism, graph)) {}
 
 bool PeelingStates::finite_everywhere(std::span<const Expr> values) const {
   return std::all_of(groups_.begin(), groups_.end(), [&](const auto& group) {
@@ -54,14 +55,14 @@ bool PeelingStates::finite_everywhere(std::span<const Expr> values) const {
   });
 }
 
-std::vector<Expr> PeelingStates::recognised(std::vector<Expr> values) const {
-  std::vector<double> size(values.size(), 0);
+std::vector<Expr> PeelingStates::recognised(std::vector<Expr> values, std::span<const double> sizes) const {
+  std::vector<double> largest(values.size(), 0);
   for (const auto& group : groups_) {
     const std::vector<double> here = evaluate(values, group[0]);
-    for (std::size_t i = 0; i < values.size(); ++i) size[i] = std::max(size[i], std::abs(here[i]));
+    for (std::size_t i = 0; i < values.size(); ++i) largest[i] = std::max(largest[i], std::abs(here[i]));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (size[i] < 1e-14)
+    if (largest[i] < 1e-14 * sizes[i])
       values[i] = graph_.zero();
     else if (values[i].is_constant())
       values[i] = short_number(values[i]);
@@ -79,18 +80,20 @@ bool PeelingStates::agree(const std::vector<Motion>& given, const std::vector<Mo
   std::vector<Expr> entries;
   product(given, entries);
   product(other, entries);
+  constexpr std::size_t kRotation = 9;  // entries before those of the position
   const std::size_t half = entries.size() / 2;
   for (const auto& group : groups_) {
     for (const std::vector<double>& state : group) {
       const std::vector<double> x = evaluate(entries, state);
-      double size = 1;
+      double distance = length_;
       bool finite = true;
       for (std::size_t i = 0; i < half; ++i) {
         finite = finite && std::isfinite(x[i]);
-        size = std::max(size, std::abs(x[i]));
+        if (i >= kRotation) distance = std::max(distance, std::abs(x[i]));
       }
       if (!finite) continue;
       for (std::size_t i = 0; i < half; ++i) {
+        const double size = i < kRotation ? 1 : distance;
         if (!(std::abs(x[i] - x[half + i]) <= kSameProduct * size)) return false;
       }
     }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/state_checks.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
@@ -58,41 +57,6 @@ std::optional<Matrix4d> constant_pose(const Motion& motion, const Units& units, 
     m(r, 3) = (*t)[static_cast<std::size_t>(r)];
   }
   return m;
-}
-
-/// 1 for sizes within a factor of 1000 of it, where numbers stay as they are written; else the power of two
-/// below.
-double unit_of(double size) {
-  constexpr double kUsual = 1e3;
-  const bool usual = size > 1 / kUsual && size < kUsual;
-  return usual || !std::isnormal(size) ? 1 : std::exp2(std::floor(std::log2(size)));
-}
-
-/// From the longest shift that is constant, arm or radius of gyration, and the largest mass; runtime
-/// parameters have their defaults.
-Units units_of(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
-  const std::vector<double> state = state_values(mechanism, graph, 0);
-  double length = 0, mass = 0, inertia = 0;
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const MotionNode& node = tree.nodes[i];
-    if (node.partials.empty() && node.motion.kind == MotionKind::translation) {
-      for (const double x : evaluate(node.motion.offset.entries, state))
-        length = std::max(length, std::abs(x));
-    }
-    const double m = evaluate({&tree.masses[i].mass, 1}, state)[0];
-    double moment = 0, moved = 0;
-    for (const double x : evaluate(tree.masses[i].moment.entries, state))
-      moment = std::max(moment, std::abs(x));
-    for (const double x : evaluate(tree.masses[i].inertia.entries, state))
-      moved = std::max(moved, std::abs(x));
-    mass = std::max(mass, m);
-    inertia = std::max(inertia, moved);
-    if (m > 0) length = std::max({length, moment / m, std::sqrt(moved / m)});
-  }
-  Units units;
-  units.length = unit_of(length);
-  units.mass = unit_of(mass > 0 ? mass : inertia / (units.length * units.length));
-  return units;
 }
 
 /// A pose as Rz(first_angle) Tz(first_shift) Rx(twist) Tx(length) Rz(last_angle) Tz(last_shift).

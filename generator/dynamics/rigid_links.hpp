@@ -9,7 +9,7 @@
 // (Denavit and Hartenberg), with the offset before the rotation it belongs to: both shifts happen in one
 // frame.
 //
-// Lengths, masses and inertias are in units in which they are about 1 (link_inertia.hpp), so that what counts
+// Lengths, masses and inertias are in units in which they are about 1 (units.hpp), so that what counts
 // as zero does not depend on the size of the mechanism.
 //
 // Regrouping: a symmetric 4x4 part d of a link's pseudo-inertia may move to its parent, S_parent += X d X^T,

@@ -2,6 +2,7 @@
 #include "dynamics/screw_peeling.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "dynamics/constant_motions.hpp"
 #include "dynamics/motion_core.hpp"
@@ -15,12 +16,12 @@ namespace {
 /// Peels the screws off one product of motions.
 class Peeler {
  public:
-  Peeler(const std::vector<Motion>& motions, const Mechanism& mechanism, const SpeedDerivatives& derivatives,
-         ExprGraph& graph)
+  Peeler(const std::vector<Motion>& motions, const Mechanism& mechanism, const Units& units,
+         const SpeedDerivatives& derivatives, ExprGraph& graph)
       : given_(motions),
         derivatives_(derivatives),
         graph_(graph),
-        states_(mechanism, graph),
+        states_(mechanism, units, graph),
         core_(motions, mechanism, derivatives, graph, states_) {
     for (const Coordinate& coordinate : mechanism.coordinates) {
       for (int k = 0; k < coordinate.nv(); ++k) {
@@ -40,7 +41,7 @@ class Peeler {
     for (const MotionCore::Part& part : core_.parts()) append_motion(out, part.motion, graph_);
     for (auto motion = right_.rbegin(); motion != right_.rend(); ++motion)
       append_motion(out, *motion, graph_);
-    out = gathered_constants(out, derivatives_, graph_);
+    out = gathered_constants(out, derivatives_, states_.length(), graph_);
     if (!states_.agree(given_, out)) return std::nullopt;
     return out;
   }
@@ -87,7 +88,9 @@ class Peeler {
     for (std::size_t i = 0; i < 3; ++i) flat.push_back(across[i] / square);
     for (std::size_t i = 0; i < 3; ++i) flat.push_back(pitch * twist.om[i]);
     flat.push_back(sqrt(square));
-    flat = states_.recognised(simplify(flat));
+    const double length = states_.length();
+    flat =
+        states_.recognised(simplify(flat), std::array{length, length, length, length, length, length, 1.0});
     const Vec3 point{{flat[0], flat[1], flat[2]}}, slide{{flat[3], flat[4], flat[5]}};
     const Expr rate = flat[6];
 
@@ -152,9 +155,9 @@ class Peeler {
 }  // namespace
 
 std::optional<std::vector<Motion>> peeled_motions(const std::vector<Motion>& motions,
-                                                  const Mechanism& mechanism,
+                                                  const Mechanism& mechanism, const Units& units,
                                                   const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  return Peeler(motions, mechanism, derivatives, graph).run();
+  return Peeler(motions, mechanism, units, derivatives, graph).run();
 }
 
 }  // namespace alembert

@@ -5,20 +5,21 @@
 // peeled from the left; if A^-1 (D_k A) is, from the right. Whether it is the same is tested with numbers;
 // what it is comes from the expressions at a reference value, so that constants stay exact and runtime
 // parameters symbols. The product is compared with the given one at random states and thrown away if they
-// differ.
+// differ. Angles and lengths are compared each with what they are sums of, lengths in units of the mechanism.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "dynamics/motion_tree.hpp"
+#include "dynamics/units.hpp"
 
 namespace alembert {
 
 /// The motions of one transform with screws peeled off, constants between them gathered. Nothing if there is
 /// nothing to peel, that is if they are plane rotations and shifts of one coordinate each already.
 std::optional<std::vector<Motion>> peeled_motions(const std::vector<Motion>& motions,
-                                                  const Mechanism& mechanism,
+                                                  const Mechanism& mechanism, const Units& units,
                                                   const SpeedDerivatives& derivatives, ExprGraph& graph);
 
 }  // namespace alembert

@@ -219,6 +219,71 @@ TEST(ScrewPeeling, AnAxisThatARuntimeParameterTurnsIsLeftAlone) {
   EXPECT_NO_THROW(loaded.kinematics());
 }
 
+/// Motions that are small beside others: none is taken for rounding, on its own or beside a larger one of
+/// another unit.
+struct SmallMotion {
+  const char* name;
+  const char* coordinates;
+  const char* body;
+};
+void PrintTo(const SmallMotion& small, std::ostream* out) {
+  *out << small.name;
+}
+
+class SmallMotions : public testing::TestWithParam<SmallMotion> {};
+TEST_P(SmallMotions, AreKept) {
+  const auto loaded =
+      LoadedMechanism::text(std::string("alembert: 1\nname: small\ngravity: [0.3, 0, -9.81]\n") +
+                            "coordinates: [" + GetParam().coordinates + "]\nbodies:\n" + GetParam().body);
+  const Kinematics kinematics = loaded.kinematics();
+  const auto expected = equations_of_motion(kinematics, Formulation::factored);
+  const auto actual = equations_of_motion(kinematics, Formulation::reduced);
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const std::vector<double> x = loaded.values(actual.Q, seed), y = loaded.values(expected.Q, seed);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_NEAR(x[i], y[i], 1e-9 * std::abs(y[i])) << "force " << i << ", state " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ScrewPeeling, SmallMotions,
+    testing::Values(SmallMotion{"tilt_far_away", "x, a",
+                                "  - name: arm\n    transform:\n      - translate: [30000, x, 0]\n"
+                                "      - rotate: {axis: z, angle: a}\n"
+                                "      - rotate: {axis: [1, -1, 0], angle: 1e-7}\n"
+                                "      - rotate: {axis: z, angle: a}\n"
+                                "    mass: 1\n    com: [0, 0, 1]\n"},
+                    SmallMotion{
+                        "tilt_between_axes", "x, a",
+                        "  - name: arm\n    transform:\n      - translate: [500000, x, 0]\n"
+                        "      - rotate: {axis: z, angle: a}\n      - rotate: {axis: x, angle: 1.2e-7}\n"
+                        "      - rotate: {axis: z, angle: 0.3}\n      - rotate: {axis: y, angle: a}\n"
+                        "    mass: 1\n    com: [0, 1, 0]\n    inertia: {xx: 1, yy: 1, zz: 1}\n"},
+                    SmallMotion{"wobble_of_a_small_rotor", "a",
+                                "  - name: rotor\n    transform:\n      - rotate: {axis: z, angle: a}\n"
+                                "      - translate: [0, 0, \"1e-12*sin(3*a)\"]\n"
+                                "    mass: 1e-9\n    com: [1e-9, 0, 0]\n"},
+                    SmallMotion{"wobble_of_a_small_bead", "a",
+                                "  - name: bead\n    transform:\n"
+                                "      - rotate: {axis: z, angle: a}\n"
+                                "      - translate: [1e-9, 0, \"1e-12*sin(3*a)\"]\n"
+                                "    mass: 1e-9\n"}),
+    [](const auto& small) { return std::string(small.param.name); });
+
+/// The same in other units has the same screws.
+TEST(ScrewPeeling, SmallToriArePeeledAsLargeOnesAre) {
+  for (const char* L : {"1e-9", "1e-4", "1", "1e6"}) {
+    const auto loaded = LoadedMechanism::text(std::string("alembert: 1\nname: test\nparameters: {L: ") + L +
+                                              "}\ncoordinates: [u, v]\nbodies:\n  - name: a\n    transform:\n"
+                                              "      - surface: {point: [L*(2 + cos(v)/2)*cos(u), L*(2 + "
+                                              "cos(v)/2)*sin(u), L*sin(v)/2], along: [u, v]}\n"
+                                              "    mass: 1\n    com: [0.1*L, 0.2*L, 0.3*L]\n");
+    const Kinematics kinematics = loaded.kinematics();
+    ASSERT_TRUE(kinematics.peeled) << L;
+    EXPECT_EQ(moving_motions(*kinematics.peeled), (std::vector<std::string>{"z u", "y -v"})) << L;
+  }
+}
+
 /// What a peeled mechanism is for: an all-revolute chain.
 TEST(ScrewPeeling, NeedsFewerOperations) {
   const LoadedMechanism loaded = mated_tori();
