@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "dynamics/constraints.hpp"
 #include "dynamics/force_derivatives.hpp"
@@ -279,10 +280,11 @@ std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph&
 
 std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph) {
   std::vector<SymbolBinding> bindings;
-  const auto bind = [&](Expr symbol, ArgumentKind kind, std::size_t index) {
+  const auto bind = [&](Expr symbol, ArgumentKind kind, std::size_t index, double unit = 1) {
     bindings.push_back({symbol,
                         {kind, static_cast<std::uint32_t>(index),
-                         graph.symbol_name(graph.symbol_index(symbol.ref().node()))}});
+                         graph.symbol_name(graph.symbol_index(symbol.ref().node()))},
+                        unit});
   };
   std::size_t q = 0, speed = 0;
   for (const Coordinate& coordinate : mechanism.coordinates) {
@@ -296,7 +298,8 @@ std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph
   bind(mechanism.time, ArgumentKind::time, 0);
   std::size_t parameter = 0;
   for (const Parameter& p : mechanism.parameters) {
-    if (p.runtime) bind(graph.symbol(p.name), ArgumentKind::parameter, parameter++);
+    if (p.runtime)
+      bind(graph.symbol(p.name), ArgumentKind::parameter, parameter++, unit_of(std::abs(p.value)));
   }
   std::size_t wrench = 0;
   for (const WrenchSymbols& symbols : wrench_symbols(mechanism, graph)) {

@@ -16,6 +16,7 @@ namespace alembert {
 struct SymbolBinding {
   Expr symbol;
   InputSlot slot;
+  double unit = 1;  ///< its values are about that large
 };
 
 /// One result array as expressions.
@@ -74,8 +75,9 @@ void interpret(const Program& program, std::span<const double> inputs, std::span
 
 /// Stage `verify`: throws InternalError, with function, output, element and both values, unless the program
 /// is well formed and agrees with the expressions it came from: at eight or more random points inside the
-/// symbols' ranges, within running error bounds, and modulo a large prime where both sides are exact. An
-/// element whose expression has no finite value at any point tried is not compared.
+/// symbols' ranges and about as large as their units, within running error bounds, and modulo a large prime
+/// where both sides are exact. An element whose expression has no finite value at any point tried is not
+/// compared.
 void verify(const Program& program, std::span<const OutputExpressions> outputs,
             std::span<const SymbolBinding> bindings);
 

@@ -73,18 +73,21 @@ std::string element_name(std::span<const OutputExpressions> outputs, std::size_t
 
 class PointSource {
  public:
-  explicit PointSource(ExprGraph& graph) {
+  PointSource(ExprGraph& graph, std::span<const SymbolBinding> bindings) : units_(graph.symbol_count(), 1) {
     for (std::uint32_t i = 0; i < graph.symbol_count(); ++i)
       ranges_.push_back(graph.bounds(graph.symbol_at(i).ref()));
+    for (const SymbolBinding& binding : bindings)
+      units_[graph.symbol_index(binding.symbol.ref().node())] = binding.unit;
   }
 
-  /// Values of all symbols, inside their ranges; sizes and signs vary with `attempt`, so that domains are
-  /// met.
+  /// Values of all symbols, inside their ranges or a few of their units; sizes and signs vary with `attempt`,
+  /// so that domains are met.
   std::vector<double> point(int attempt) {
     static constexpr double kScales[] = {2, 1, 0.5, 4};
-    const double scale = kScales[attempt % 4];
     std::vector<double> out;
-    for (const Interval& range : ranges_) {
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const Interval& range = ranges_[i];
+      const double scale = kScales[attempt % 4] * units_[i];
       const double unit = static_cast<double>(random_() >> 11) * 0x1p-53;
       const bool below = std::isfinite(range.lower), above = std::isfinite(range.upper);
       if (below && above)
@@ -101,6 +104,7 @@ class PointSource {
 
  private:
   std::vector<Interval> ranges_;
+  std::vector<double> units_;
   std::mt19937_64 random_{20250101};
 };
 
@@ -135,7 +139,7 @@ std::vector<Comparisons> compare_numerically(const Program& program, std::span<c
                                              std::span<const OutputExpressions> outputs,
                                              std::span<const SymbolBinding> bindings) {
   ExprGraph& graph = roots.front().graph();
-  PointSource points(graph);
+  PointSource points(graph, bindings);
   std::vector<Comparisons> done(roots.size());
   std::vector<double> inputs(bindings.size()), results(roots.size()), scratch, errors;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {

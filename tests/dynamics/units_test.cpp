@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "dynamics/mechanism_file.hpp"
@@ -74,6 +75,24 @@ TEST(Units, DoNotMatter) {
     for (std::size_t i = 0; i < usual.size(); ++i)
       EXPECT_NEAR(other[i], usual[i], 1e-12 * (1 + std::abs(usual[i])));
   }
+}
+
+// Programs are verified with parameters about as large as their defaults; those of the usual sizes are drawn
+// about 1.
+TEST(Units, OfRuntimeParametersAreTheirDefaults) {
+  const auto loaded = LoadedMechanism::text(
+      "alembert: 1\nname: test\nparameters:\n  I: {value: 1.6e-25, runtime: true}\n"
+      "  far: {value: -3e7, runtime: true}\n  m: {value: 0.02, runtime: true}\n"
+      "  off: {value: 0, runtime: true}\ncoordinates: [q]\nbodies:\n  - name: a\n"
+      "    transform: [{translate: [far, off, 0]}, {rotate: {axis: z, angle: q}}]\n    mass: m\n"
+      "    inertia: {xx: I, yy: I, zz: I}\n");
+  std::map<std::string, double> units;
+  for (const SymbolBinding& binding : symbol_bindings(*loaded.mechanism, *loaded.graph))
+    units[binding.slot.name] = binding.unit;
+  EXPECT_GT(units.at("I"), 0.8e-25);
+  EXPECT_LE(units.at("I"), 1.6e-25);
+  EXPECT_EQ(units.at("far"), 0x1p24);
+  for (const char* usual : {"m", "off", "q"}) EXPECT_EQ(units.at(usual), 1) << usual;
 }
 
 }  // namespace

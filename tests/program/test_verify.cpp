@@ -171,6 +171,15 @@ TEST_F(Verify, RespectsTheRangesOfSymbols) {
   expect_found(Operation::log, becomes(Operation::sqrt), "log -> sqrt");
 }
 
+TEST_F(Verify, RespectsTheUnitsOfSymbols) {
+  // Only for an argument about that small is there a value.
+  bindings[0].unit = 0x1p-40;
+  outputs = outputs_of({log(graph.real(1e-20) - a * a) + b});
+  program = lower("damaged_function", outputs, bindings);
+  ASSERT_NO_THROW(verify(program, outputs, bindings));
+  expect_found(Operation::log, becomes(Operation::sqrt), "log -> sqrt");
+}
+
 // Every single change of an operation or an operand in a random program is either found or changes no value.
 TEST(VerifyRandom, FindsRandomDamage) {
   std::mt19937_64 random(17);
