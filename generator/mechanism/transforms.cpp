@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mechanism/section.hpp"
+#include "symbolic/passes.hpp"
 
 namespace alembert {
 namespace {
@@ -202,8 +203,8 @@ Axis read_axis(Loading& loading, const YamlNode& node, const std::string& what) 
   for (std::size_t i = 0; i < 3; ++i) {
     const Quantity value = loading.reader.read(*items[i], Allowed::constants, what);
     v[i] = value.expr;
-    values[i] = value.initial;
-    largest = std::max(largest, std::abs(value.initial));
+    values[i] = value_of(value.expr);  // exact where decimals cancel, unlike what is computed while reading
+    largest = std::max(largest, std::abs(values[i]));
   }
   if (largest == 0)
     throw InputError(document.where(node),
