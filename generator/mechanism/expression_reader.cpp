@@ -191,6 +191,14 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
     throw error(reading, a.begin,
                 fmt::format("'{}' has no finite value{}", text_of(reading, out),
                             out.value.dependence == Dependence::none ? "" : " at the initial state"));
+  // Constants are multiplied as they come: what follows does not make them larger again.
+  const bool may_be_zero = token.kind == PostfixToken::Kind::add ||
+                           token.kind == PostfixToken::Kind::subtract || x.is_zero() ||
+                           (token.kind == PostfixToken::Kind::multiply && y.is_zero());
+  if (!may_be_zero && out.value.expr.is_zero())
+    throw error(reading, a.begin,
+                fmt::format("'{}' is out of range: its constants are too small", text_of(reading, out)),
+                "magnitudes from 2.3e-308 to 1.7e308 are numbers here");
   return out;
 }
 
