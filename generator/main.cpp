@@ -223,9 +223,20 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace alembert
 
+namespace {
+
+int fail_to_write() {
+  fmt::print(stderr, "alembert: error: cannot write to standard output\n");
+  return 1;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   try {
-    return alembert::run(argc, argv);
+    const int result = alembert::run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return result;
+    return std::max(result, fail_to_write());
   } catch (const alembert::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;
@@ -233,6 +244,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "alembert: error: out of memory\n");
     return 1;
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return fail_to_write();  // what fmt::print throws then
     fmt::print(stderr,
                "alembert: internal error: {}\nPlease report this with the description that led to it.\n",
                error.what());

@@ -99,6 +99,21 @@ INSTANTIATE_TEST_SUITE_P(
                 ""}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(StandardOutput, ThatCannotBeWrittenIsAnError) {
+  const TemporaryFolder folder;
+  const std::string file = mechanism_file("pendulum");
+  for (const std::string& arguments :
+       {"report " + file, "evaluate " + file, "check " + file, "simulate " + file,
+        "generate --print-outputs --out-dir out " + file, "report --dump equations " + file,
+        std::string("import " ALEMBERT_SOURCE_DIR "/tests/urdf/robots/every_joint.urdf"),
+        std::string("--help")}) {
+    const CommandResult result =
+        run_command(folder, "sh -c '" ALEMBERT_EXECUTABLE " " + arguments + " > /dev/full'", "{}\n", 10);
+    EXPECT_EQ(result.exit_code, 1) << arguments;
+    EXPECT_THAT(result.err, testing::HasSubstr("error: cannot write")) << arguments;
+  }
+}
+
 TEST(BadFile, MissingFileAndFolder) {
   const TemporaryFolder folder;
   for (const std::string& file : {folder / "missing.yaml", std::string("/tmp")}) {
