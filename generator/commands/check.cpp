@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "commands/commands.hpp"
 #include "dynamics/constraint_checks.hpp"
@@ -16,28 +17,58 @@ namespace alembert {
 
 namespace {
 
-/// Worst difference of two lists of expressions at random states, relative to the larger of 1 and the values;
-/// none if no state was finite.
-std::optional<double> worst_difference(const Mechanism& mechanism, ExprGraph& graph, std::span<const Expr> x,
+bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+/// Random states at which all motions and their derivatives have a value: elsewhere there is no mechanism,
+/// and one form of an equation may have a value where another has none.
+std::vector<std::vector<double>> random_states(const Kinematics& kinematics) {
+  std::vector<Expr> motions;
+  for (const MotionNode& node : kinematics.tree.nodes) {
+    const Pose pose = moved(identity_pose(kinematics.graph), node.motion);
+    motions.insert(motions.end(), pose.rotation.entries.begin(), pose.rotation.entries.end());
+    motions.insert(motions.end(), pose.origin.entries.begin(), pose.origin.entries.end());
+    motions.insert(motions.end(), node.velocity.entries.begin(), node.velocity.entries.end());
+    motions.insert(motions.end(), node.acceleration.entries.begin(), node.acceleration.entries.end());
+  }
+  std::vector<std::vector<double>> states;
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, seed);
+    if (all_finite(evaluate(motions, state))) states.push_back(std::move(state));
+  }
+  return states;
+}
+
+/// Worst difference of two lists of expressions at states, relative to the larger of 1 and the values;
+/// infinite where only one of the two has a value, none if no state has.
+std::optional<double> worst_difference(std::span<const std::vector<double>> states, std::span<const Expr> x,
                                        std::span<const Expr> y) {
   std::optional<double> worst;
-  for (unsigned seed = 1; seed <= 16; ++seed) {
-    const std::vector<double> state = state_values(mechanism, graph, seed);
+  for (const std::vector<double>& state : states) {
     const std::vector<double> a = evaluate(x, state), b = evaluate(y, state);
     double scale = 1, difference = 0;
+    bool both = true;
     for (std::size_t i = 0; i < a.size(); ++i) {
+      const bool one = std::isfinite(a[i]), other = std::isfinite(b[i]);
+      if (one != other) return std::numeric_limits<double>::infinity();
+      both = both && one;
       scale = std::max(scale, std::abs(b[i]));
       difference = std::max(difference, std::abs(a[i] - b[i]));
     }
-    if (std::isfinite(difference / scale)) worst = std::max(worst.value_or(0), difference / scale);
+    if (both) worst = std::max(worst.value_or(0), difference / scale);
   }
   return worst;
 }
 
+/// False if the law fails. What could not be measured is no failure.
 bool report_law(std::string_view name, std::optional<double> worst, double tolerance) {
-  const bool holds = worst && *worst <= tolerance;
-  fmt::print("{:<52} {:>9} {}\n", name, worst ? fmt::format("{:.1e}", *worst) : "no state",
-             holds ? "ok" : "FAILS");
+  if (!worst) {
+    fmt::print("{:<52} {:>9} not measured\n", name, "-");
+    return true;
+  }
+  const bool holds = *worst <= tolerance;
+  fmt::print("{:<52} {:>9} {}\n", name, fmt::format("{:.1e}", *worst), holds ? "ok" : "FAILS");
   return holds;
 }
 
@@ -94,9 +125,10 @@ int check_laws(const std::shared_ptr<const SourceText>& source) {
   const std::vector<Expr> coefficients = coefficient_mass_matrix(mechanism, reduced.Q);
 
   constexpr double kTolerance = 1e-9;
+  const std::vector<std::vector<double>> states = random_states(kinematics);
   bool good = true;
   const auto law = [&](std::string_view name, std::span<const Expr> x, std::span<const Expr> y) {
-    good = report_law(name, worst_difference(mechanism, graph, x, y), kTolerance) && good;
+    good = report_law(name, worst_difference(states, x, y), kTolerance) && good;
   };
   fmt::print("{}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq, mechanism.nv,
              mechanism.bodies.size());

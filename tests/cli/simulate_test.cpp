@@ -88,6 +88,36 @@ bodies:
   }
 }
 
+// States are drawn a unit or so around the initial one.
+TEST(Check, WhatHasNoValueThereIsNotMeasuredAndNoFailure) {
+  const TemporaryFolder folder;
+  const std::string beads = folder.write("beads.yaml", R"(alembert: 1
+name: beads
+coordinates: [a, b, c]
+bodies:
+  - {name: first, transform: [{translate: [a, 0, 'sqrt(1e-6 - a^2)']}], mass: 1}
+  - {name: second, transform: [{translate: [b, 0, 'sqrt(1e-6 - b^2)']}], mass: 1}
+  - {name: third, transform: [{translate: [c, 0, 'sqrt(1e-6 - c^2)']}], mass: 1}
+)");
+  CommandResult result = alembert(folder, "check " + beads);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, testing::ContainsRegex("Q = M qdd [+] c +- not measured\n"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr(" ok")));
+
+  const std::string lens = folder.write("lens.yaml", R"(alembert: 1
+name: lens
+coordinates: [{name: x, initial: 0.0005}, y]
+bodies:
+  - {name: bead, transform: [{translate: [x, y, 0]}], mass: 1}
+constraints:
+  - {name: lens, type: holonomic, equations: ['y - sqrt(1e-6 - x^2)']}
+)");
+  result = alembert(folder, "check " + lens);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, testing::ContainsRegex("Q = M qdd [+] c +[0-9.e+-]+ ok\n"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("d/dt position = velocity +- not measured\n"));
+}
+
 TEST(Check, WarnsOfRedundantAndUnmetConstraints) {
   const TemporaryFolder folder;
   const std::string file = folder.write("loops.yaml", R"(alembert: 1
