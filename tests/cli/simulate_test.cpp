@@ -118,6 +118,19 @@ constraints:
   EXPECT_THAT(result.out, testing::ContainsRegex("d/dt position = velocity +- not measured\n"));
 }
 
+TEST(Check, WhatRoundingExplainsIsNoFailure) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("reducer.yaml", R"(alembert: 1
+name: reducer
+coordinates: [q]
+bodies:
+  - {name: rotor, transform: [{rotate: {axis: z, angle: 2.5e7*q}}], mass: 1, com: [0.1, 0, 0]}
+  - {name: rod, parent: rotor, transform: [{rotate: {axis: x, angle: q}}], mass: 1, com: [0.1, 0.2, 0]}
+)");
+  const CommandResult result = alembert(folder, "check " + file);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
 TEST(Check, WarnsOfRedundantAndUnmetConstraints) {
   const TemporaryFolder folder;
   const std::string file = folder.write("loops.yaml", R"(alembert: 1
