@@ -10,23 +10,25 @@ namespace alembert::benchmarks {
 using batch_ceiling::Pack;
 
 double fused_operations(int rounds) {
+  // As many as two units with a latency of five cycles keep busy.
+  constexpr int kChains = 10;
   const Pack m(0.999999);
-  Pack a(1.0), b(2.0), c(3.0), d(4.0), e(5.0);
+  Pack a[kChains];
+  for (int i = 0; i < kChains; ++i) a[i] = Pack(1.0 + i);
   for (int k = 0; k < rounds; ++k) {
-    a = a * m + m;
-    b = b * m + m;
-    c = c * m + m;
-    d = d * m + m;
-    e = e * m + m;
+#pragma GCC unroll 10
+    for (Pack& x : a) x = x * m + m;
   }
+  Pack sum = a[0];
+  for (int i = 1; i < kChains; ++i) sum = sum + a[i];
   double lanes[Pack::kLanes];
-  (a + b + c + d + e).store(lanes);
+  sum.store(lanes);
   sink = lanes[0];
-  return 10.0 * Pack::kLanes * rounds;
+  return 2.0 * kChains * Pack::kLanes * rounds;
 }
 
 double sines_of_angles(int rounds) {
-  constexpr int kAngles = 6;
+  constexpr int kAngles = 12;
   Pack angle[kAngles], sine[kAngles], cosine[kAngles];
   for (int i = 0; i < kAngles; ++i) angle[i] = Pack(0.3 + i);
   for (int k = 0; k < rounds; ++k) {
