@@ -34,14 +34,14 @@ using pack::Pack;
 }
 
 ::std::size_t inverse_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(25);
+  constexpr int kPacks = pack::packs_together(24);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack qdd[kPacks * 6];
   Pack tau[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 1];
+  Pack w[52];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -49,6 +49,9 @@ using pack::Pack;
     take_own(call, window, inputs);
     detail::inverse_dynamics_packs<Pack>(window.packs, q, qd, qdd, tau, w, inputs);
     window.store(6, tau, call.results[0], call.stride);
+    Pack sum(0.0);
+    for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(6, tau + 6 * k));
+    if (pack::is_zero(sum)) return ::std::size_t{0};
     ::std::size_t failed = 0;
     for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(6, tau + 6 * k));
     return failed;
@@ -56,14 +59,14 @@ using pack::Pack;
 }
 
 ::std::size_t mass_matrix_and_bias_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(55);
+  constexpr int kPacks = pack::packs_together(54);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack M[kPacks * 36];
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 1];
+  Pack w[92];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -71,6 +74,9 @@ using pack::Pack;
     detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, w, inputs);
     window.store(36, M, call.results[0], call.stride);
     window.store(6, c, call.results[1], call.stride);
+    Pack sum(0.0);
+    for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(36, M + 36 * k) + pack::zero_if_finite(6, c + 6 * k));
+    if (pack::is_zero(sum)) return ::std::size_t{0};
     ::std::size_t failed = 0;
     for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(36, M + 36 * k) + pack::zero_if_finite(6, c + 6 * k));
     return failed;
@@ -78,7 +84,7 @@ using pack::Pack;
 }
 
 ::std::size_t forward_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(67);
+  constexpr int kPacks = pack::packs_together(66);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack tau[kPacks * 6];
@@ -87,7 +93,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[kPacks * 1];
+  Pack w[92];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -99,6 +105,9 @@ using pack::Pack;
       pack::solve_positive_definite<6>(M + 36 * k, qdd + 6 * k);
     }
     window.store(6, qdd, call.results[0], call.stride);
+    Pack sum(0.0);
+    for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(6, qdd + 6 * k));
+    if (pack::is_zero(sum)) return ::std::size_t{0};
     ::std::size_t failed = 0;
     for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(6, qdd + 6 * k));
     return failed;
