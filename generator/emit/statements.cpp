@@ -177,7 +177,8 @@ class Writer {
       const Instruction& c = program_.code[v];
       const bool input = c.op == Operation::input;
       std::string name = input ? input_local(program_.inputs[c.a]) : fmt::format("t{}", layout_.number(v));
-      const int again = times_named_[v]++;
+      // Two inputs of a program may be the same element.
+      const int again = times_named_[name]++;
       if (again > 0) name += fmt::format("_{}", again + 1);
       const std::string comment = input ? "  // " + comment_text(program_.inputs[c.a].name) : "";
       line(block, fmt::format("const S {} = {};{}", name, element_of(v, block), comment));
@@ -517,7 +518,7 @@ class Writer {
     if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
     if (plan_ && !from_arrays) {
       text_in_plan_[v] = name;
-      ++times_named_[v];
+      ++times_named_[name];
       if (plan_->slot(v) != kNoPlace) keep(block, plan_->slot(v), name);
     }
     const std::vector<std::uint32_t>& in_tables = layout_.table_places(v);
@@ -559,7 +560,7 @@ class Writer {
   std::optional<RegisterPlan> plan_;
   std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place
   std::map<std::uint32_t, std::string> text_in_plan_;  // of a value, at this statement
-  std::map<std::uint32_t, int> times_named_;
+  std::map<std::string, int> times_named_;
   FunctionBody body_;
   std::vector<BlockState> states_;
   std::string indent_;

@@ -272,5 +272,23 @@ TEST(PlannedStatements, GiveEveryBitWithSixteenRegisters) {
   EXPECT_GT(stores, 100u);
 }
 
+TEST(PlannedStatements, NameAnElementOnceThoughTwoInputsAreIt) {
+  ProgramMaker m(2);
+  const std::uint32_t a = m.input(0), b = m.input(1);
+  const std::uint32_t square = m.mul(a, a), product = m.mul(b, b);
+  Program program = m.returning({m.add(square, product), m.add(m.mul(a, square), m.mul(b, product))});
+  program.function = "inverse_dynamics";
+  program.outputs[0].name = "tau";
+  for (InputSlot& slot : program.inputs) slot = {ArgumentKind::q, 0, "q"};
+  const FunctionBody body =
+      function_body(program, *find_signature("inverse_dynamics"), {}, Registers::planned);
+  EXPECT_NE(body.blocks[0].statement_lines.find("const S q0 = q[0];"), std::string::npos);
+  EXPECT_NE(body.blocks[0].statement_lines.find("const S q0_2 = q[0];"), std::string::npos);
+  Reader reader({{"q[0]", 3}});
+  reader.run(body.blocks[0].statement_lines);
+  EXPECT_EQ(reader.result(0), 18);
+  EXPECT_EQ(reader.result(1), 54);
+}
+
 }  // namespace
 }  // namespace alembert
