@@ -76,7 +76,7 @@ class WindowSearch {
 
  private:
   /// The window as a program of its own: statements by their places in the order. What comes from before is
-  /// in memory, what is read later is read at the end.
+  /// in memory; that something is read behind the window counts for nothing.
   void take(const RegisterUses& uses, const Predecessors& predecessors) {
     std::map<std::uint32_t, std::uint32_t> place, number;
     for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
@@ -118,10 +118,16 @@ void search_order(const RegisterUses& uses, const Predecessors& predecessors,
                   std::vector<std::uint32_t>& order) {
   const std::size_t tries = std::min(kTries, kAllTries / std::max<std::size_t>(order.size(), 1));
   if (tries == 0) return;
+  RegisterFile file(uses);
+  std::uint64_t cost = file.cost(order);
   for (std::size_t begin = 0;; begin += kStep) {
     const std::size_t count = std::min(kWindow, order.size() - begin);
-    if (count > 2)
-      WindowSearch(uses, predecessors, std::span(order).subspan(begin, count)).search(tries * count);
+    const std::vector<std::uint32_t> before = order;
+    WindowSearch(uses, predecessors, std::span(order).subspan(begin, count)).search(tries * count);
+    // What is good for a window need not be for the whole.
+    const std::uint64_t new_cost = file.cost(order);
+    if (new_cost > cost) order = before;
+    cost = std::min(cost, new_cost);
     if (begin + count >= order.size()) break;
   }
 }
