@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kWindow = 300, kStep = 200;
 
 // Orders tried, by statement of a window; fewer in long programs, so that the time is bounded.
-constexpr std::size_t kTries = 100, kAllTries = 100'000;
+constexpr std::size_t kOrdersTried = 100, kAllOrdersTried = 100'000;
 
 // A worse order is taken as long as it costs so much more at most: at first, decreasing to 0.
 constexpr std::uint64_t kThreshold = 4;
@@ -116,7 +116,7 @@ class WindowSearch {
 
 void search_order(const RegisterUses& uses, const Predecessors& predecessors,
                   std::vector<std::uint32_t>& order) {
-  const std::size_t tries = std::min(kTries, kAllTries / std::max<std::size_t>(order.size(), 1));
+  const std::size_t tries = std::min(kOrdersTried, kAllOrdersTried / std::max<std::size_t>(order.size(), 1));
   if (tries == 0) return;
   RegisterFile file(uses);
   std::uint64_t cost = file.cost(order);
