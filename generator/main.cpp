@@ -201,12 +201,12 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   command
       ->add_option_function<std::string>(
-          "--root", [&import](const std::string& value) { import.floating = value == "floating"; },
+          "--root", [&import](const std::string& value) { import.describe.floating = value == "floating"; },
           "whether the root link stands still or moves freely: fixed or floating")
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->default_str("fixed");
   command
-      ->add_option("--snap-angles", import.snap_angles,
+      ->add_option("--snap-angles", import.describe.snap_angles,
                    "angles of origins so near to a multiple of pi/12 are that multiple, rad")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "commands/start_state.hpp"
 #include "dynamics/equations.hpp"
 #include "pipeline.hpp"
+#include "urdf/describe.hpp"
 
 namespace alembert {
 
@@ -58,10 +59,9 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options);
 int run_check(const CommonOptions& common);
 
 struct ImportOptions {
-  std::string file;            ///< URDF; `-` is standard input
-  std::string out = "-";       ///< file to be written; `-` is standard output
-  bool floating = false;       ///< the root link moves freely
-  double snap_angles = 1e-10;  ///< rad
+  std::string file;       ///< URDF; `-` is standard input
+  std::string out = "-";  ///< file to be written; `-` is standard output
+  DescribeOptions describe;
 };
 int run_import(const ImportOptions& options);
 

@@ -6,7 +6,6 @@
 #include "commands/commands.hpp"
 #include "emit/write_files.hpp"
 #include "mechanism/load.hpp"
-#include "urdf/describe.hpp"
 #include "urdf/robot.hpp"
 #include "urdf/yaml.hpp"
 
@@ -14,8 +13,7 @@ namespace alembert {
 
 int run_import(const ImportOptions& options) {
   const std::shared_ptr<const SourceText> source = read_source(options.file);
-  const DescribedRobot described =
-      describe_robot(read_urdf(source), source, {options.floating, options.snap_angles});
+  const DescribedRobot described = describe_robot(read_urdf(source), source, options.describe);
   // What the language refuses is shown where it stands in the URDF.
   ExprGraph graph;
   load_mechanism(described.document, graph);

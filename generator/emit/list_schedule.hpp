@@ -26,9 +26,8 @@ struct ScheduleWeights {
 };
 
 /// Of the statements whose operands are known, and that are not `look_ahead` or more behind the first that is
-/// not written, the one that is worth most is next; of equals, the first. \param leading  the first
-/// statements, which stay first; their values wait in memory \param left     by value: statements that read
-/// it
+/// not written, the one that is worth most is next; of equals, the first. The first `leading` statements stay
+/// first, and their values wait in memory. `left` has, by value, how many statements read it.
 std::vector<std::uint32_t> list_schedule(const std::vector<ScheduledStatement>& statements,
                                          std::uint32_t leading, std::vector<std::uint32_t> left,
                                          const ScheduleWeights& weights, std::uint32_t look_ahead);

@@ -92,13 +92,10 @@ class WindowSearch {
         number_of(uses.statements[s].result, uses.in_memory[uses.statements[s].result]);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       const std::uint32_t s = order_[i];
-      RegisterUses::Statement statement;
-      statement.first_read = static_cast<std::uint32_t>(uses_.values.size());
-      for (const std::uint32_t v : uses.reads(s)) uses_.values.push_back(number_of(v, true));
-      statement.reads = uses.statements[s].reads;
+      std::vector<std::uint32_t> reads;
+      for (const std::uint32_t v : uses.reads(s)) reads.push_back(number_of(v, true));
       const std::uint32_t result = uses.statements[s].result;
-      statement.result = result == RegisterUses::kNoValue ? result : number_of(result, false);
-      uses_.statements.push_back(statement);
+      uses_.add(reads, result == RegisterUses::kNoValue ? result : number_of(result, false));
       for (const std::uint32_t p : predecessors[s])
         if (const auto found = place.find(p); found != place.end()) {
           before_[i].push_back(found->second);

@@ -23,6 +23,11 @@ struct RegisterUses {
   std::vector<std::uint32_t> values;
   std::vector<std::uint8_t> in_memory;  ///< by value: inputs, and what is written to memory anyway
 
+  void add(std::span<const std::uint32_t> reads, std::uint32_t result) {
+    statements.push_back(
+        {static_cast<std::uint32_t>(values.size()), static_cast<std::uint32_t>(reads.size()), result});
+    values.insert(values.end(), reads.begin(), reads.end());
+  }
   std::span<const std::uint32_t> reads(std::uint32_t statement) const {
     const Statement& s = statements[statement];
     return {values.data() + s.first_read, s.reads};

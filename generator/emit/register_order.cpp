@@ -86,9 +86,8 @@ class Ordering {
   }
 
   void collect_statements() {
-    const StatementLayout layout(
-        program_, {size_, size_},
-        states_ == States::many && program_.loops.empty() ? Grain::operations : Grain::expressions);
+    const StatementLayout layout(program_, {size_, size_},
+                                 states_ == States::many ? grain_over_packs(program_) : Grain::expressions);
     std::vector<std::uint32_t> statement(size_, kNoPlace);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (!layout.live(v) || !layout.named(v)) continue;
@@ -96,12 +95,8 @@ class Ordering {
       statements_.emplace_back();
       if (layout.angle(v) != kNoPlace) leading_ = statement[v] + 1;
     }
-    // What is written into its user; users have larger indices.
-    for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;)
-      for (const std::uint32_t operand : operands(v))
-        if (operand != kNoPlace && layout.live(v) && !layout.named(operand) &&
-            !is_leaf(program_.code[operand].op))
-          statement[operand] = statement[v];
+    for (std::uint32_t v = 0; v < size_; ++v)
+      if (layout.statement(v) != kNoPlace) statement[v] = statement[layout.statement(v)];
     left_.assign(size_, 0);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (statement[v] == kNoPlace) continue;
@@ -157,10 +152,7 @@ class Ordering {
       const ScheduledStatement& s = statements_[i];
       const std::uint32_t result = s.members.back();
       if (i < leading_) uses.in_memory[result] = 1;
-      uses.statements.push_back({static_cast<std::uint32_t>(uses.values.size()),
-                                 static_cast<std::uint32_t>(s.reads.size()),
-                                 s.readers.empty() ? RegisterUses::kNoValue : result});
-      uses.values.insert(uses.values.end(), s.reads.begin(), s.reads.end());
+      uses.add(s.reads, s.readers.empty() ? RegisterUses::kNoValue : result);
       for (const std::uint32_t reader : s.readers) predecessors[reader].push_back(i);
     }
     RegisterFile file(uses);

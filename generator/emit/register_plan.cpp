@@ -2,8 +2,8 @@
 #include "emit/register_plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
+#include <map>
 #include <queue>
 
 namespace alembert {
@@ -11,32 +11,17 @@ namespace alembert {
 RegisterPlan::RegisterPlan(const Program& program, const StatementLayout& layout)
     : program_(program), layout_(layout), crossing_(layout.crossing()) {
   const auto size = static_cast<std::uint32_t>(program.code.size());
-  statement_.assign(size, kNoPlace);
   slot_.assign(size, kNoPlace);
   members_.resize(size);
   reads_.resize(size);
   std::vector<std::vector<std::uint32_t>> blocks(layout.blocks());
-  for (std::uint32_t v = 0; v < size; ++v)
-    if (layout.live(v) && layout.named(v)) {
-      statement_[v] = v;
-      blocks[layout.block(v)].push_back(v);
-    }
-  // What is written into its user; users have larger indices.
-  for (std::uint32_t v = size; v-- > 0;) {
-    if (statement_[v] == kNoPlace) continue;
-    members_[statement_[v]].push_back(v);
-    const Instruction& c = program.code[v];
-    const std::array<std::uint32_t, 2> operands{c.a, c.b};
-    for (int k = 0; k < operand_count(c.op); ++k) {
-      const std::uint32_t operand = operands[static_cast<std::size_t>(k)];
-      if (!layout.named(operand) && !is_leaf(program.code[operand].op)) statement_[operand] = statement_[v];
-    }
+  for (std::uint32_t v = 0; v < size; ++v) {
+    if (layout.statement(v) == v) blocks[layout.block(v)].push_back(v);
+    // From the named value down, as it is read when it is written.
+    const std::uint32_t below = size - 1 - v;
+    if (layout.statement(below) != kNoPlace) members_[layout.statement(below)].push_back(below);
   }
   for (std::uint32_t block = 0; block < layout.blocks(); ++block) plan_block(block, blocks[block]);
-}
-
-std::span<const RegisterPlan::Read> RegisterPlan::reads(std::uint32_t statement) const {
-  return reads_[statement];
 }
 
 std::vector<std::uint32_t> RegisterPlan::reads_of(std::uint32_t statement) const {
@@ -76,15 +61,12 @@ void RegisterPlan::plan_block(std::uint32_t block, std::span<const std::uint32_t
     return entry->second;
   };
   for (const std::uint32_t s : statements) {
-    RegisterUses::Statement statement;
-    statement.first_read = static_cast<std::uint32_t>(uses.values.size());
-    for (const std::uint32_t v : reads_of(s)) uses.values.push_back(number_of(v));
-    statement.reads = static_cast<std::uint32_t>(uses.values.size()) - statement.first_read;
+    std::vector<std::uint32_t> reads;
+    for (const std::uint32_t v : reads_of(s)) reads.push_back(number_of(v));
     // Sines and cosines of the call stand in memory, and have no name until they are read.
     const bool named = layout_.angle(s) == kNoPlace && !layout_.result_only(s) && !layout_.table_only(s);
-    statement.result = named ? number_of(s) : RegisterUses::kNoValue;
     order.push_back(static_cast<std::uint32_t>(uses.statements.size()));
-    uses.statements.push_back(statement);
+    uses.add(reads, named ? number_of(s) : RegisterUses::kNoValue);
   }
   const RegisterFile::Record record = RegisterFile(uses).record(order);
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -25,10 +24,8 @@ class RegisterPlan {
     std::uint32_t value;
     OperandFrom from;
   };
-  /// The statement that v is written into: itself, if it has a name.
-  std::uint32_t statement(std::uint32_t v) const { return statement_[v]; }
   /// Inputs and values of other statements that a statement reads.
-  std::span<const Read> reads(std::uint32_t statement) const;
+  std::span<const Read> reads(std::uint32_t statement) const { return reads_[statement]; }
   /// The place in w that v is written to when it is computed, beside those of the layout; kNoPlace if none is
   /// needed.
   std::uint32_t slot(std::uint32_t v) const { return slot_[v]; }
@@ -42,7 +39,7 @@ class RegisterPlan {
 
   const Program& program_;
   const StatementLayout& layout_;
-  std::vector<std::uint32_t> statement_, slot_;
+  std::vector<std::uint32_t> slot_;
   std::vector<std::vector<std::uint32_t>> members_;  // by statement
   std::vector<std::vector<Read>> reads_;             // by statement
   std::size_t crossing_;

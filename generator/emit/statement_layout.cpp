@@ -24,6 +24,7 @@ StatementLayout::StatementLayout(const Program& program, const BlockSizes& sizes
   collect_uses();
   choose_names();
   if (grain == Grain::operations) name_operations();
+  collect_statements();
   assign_blocks(sizes);
   collect_angles();
   if (!program.loops.empty()) place_loops();
@@ -125,6 +126,20 @@ void StatementLayout::name_operations() {
   }
 }
 
+void StatementLayout::collect_statements() {
+  statement_.assign(size_, kNoPlace);
+  // Users have larger indices.
+  for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {
+    if (!live(v) || is_leaf(program_.code[v].op)) continue;
+    if (named_[v]) statement_[v] = v;
+    const std::array<std::uint32_t, 2> operand{program_.code[v].a, program_.code[v].b};
+    for (int k = 0; k < operands(v); ++k) {
+      const std::uint32_t child = operand[static_cast<std::size_t>(k)];
+      if (!named_[child] && !is_leaf(program_.code[child].op)) statement_[child] = statement_[v];
+    }
+  }
+}
+
 void StatementLayout::assign_blocks(const BlockSizes& sizes) {
   const auto counts = [&](std::uint32_t v) {
     const Operation op = program_.code[v].op;
@@ -164,15 +179,9 @@ void StatementLayout::assign_blocks(const BlockSizes& sizes) {
     ++blocks_;
   }
   add_straight(begin, static_cast<std::uint32_t>(size_));
-  // What is written into its user belongs to the user's block; users have larger indices.
-  for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {
-    if (!live(v) || is_leaf(program_.code[v].op)) continue;
-    const std::array<std::uint32_t, 2> operand{program_.code[v].a, program_.code[v].b};
-    for (int k = 0; k < operands(v); ++k) {
-      const std::uint32_t child = operand[static_cast<std::size_t>(k)];
-      if (!named_[child] && !is_leaf(program_.code[child].op)) block_[child] = block_[v];
-    }
-  }
+  // What is written into its user belongs to the user's block.
+  for (std::uint32_t v = 0; v < size_; ++v)
+    if (statement_[v] != kNoPlace) block_[v] = block_[statement_[v]];
 }
 
 void StatementLayout::assign_crossings() {

@@ -27,6 +27,11 @@ struct BlockSizes {
 /// takes up and signs.
 enum class Grain { expressions, operations };
 
+/// Operations where a plan says what registers hold, which it does for programs without loops.
+inline Grain grain_over_packs(const Program& program) {
+  return program.loops.empty() ? Grain::operations : Grain::expressions;
+}
+
 inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
 
 /// True for constants and inputs, which never have a statement.
@@ -49,6 +54,8 @@ class StatementLayout {
   bool live(std::uint32_t v) const { return uses_[v] > 0; }
   /// Has a statement of its own. Leaves have none.
   bool named(std::uint32_t v) const { return named_[v]; }
+  /// The named value whose statement v is written in; kNoPlace if v is a leaf or not live.
+  std::uint32_t statement(std::uint32_t v) const { return statement_[v]; }
   /// Number of a named value, in the order of the code.
   std::uint32_t number(std::uint32_t v) const { return number_[v]; }
   std::uint32_t block(std::uint32_t v) const { return block_[v]; }
@@ -94,6 +101,7 @@ class StatementLayout {
   void collect_uses();
   void choose_names();
   void name_operations();
+  void collect_statements();
   void assign_blocks(const BlockSizes& sizes);
   void assign_crossings();
   void collect_angles();
@@ -111,7 +119,7 @@ class StatementLayout {
 
   const Program& program_;
   std::size_t size_;
-  std::vector<std::uint32_t> uses_, number_, block_, place_, angle_, angles_;
+  std::vector<std::uint32_t> uses_, statement_, number_, block_, place_, angle_, angles_;
   std::vector<bool> named_;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
   std::vector<std::vector<std::uint32_t>> table_places_;

@@ -74,13 +74,8 @@ class Writer {
  public:
   Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes,
          Registers registers)
-      : program_(program),
-        signature_(signature),
-        layout_(program, sizes, registers == Registers::planned ? grain_of(program) : Grain::expressions) {
-    if (registers == Registers::planned && program.loops.empty()) plan_.emplace(program_, layout_);
-  }
-  static Grain grain_of(const Program& program) {
-    return program.loops.empty() ? Grain::operations : Grain::expressions;
+      : program_(program), signature_(signature), layout_(program, sizes, grain_of(program, registers)) {
+    if (grain_of(program, registers) == Grain::operations) plan_.emplace(program_, layout_);
   }
 
   /// Whether the values of loops, if there are loops, can be arranged.
@@ -116,6 +111,10 @@ class Writer {
   }
 
  private:
+  static Grain grain_of(const Program& program, Registers registers) {
+    return registers == Registers::planned ? grain_over_packs(program) : Grain::expressions;
+  }
+
   struct BlockState {
     std::set<std::pair<ArgumentKind, std::uint32_t>> inputs;  ///< loaded so far
     std::set<std::uint32_t> loaded;                           ///< values of earlier blocks
@@ -447,7 +446,7 @@ class Writer {
   void write_value(std::uint32_t v) {
     const Instruction& c = program_.code[v];
     const std::uint32_t block = layout_.block(v);
-    if (plan_ && !is_leaf(c.op)) begin_planned(plan_->statement(v), block);
+    if (plan_ && !is_leaf(c.op)) begin_planned(layout_.statement(v), block);
     std::string text;
     Binding binding = Binding::primary;
     switch (c.op) {

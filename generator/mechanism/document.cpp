@@ -38,11 +38,11 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return 0;
 }
 
+}  // namespace
+
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
-
-}  // namespace
 
 /// Takes yaml-cpp's events and builds the tree.
 class TreeBuilder final : public YAML::EventHandler {
@@ -189,12 +189,17 @@ std::vector<std::size_t> line_starts(std::string_view text) {
   return starts;
 }
 
+SourceLocation place_in(const std::shared_ptr<const SourceText>& source,
+                        const std::vector<std::size_t>& starts, std::size_t offset) {
+  const auto line = std::ranges::upper_bound(starts, offset) - starts.begin();
+  return {source, static_cast<int>(line),
+          static_cast<int>(offset - starts[static_cast<std::size_t>(line - 1)]) + 1};
+}
+
 void check_characters(const std::shared_ptr<const SourceText>& source) {
   const std::string_view text = source->text;
   const auto fail = [&](std::size_t at, const std::string& message) {
-    const std::vector<std::size_t> starts = line_starts(text.substr(0, at));
-    return InputError({source, static_cast<int>(starts.size()), static_cast<int>(at - starts.back()) + 1},
-                      message);
+    return InputError(place_in(source, line_starts(text), at), message);
   };
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -248,7 +253,8 @@ void Document::check_layout() const {
     const char c = text[i];
     if (c == '[' || c == '{') {
       if (++opened > kMaximumDepth)
-        throw InputError(place(i), fmt::format("nested more than {} levels deep", kMaximumDepth));
+        throw InputError(place_in(source_, line_starts_, i),
+                         fmt::format("nested more than {} levels deep", kMaximumDepth));
     } else if (!is_space(c)) {
       opened = 0;
     }
@@ -259,7 +265,8 @@ void Document::check_layout() const {
       if (indentation && tab == std::string_view::npos) tab = i;
     } else if (c != ' ' && c != '\r') {
       if (indentation && tab != std::string_view::npos && c != '#')
-        throw InputError(place(tab), "tab in the indentation", "YAML indents by spaces");
+        throw InputError(place_in(source_, line_starts_, tab), "tab in the indentation",
+                         "YAML indents by spaces");
       indentation = false;
     }
   }
@@ -318,13 +325,7 @@ SourceLocation Document::where(const YamlNode& scalar, std::size_t offset) const
     at = skip(text, at);
     if (at >= text.size() || text[at] != value[v]) return where(scalar);
   }
-  return place(at);
-}
-
-SourceLocation Document::place(std::size_t at) const {
-  const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), at) - line_starts_.begin();
-  return {source_, static_cast<int>(line),
-          static_cast<int>(at - line_starts_[static_cast<std::size_t>(line - 1)]) + 1};
+  return place_in(source_, line_starts_, at);
 }
 
 }  // namespace alembert

@@ -27,8 +27,13 @@ struct YamlNode {
   std::vector<const YamlNode*> items;  ///< of a sequence; of a mapping: key, value, key, value ...
 };
 
+/// Space, tab or end of a line.
+bool is_space(char c);
 /// Offsets at which the lines of a text begin.
 std::vector<std::size_t> line_starts(std::string_view text);
+/// The place of an offset in a text whose lines begin at `starts`.
+SourceLocation place_in(const std::shared_ptr<const SourceText>& source,
+                        const std::vector<std::size_t>& starts, std::size_t offset);
 /// Throws InputError at the first byte that is not UTF-8 or a control character other than white space.
 void check_characters(const std::shared_ptr<const SourceText>& source);
 
@@ -58,7 +63,6 @@ class Document {
   void check_layout() const;
   bool quote_is_closed(const YamlNode& scalar) const;
   std::size_t position(int line, int column) const;
-  SourceLocation place(std::size_t at) const;
 
   std::shared_ptr<const SourceText> source_;
   std::vector<std::size_t> line_starts_;

@@ -20,14 +20,12 @@ struct DescribedRobot {
   std::vector<std::string> warnings;
 };
 
-/// Links are bodies, joints factors of their transforms:
-///   revolute, continuous, prismatic   one coordinate, called as the joint
-///   planar                            NAME_x, NAME_y, NAME_angle: shifts along the two coordinate axes that
-///   follow
-///                                     the joint's axis (for another axis: along two of the shortest rotation
-///                                     from z to it), then a turn about it
-///   floating                          NAME_x, NAME_y, NAME_z and the quaternion NAME_rotation
-///   mimicking                         a definition, called as the joint
+/// Links are bodies, joints factors of their transforms. A revolute, continuous or prismatic joint has one
+/// coordinate, called as the joint; one that mimics is a definition. A planar joint has NAME_x, NAME_y and
+/// NAME_angle: shifts along the two coordinate axes that follow its axis (for another axis: along x and y
+/// turned by the shortest rotation from z to it), then a turn about it. A floating joint has NAME_x, NAME_y,
+/// NAME_z and the quaternion NAME_rotation.
+///
 /// Coordinates stand in the order of the joints in the file, those of a floating root first. A link without
 /// mass and shapes at the end of a fixed joint is a frame. A massless root called world is the world.
 /// Throws InputError where nothing with mass is moved, or names clash.

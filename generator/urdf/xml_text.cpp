@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::string_view kXacro = "xacro:";
 
-bool is_white(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
 std::string slip(std::string_view name, std::initializer_list<std::string_view> known) {
   const std::vector<std::string> names(known.begin(), known.end());
   if (std::ranges::find(names, name) != names.end()) return {};
@@ -63,10 +59,7 @@ void XmlText::refuse_duplicate_attributes() const {
 }
 
 SourceLocation XmlText::place(std::size_t offset) const {
-  offset = std::min(offset, source_->text.size());
-  const auto line = std::ranges::upper_bound(line_starts_, offset) - line_starts_.begin();
-  return {source_, static_cast<int>(line),
-          static_cast<int>(offset - line_starts_[static_cast<std::size_t>(line - 1)]) + 1};
+  return place_in(source_, line_starts_, std::min(offset, source_->text.size()));
 }
 
 /// Of a string that pugixml left in the buffer, `before` characters ahead of it.
@@ -142,10 +135,10 @@ void XmlText::read_numbers(pugi::xml_attribute attribute, std::string_view what,
   };
   std::size_t found = 0, i = 0;
   for (;;) {
-    while (i < text.size() && is_white(text[i])) ++i;
+    while (i < text.size() && is_space(text[i])) ++i;
     if (i == text.size()) break;
     std::size_t end = i;
-    while (end < text.size() && !is_white(text[end])) ++end;
+    while (end < text.size() && !is_space(text[end])) ++end;
     const std::size_t begin = text[i] == '+' && end > i + 1 && text[i + 1] != '-' ? i + 1 : i;
     double value = 0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);

@@ -29,11 +29,7 @@ constexpr std::uint32_t kNoResult = RegisterUses::kNoValue;
 RegisterUses uses_of(const std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>>& statements,
                      std::uint32_t inputs, std::uint32_t values) {
   RegisterUses uses;
-  for (const auto& [reads, result] : statements) {
-    uses.statements.push_back(
-        {static_cast<std::uint32_t>(uses.values.size()), static_cast<std::uint32_t>(reads.size()), result});
-    uses.values.insert(uses.values.end(), reads.begin(), reads.end());
-  }
+  for (const auto& [reads, result] : statements) uses.add(reads, result);
   uses.in_memory.assign(values, 0);
   std::fill(uses.in_memory.begin(), uses.in_memory.begin() + inputs, 1);
   return uses;
