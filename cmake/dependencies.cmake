@@ -7,6 +7,7 @@ if(ALEMBERT_BUILD_GENERATOR)
   find_package(pegtl REQUIRED)
   find_package(pugixml REQUIRED)
   find_package(nlohmann_json REQUIRED)
+  find_package(Boost REQUIRED)  # Multiprecision, headers only, over MPFR
 endif()
 if(ALEMBERT_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -4,13 +4,13 @@
 # `install_packages.sh gallery` for the gallery. Runs as root or through sudo; does nothing where all is installed.
 set -eu
 
-packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev nlohmann-json3-dev"
+packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
 if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
   packages="$packages python3 python3-numpy python3-matplotlib python3-yaml"
 fi
 if [ "${1:-}" = tests ]; then
   packages="$packages git python3 clang clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
-            liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsimbody-dev libmpfr-dev"
+            liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsimbody-dev"
 fi
 if [ "${1:-}" = gallery ] || [ "${1:-}" = tests ]; then
   packages="$packages chromium"

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "dynamics/state_checks.hpp"
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"
 #include "symbolic/passes.hpp"
@@ -226,6 +227,99 @@ std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
 
 namespace {
 
+/// From equations to the program of a function that is verified last: the shortest that is near enough to the
+/// plain equations.
+class FunctionWriter {
+ public:
+  FunctionWriter(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
+                 const Certificate& certificate, const CompileOptions& options)
+      : kinematics_(kinematics), bindings_(bindings), certificate_(certificate), options_(options) {}
+
+  CompiledFunction write(FunctionKind kind, const std::vector<EquationsOfMotion>& candidates) const {
+    std::vector<Candidate> found;
+    for (const EquationsOfMotion& equations : candidates) {
+      if (!found.empty() && !depends_on_formulation(kind)) break;
+      std::vector<OutputExpressions> outputs = function_outputs(kinematics_, equations, kind);
+      if (std::any_of(found.begin(), found.end(), [&](const Candidate& c) { return c.outputs == outputs; }))
+        continue;
+      found.push_back(candidate(kind, equations.formulation, std::move(outputs)));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
+      return weight(x.function.count) < weight(y.function.count);
+    });
+    MeasuredError error;
+    for (Candidate& one : found) {
+      if (finish(one)) return std::move(one.function);
+      error = one.function.error;
+    }
+    // What loses too many digits gives way to less of the same.
+    const Formulation formulation = candidates.front().formulation;
+    for (Passes passes = options_.passes; formulation == Formulation::reduced;) {
+      const bool more = passes.regrouping || passes.placement || passes.scaling || passes.peeling;
+      if (!more) break;
+      passes.effort = 0;
+      if (passes.regrouping) {
+        passes.regrouping = false;
+      } else {
+        passes = {false, false, false, false, passes.articulation, 0};
+      }
+      Candidate one = candidate(
+          kind, formulation,
+          function_outputs(kinematics_, equations_of_motion(kinematics_, formulation, passes), kind));
+      if (finish(one)) return std::move(one.function);
+      error = one.function.error;
+    }
+    throw InternalError(
+        fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
+                    to_string(kind), error.relative, error.array, kLargestError));
+  }
+
+ private:
+  struct Candidate {
+    CompiledFunction function;
+    std::vector<OutputExpressions> outputs;
+  };
+
+  Candidate candidate(FunctionKind kind, Formulation formulation,
+                      std::vector<OutputExpressions> outputs) const {
+    Program program = lower(std::string(to_string(kind)), outputs, bindings_);
+    program.formulation = to_string(formulation);
+    if (dumping("lower")) *options_.dump << dump(program);
+    program = optimize(std::move(program));
+    if (dumping("optimise")) *options_.dump << dump(program);
+    const OperationCount operations = count(program);
+    return {{kind, formulation, std::move(program), operations, {}}, std::move(outputs)};
+  }
+
+  /// Puts a program in its final order and verifies it; false if it is not near enough to the plain
+  /// equations.
+  bool finish(Candidate& one) const {
+    CompiledFunction& function = one.function;
+    function.program = in_final_order(function, options_);
+    if (dumping("schedule")) *options_.dump << dump(function.program);
+    verify(function.program, one.outputs, bindings_);
+    function.error = certificate_.measure(function.program, function.kind);
+    const auto plain = [&] {
+      const Passes none{false, false, false, false, options_.passes.articulation, 0};
+      return function_outputs(kinematics_, equations_of_motion(kinematics_, Formulation::reduced, none),
+                              function.kind);
+    };
+    if (!certificate_.accepts(function.error, plain)) return false;
+    function.program = without_unused_inputs(std::move(function.program));
+    function.program.error = function.error.relative;
+    return true;
+  }
+
+  bool dumping(std::string_view stage) const {
+    return options_.dump != nullptr && options_.dump_stage == stage;
+  }
+
+  const Kinematics& kinematics_;
+  const std::vector<SymbolBinding>& bindings_;
+  const Certificate& certificate_;
+  const CompileOptions& options_;
+};
+
 CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
   CompiledMechanism compiled;
   compiled.graph = std::make_unique<ExprGraph>();
@@ -255,7 +349,6 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   }
 
   const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);
-  check_mass_matrix(kinematics, candidates.front());
   if (dumping("equations")) {
     dump_expressions(*options.dump, "Q", candidates.front().Q);
     dump_expressions(*options.dump, "M", candidates.front().M);
@@ -263,32 +356,17 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   }
 
   const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
+  const Certificate certificate(kinematics, bindings);
+  check_mass_matrix(kinematics, certificate.plain());
+  log.done("certificate", "the plain equations, and M is not singular");
+  const FunctionWriter writer(kinematics, bindings, certificate, options);
   const std::vector<FunctionKind> kinds =
       options.functions.empty() ? default_functions(mechanism) : options.functions;
   for (const FunctionKind kind : kinds) {
-    std::optional<CompiledFunction> best;
-    std::vector<OutputExpressions> best_outputs;
-    for (const EquationsOfMotion& equations : candidates) {
-      if (best && !depends_on_formulation(kind)) break;
-      std::vector<OutputExpressions> outputs = function_outputs(kinematics, equations, kind);
-      if (best && outputs == best_outputs) continue;
-      Program program = lower(std::string(to_string(kind)), outputs, bindings);
-      program.formulation = to_string(equations.formulation);
-      if (dumping("lower")) *options.dump << dump(program);
-      program = optimize(std::move(program));
-      if (dumping("optimise")) *options.dump << dump(program);
-      const OperationCount operations = count(program);
-      if (!best || weight(operations) < weight(best->count)) {
-        best = CompiledFunction{kind, equations.formulation, std::move(program), operations};
-        best_outputs = std::move(outputs);
-      }
-    }
-    best->program = in_final_order(*best, options);
-    if (dumping("schedule")) *options.dump << dump(best->program);
-    verify(best->program, best_outputs, bindings);
-    best->program = without_unused_inputs(std::move(best->program));
-    log.done("program", fmt::format("{}: {}", to_string(kind), describe(best->count)));
-    compiled.functions.push_back(std::move(*best));
+    CompiledFunction written = writer.write(kind, candidates);
+    log.done("program", fmt::format("{}: {}; relative error {:.1e} at {} states", to_string(kind),
+                                    describe(written.count), written.error.relative, written.error.states));
+    compiled.functions.push_back(std::move(written));
   }
   return compiled;
 }

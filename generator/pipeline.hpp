@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/certificate.hpp"
 #include "dynamics/equations.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"
@@ -40,6 +41,7 @@ struct CompiledFunction {
   Formulation formulation;
   Program program;
   OperationCount count;
+  MeasuredError error;  ///< against the plain equations in 50 digits
 };
 
 struct CompiledMechanism {
@@ -51,7 +53,9 @@ struct CompiledMechanism {
       FunctionKind kind) const;  ///< throws InternalError if it was not asked for
 };
 
-/// Throws InputError where the description is at fault, InternalError where verification fails.
+/// Throws InputError where the description is at fault, InternalError where verification fails: a program is
+/// not equal to the expressions it came from, or no program of a function is near enough to the plain
+/// equations (certificate.hpp).
 CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options);
 
 /// What a domain_error means that is thrown when equations are derived: a divisor is zero for all values of

@@ -135,16 +135,16 @@ class MovingMechanism {
     Eigen::VectorXd c;
     system_.mass_matrix_and_bias(q_, u_, mass, c);
     if (mass.allFinite() && mass.size() > 0) {
-      const Coordinate* culprit =
+      const std::optional<WithoutInertia> culprit =
           coordinate_without_inertia(mechanism_, {mass.data(), static_cast<std::size_t>(mass.size())});
-      if (culprit != nullptr) {
+      if (culprit) {
         return InputError(
-            culprit->where,
+            culprit->coordinate->where,
             fmt::format("the mass matrix is singular at t = {:.9g}: nothing with mass or inertia moves "
                         "with coordinate '{}' alone there, a pole of these coordinates; describe "
                         "the motion by others, for rotations by a quaternion (the output so far "
                         "is kept)",
-                        time(), culprit->name));
+                        time(), culprit->coordinate->name));
       }
     }
     return InputError(

@@ -5,23 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "symbolic/extended.hpp"
+#include "symbolic/identity.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
 
-constexpr double kRounding = 1e-14;
-
 /// The angle with that cosine and sine, exact at multiples of 15 degrees.
 Motion rotation_by(int axis, Expr cosine, Expr sine, ExprGraph& graph) {
-  const double angle = std::atan2(value_of(sine), value_of(cosine));
-  const double steps = angle / (std::numbers::pi / 12);
-  const double nearest = std::nearbyint(steps);
-  if (std::abs(steps - nearest) < 12 * kRounding) {
-    const auto multiple = make_rational(static_cast<std::int64_t>(nearest), 12);
+  const Extended angle = atan2(extended_value_of(sine), extended_value_of(cosine));
+  const Extended steps = angle / (acos(Extended(-1)) / 12);
+  const Extended nearest = round(steps);
+  if (abs(steps - nearest) <= kAngleRounding) {
+    const auto multiple = make_rational(nearest.convert_to<std::int64_t>(), 12);
     return axis_rotation_motion(axis, graph.pi(Rational(1)) * graph.rational(*multiple));
   }
   Motion motion = axis_rotation_motion(axis, atan2(sine, cosine));
@@ -33,25 +32,24 @@ Motion rotation_by(int axis, Expr cosine, Expr sine, ExprGraph& graph) {
 /// Rotations z, x, z (or one about a coordinate axis) of a matrix of numbers.
 std::vector<Motion> plane_rotations(const Mat3& given, ExprGraph& graph) {
   Mat3 R = given;
-  std::array<double, 9> v{};
+  std::array<Extended, 9> v{};
   for (std::size_t i = 0; i < 9; ++i) {
     R[i] = short_number(R[i]);
-    v[i] = value_of(R[i]);
-    if (std::abs(v[i]) < kRounding) R[i] = graph.zero();
+    v[i] = extended_value_of(R[i]);
+    if (abs(v[i]) <= kAngleRounding) R[i] = graph.zero();
   }
   std::vector<Motion> out;
   for (std::size_t a = 0; a < 3; ++a) {
     // The axis' own entry is 1 up to rounding for tilts of 1e-8 as well; the entries beside it are the tilt.
     const std::size_t i = (a + 1) % 3, j = (a + 2) % 3;
-    const double tilt =
-        std::max(std::hypot(v[3 * i + a], v[3 * j + a]), std::hypot(v[3 * a + i], v[3 * a + j]));
-    if (v[4 * a] < 0 || tilt > kRounding) continue;
+    const bool tilted = std::max({abs(v[3 * i + a]), abs(v[3 * j + a]), abs(v[3 * a + i]),
+                                  abs(v[3 * a + j])}) > kAngleRounding;
+    if (v[4 * a] < 0 || tilted) continue;
     append_motion(out, rotation_by(static_cast<int>(a), R(i, i), R(j, i), graph), graph);
     return out;
   }
   out = turned_to_z({{R(0, 2), R(1, 2), R(2, 2)}}, graph);
-  const double tilt = std::hypot(v[2], v[5]);
-  if (tilt < kRounding) {  // z is turned over
+  if (R(0, 2).is_zero() && R(1, 2).is_zero()) {  // z is turned over
     append_motion(out, rotation_by(2, R(0, 0), -R(0, 1), graph), graph);
     return out;
   }
@@ -102,7 +100,7 @@ std::vector<Motion> gathered(const std::vector<Motion>& run, double length, Expr
   for (Expr& e : offset) {
     if (!e.is_constant()) continue;
     e = short_number(e);
-    if (std::abs(value_of(e)) < kRounding * length) e = graph.zero();
+    if (vanishes(e, length)) e = graph.zero();
   }
   if (numbers) {
     const std::vector<Expr> R = simplify(pose.rotation.entries);
@@ -124,8 +122,9 @@ Expr short_number(Expr constant) {
   const double x = value_of(constant);
   const std::string text = fmt::format("{:.12g}", x);
   const auto fraction = rational_from_decimal(text.data(), text.data() + text.size());
-  if (!fraction || std::abs(fraction->to_double() - x) > 4e-16 * std::abs(x)) return constant;
-  return graph.rational(*fraction);
+  if (!fraction) return constant;
+  const Expr other = graph.rational(*fraction);
+  return vanishes(constant - other, std::abs(x)) ? other : constant;
 }
 
 std::vector<Motion> turned_to_z(const Vec3& axis, ExprGraph& graph) {

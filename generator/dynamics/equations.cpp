@@ -8,27 +8,15 @@
 #include "dynamics/constraints.hpp"
 #include "dynamics/force_derivatives.hpp"
 #include "dynamics/formulations.hpp"
+#include "dynamics/frame_normals.hpp"
 #include "dynamics/reduced_equations.hpp"
 #include "dynamics/screw_peeling.hpp"
 #include "dynamics/state_checks.hpp"
-#include "dynamics/units.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
-
-Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
-  for (const Coordinate& coordinate : mechanism.coordinates) {
-    const int k = speed - coordinate.first_speed;
-    if (k < 0 || k >= coordinate.nv()) continue;
-    std::string name = "tau(" + coordinate.name + ")";
-    if (coordinate.type == CoordinateType::quaternion)
-      name += std::array{".x", ".y", ".z"}[static_cast<std::size_t>(k)];
-    return graph.symbol(name);
-  }
-  throw InternalError("there is no speed of that index");
-}
 
 std::vector<OutputExpressions> constraint_outputs(const Kinematics& kinematics) {
   const ConstraintEquations equations =
@@ -52,6 +40,18 @@ std::vector<OutputExpressions> constraint_outputs(const Kinematics& kinematics) 
 }
 
 }  // namespace
+
+Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    const int k = speed - coordinate.first_speed;
+    if (k < 0 || k >= coordinate.nv()) continue;
+    std::string name = "tau(" + coordinate.name + ")";
+    if (coordinate.type == CoordinateType::quaternion)
+      name += std::array{".x", ".y", ".z"}[static_cast<std::size_t>(k)];
+    return graph.symbol(name);
+  }
+  throw InternalError("there is no speed of that index");
+}
 
 std::string_view to_string(Formulation formulation) {
   switch (formulation) {
@@ -115,7 +115,25 @@ std::span<const FunctionKind> all_function_kinds() {
   return kKinds;
 }
 
+namespace {
+
+/// Limits of the coordinates of curves and surfaces say on which side of a pole they are: roots in the frames
+/// there have a sign by them. Other limits say nothing about what is beyond.
+void assume_limits_of_frames(const Mechanism& mechanism, ExprGraph& graph) {
+  for (const FrameNormal& normal : frame_normals(mechanism)) {
+    for (const Coordinate& coordinate : mechanism.coordinates) {
+      if (!coordinate.limits ||
+          std::ranges::find(normal.coordinates, coordinate.name) == normal.coordinates.end())
+        continue;
+      graph.assume(coordinate.symbols[0], {coordinate.limits->first, coordinate.limits->second});
+    }
+  }
+}
+
+}  // namespace
+
 Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
+  assume_limits_of_frames(mechanism, graph);
   check_transforms(mechanism, graph);
   SpeedDerivatives derivatives(mechanism, graph);
   std::vector<std::vector<Motion>> motions;
@@ -124,9 +142,8 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   MotionTree tree = motion_tree(mechanism, motions, derivatives, graph);
   std::optional<MotionTree> peeled;
   bool any = false;
-  const Units units = units_of(mechanism, tree, graph);
   for (std::vector<Motion>& given : motions) {
-    auto other = peeled_motions(given, mechanism, units, derivatives, graph);
+    auto other = peeled_motions(given, mechanism, derivatives, graph);
     if (!other) continue;
     given = std::move(*other);
     any = true;
@@ -299,7 +316,7 @@ std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph
   std::size_t parameter = 0;
   for (const Parameter& p : mechanism.parameters) {
     if (p.runtime)
-      bind(graph.symbol(p.name), ArgumentKind::parameter, parameter++, unit_of(std::abs(p.value)));
+      bind(graph.symbol(p.name), ArgumentKind::parameter, parameter++, p.value == 0 ? 1 : std::abs(p.value));
   }
   std::size_t wrench = 0;
   for (const WrenchSymbols& symbols : wrench_symbols(mechanism, graph)) {

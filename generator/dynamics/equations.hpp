@@ -64,10 +64,6 @@ struct EquationsOfMotion {
 EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation,
                                       Passes passes = {});
 
-/// Throws InputError if M is singular at the initial state and at random states, naming the coordinate
-/// without inertia.
-void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations);
-
 /// The functions that can be asked for.
 enum class FunctionKind {
   inverse_dynamics,

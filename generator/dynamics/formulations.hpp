@@ -24,6 +24,9 @@ struct WrenchSymbols {
 };
 std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph);
 
+/// The generalized force of a speed, `tau(coordinate)`; of a quaternion's speeds with .x .y .z.
+Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph);
+
 /// Q by the reduced form: outward twists and accelerations, inward forces (README.md, 2).
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
                                            ExprGraph& graph);

@@ -12,11 +12,6 @@ namespace alembert {
 
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Matrix4d;
-
-constexpr double kSmall = 1e-14;
-
 /// m, h, and J row by row.
 using Entries = std::array<Expr, 13>;
 
@@ -32,39 +27,33 @@ bool is_number(const Entries& entries) {
   return std::all_of(entries.begin(), entries.end(), [](const Expr& e) { return e.is_constant(); });
 }
 
-/// Mass, moment and inertia in units.
-void put_in_units(std::span<double, 13> v, const Units& units) {
-  for (std::size_t i = 0; i < v.size(); ++i)
-    v[i] /= i == 0 ? units.mass : i < 4 ? units.moment() : units.inertia();
-}
+using Numbers = std::array<Extended, 13>;
 
 /// K = tr(J)/2 - J.
-Matrix4d pseudo_inertia(std::span<const double, 13> v) {
-  Matrix3d J;
+Matrix4e pseudo_inertia(const Numbers& v) {
+  Matrix3e J;
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) J(r, c) = v[static_cast<std::size_t>(4 + 3 * r + c)];
   }
-  Matrix4d S;
-  S.topLeftCorner<3, 3>() = 0.5 * J.trace() * Matrix3d::Identity() - J;
+  Matrix4e S;
+  S.topLeftCorner<3, 3>() = Extended(J.trace() / 2) * Matrix3e::Identity() - J;
   for (int r = 0; r < 3; ++r) S(r, 3) = S(3, r) = v[static_cast<std::size_t>(1 + r)];
   S(3, 3) = v[0];
   return S;
 }
 
-Matrix4d number_inertia(const Entries& entries, const Units& units) {
-  std::vector<double> v = evaluate(entries, {});
-  put_in_units(std::span<double, 13>(v.data(), 13), units);
-  for (double& x : v) {
-    if (std::abs(x) < 1e-16) x = 0;
-  }
-  return pseudo_inertia(std::span<const double, 13>(v.data(), 13));
+Matrix4e number_inertia(const Entries& entries) {
+  const std::vector<Extended> values = evaluate_extended(entries, std::span<const Extended>());
+  Numbers v;
+  std::copy(values.begin(), values.end(), v.begin());
+  return pseudo_inertia(v);
 }
 
 /// Expressions as polynomials with numbers for coefficients, in bases that are no sums and no products.
 class PolynomialReader {
  public:
   using Monomial = std::vector<std::size_t>;  ///< indices of bases, ascending
-  using Polynomial = std::map<Monomial, double>;
+  using Polynomial = std::map<Monomial, Extended>;
 
   PolynomialReader(std::span<const Expr> roots, ExprGraph& graph) : graph_(graph) {
     for (const std::uint32_t id : postorder(roots)) {
@@ -89,19 +78,19 @@ class PolynomialReader {
  private:
   static constexpr std::size_t kMostTerms = 64;  ///< of a polynomial; a longer one is taken as a base
 
-  static Polynomial scaled(Polynomial p, double factor) {
+  static Polynomial scaled(Polynomial p, const Extended& factor) {
     for (auto& [monomial, number] : p) number *= factor;
     return p;
   }
 
   Polynomial base(std::uint32_t id) {
     bases_.emplace_back(graph_, Ref(id, false));
-    return {{Monomial{bases_.size() - 1}, 1.0}};
+    return {{Monomial{bases_.size() - 1}, Extended(1)}};
   }
 
   Polynomial read(std::uint32_t id) {
     const Node node = graph_.node(id);
-    if (node.constant) return {{Monomial{}, value_of(Expr(graph_, Ref(id, false)))}};
+    if (node.constant) return {{Monomial{}, extended_value_of(Expr(graph_, Ref(id, false)))}};
     if (node.op == Op::add) {
       Polynomial sum = of(node.a);
       for (const auto& [monomial, number] : of(node.b)) sum[monomial] += number;
@@ -131,28 +120,56 @@ class PolynomialReader {
   std::unordered_map<std::uint32_t, Polynomial> read_;  ///< looked up only
 };
 
-/// Coefficients of one term in mass, first moment and inertia: m, h, J xx yy zz xy xz yz. What a turn by a
-/// right angle, or a shift there and back, left a hair from zero or a whole number is that.
-std::array<double, 10> coefficients(const Matrix4d& S) {
-  const double trace = S(0, 0) + S(1, 1) + S(2, 2);
-  std::array<double, 10> out{S(3, 3),         S(0, 3),         S(1, 3),  S(2, 3),  trace - S(0, 0),
-                             trace - S(1, 1), trace - S(2, 2), -S(0, 1), -S(0, 2), -S(1, 2)};
-  const double size = S.cwiseAbs().maxCoeff();
-  for (double& x : out) {
-    const double whole = std::nearbyint(x);
-    if (std::abs(x) < kSmall * size) {
-      x = 0;
-    } else if (std::abs(x - whole) < kSmall * std::abs(whole)) {
-      x = whole;
-    }
+/// J_rr = K_ii + K_jj.
+Extended moment_of_inertia(const Matrix4e& S, int r) {
+  const int i = (r + 1) % 3, j = (r + 2) % 3;
+  const Extended sum = S(i, i) + S(j, j);
+  return abs(sum) <= kExtendedRounding * abs(S(i, i)) ? Extended(0) : sum;
+}
+
+/// Coefficients of one term in mass, first moment and inertia: m, h, J xx yy zz xy xz yz. What is a whole
+/// number but for rounding is one.
+std::array<Extended, 10> coefficients(const Matrix4e& S) {
+  std::array<Extended, 10> out{S(3, 3),
+                               S(0, 3),
+                               S(1, 3),
+                               S(2, 3),
+                               moment_of_inertia(S, 0),
+                               moment_of_inertia(S, 1),
+                               moment_of_inertia(S, 2),
+                               -S(0, 1),
+                               -S(0, 2),
+                               -S(1, 2)};
+  for (Extended& x : out) {
+    const Extended whole = round(x);
+    if (abs(x - whole) <= kExtendedRounding * abs(whole)) x = whole;
   }
   return out;
 }
 
 }  // namespace
 
-Expr rounded_number(ExprGraph& graph, double x, double unit) {
-  return std::abs(x) < 1e-15 ? graph.zero() : graph.real(x * unit);
+Extended mass_scale(const Matrix4e& S, const Extended& length) {
+  Extended mass = abs(S(3, 3));
+  if (length == 0) return mass;
+  for (int r = 0; r < 3; ++r) {
+    mass = std::max(mass, Extended(abs(S(r, 3)) / length));
+    for (int c = 0; c < 3; ++c) mass = std::max(mass, Extended(abs(S(r, c)) / (length * length)));
+  }
+  return mass;
+}
+
+void drop_rounding(Matrix4e& S, const Extended& mass, const Extended& length) {
+  for (int r = 0; r < 4; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      const Extended size = mass * (r < 3 ? length : Extended(1)) * (c < 3 ? length : Extended(1));
+      if (abs(S(r, c)) <= kExtendedRounding * size) S(r, c) = 0;
+    }
+  }
+}
+
+Expr rounded_number(ExprGraph& graph, const Extended& x) {
+  return graph.real(x.convert_to<double>());
 }
 
 LinkInertia& LinkInertia::operator+=(const LinkInertia& other) {
@@ -173,7 +190,7 @@ LinkInertia& LinkInertia::operator-=(const LinkInertia& other) {
   return *this;
 }
 
-LinkInertia LinkInertia::seen_through(const Matrix4d& X) const {
+LinkInertia LinkInertia::seen_through(const Matrix4e& X) const {
   LinkInertia out;
   out.number = X * number * X.transpose();
   for (const auto& [k, S] : terms) out.terms.emplace(k, X * S * X.transpose());
@@ -192,7 +209,7 @@ LinkInertia RuntimeTerms::of_node(const Mechanism& mechanism, const MotionTree& 
   LinkInertia out;
   const Entries sum = entries_of(tree.masses[node]);
   if (is_number(sum)) {
-    out.number = number_inertia(sum, units_);
+    out.number = number_inertia(sum);
     return out;
   }
   // Body by body, so that the numbers of one are not mixed with what another has for terms.
@@ -207,12 +224,12 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
   const Entries entries = entries_of(mass);
   LinkInertia out;
   if (is_number(entries)) {
-    out.number = number_inertia(entries, units_);
+    out.number = number_inertia(entries);
     return out;
   }
   const PolynomialReader reader(entries, graph);
-  std::array<double, 13> constants{};
-  std::map<PolynomialReader::Monomial, std::array<double, 13>> by_monomial;
+  Numbers constants{};
+  std::map<PolynomialReader::Monomial, Numbers> by_monomial;
   std::vector<Expr> moving;  // entries that are no numbers, up to sign
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (const auto& [monomial, number] : reader.of(entries[i].ref())) {
@@ -226,7 +243,7 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
     if (!size.is_constant() && std::find(moving.begin(), moving.end(), size) == moving.end())
       moving.push_back(size);
   }
-  std::vector<std::pair<Expr, std::array<double, 13>>> terms;
+  std::vector<std::pair<Expr, Numbers>> terms;
   if (by_monomial.size() <= moving.size()) {
     for (const auto& [monomial, numbers] : by_monomial)
       terms.emplace_back(reader.expression(monomial), numbers);
@@ -239,23 +256,22 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
       if (constant != p.end() && constant->second != 0) {
         term = graph.zero();
         for (const auto& [monomial, number] : p) {
-          if (!monomial.empty()) term += graph.real(number) * reader.expression(monomial);
+          if (!monomial.empty()) term += rounded_number(graph, number) * reader.expression(monomial);
         }
       }
-      std::array<double, 13> numbers{};
+      Numbers numbers{};
       for (std::size_t i = 0; i < entries.size(); ++i) {
         if (entries[i].ref().node() == entry.ref().node()) numbers[i] = entries[i].ref().negative() ? -1 : 1;
       }
       terms.emplace_back(term, numbers);
     }
   }
-  put_in_units(constants, units_);
   out.number = pseudo_inertia(constants);
   for (auto& [term, numbers] : terms) {
-    put_in_units(numbers, units_);
     const bool negative = term.ref().negative();
     LinkInertia part;
-    part.terms.emplace(index_of(negative ? -term : term), (negative ? -1.0 : 1.0) * pseudo_inertia(numbers));
+    part.terms.emplace(index_of(negative ? -term : term),
+                       Extended(negative ? -1 : 1) * pseudo_inertia(numbers));
     out += part;
   }
   return out;
@@ -263,25 +279,21 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
 
 NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, const std::array<MomentForm, 3>& forms,
                                  ExprGraph& graph) const {
-  const Matrix4d& S = inertia.number;
-  NodeMass mass{rounded_number(graph, S(3, 3), units_.mass), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
-  const double trace = S(0, 0) + S(1, 1) + S(2, 2);
+  const Matrix4e& S = inertia.number;
+  NodeMass mass{rounded_number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
   for (int r = 0; r < 3; ++r) {
-    mass.moment[static_cast<std::size_t>(r)] = rounded_number(graph, S(r, 3), units_.moment());
+    mass.moment[static_cast<std::size_t>(r)] = rounded_number(graph, S(r, 3));
     for (int c = 0; c < 3; ++c) {
       mass.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
-          rounded_number(graph, r == c ? trace - S(r, c) : -S(r, c), units_.inertia());
+          rounded_number(graph, r == c ? moment_of_inertia(S, r) : Extended(-S(r, c)));
     }
   }
   if (inertia.terms.empty()) return mass;
   std::array<Expr, 10> sums;
   sums.fill(graph.zero());
   for (const auto& [k, coefficient] : inertia.terms) {
-    const std::array<double, 10> numbers = coefficients(coefficient);
-    for (std::size_t e = 0; e < sums.size(); ++e) {
-      const double unit = e == 0 ? units_.mass : e < 4 ? units_.moment() : units_.inertia();
-      sums[e] += graph.real(numbers[e] * unit) * terms_[k];
-    }
+    const std::array<Extended, 10> numbers = coefficients(coefficient);
+    for (std::size_t e = 0; e < sums.size(); ++e) sums[e] += rounded_number(graph, numbers[e]) * terms_[k];
   }
   mass.mass += sums[0];
   for (std::size_t r = 0; r < 3; ++r) {
@@ -298,17 +310,17 @@ NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, const std::array<Mo
 
 std::size_t composition_cost(const LinkInertia& inertia, bool about_z_only) {
   if (inertia.terms.empty()) return 0;
-  const std::array<double, 10> numbers = coefficients(inertia.number);
+  const std::array<Extended, 10> numbers = coefficients(inertia.number);
   std::array<std::size_t, 10> summands{};
   std::size_t cost = 0;
   constexpr std::size_t kJzz = 6;
   const auto wanted = [&](std::size_t e) { return !about_z_only || e == kJzz; };
   for (const auto& [k, coefficient] : inertia.terms) {
-    const std::array<double, 10> c = coefficients(coefficient);
+    const std::array<Extended, 10> c = coefficients(coefficient);
     for (std::size_t e = 0; e < c.size(); ++e) {
       if (c[e] == 0 || !wanted(e)) continue;
       ++summands[e];
-      if (std::abs(c[e]) != 1) ++cost;
+      if (abs(c[e]) != 1) ++cost;
     }
   }
   for (std::size_t e = 0; e < summands.size(); ++e) {

@@ -1,8 +1,6 @@
 // Rigid links back to a tree of motions (rigid_links.hpp): constants as numbers, exact where they are
 // multiples of a right angle.
 #include <Eigen/Dense>
-#include <cmath>
-#include <numbers>
 
 #include "dynamics/rigid_links.hpp"
 
@@ -10,14 +8,12 @@ namespace alembert {
 
 namespace {
 
-using Eigen::Matrix4d;
-
 /// Exact at multiples of a right angle.
-Expr angle_number(ExprGraph& graph, double x) {
-  const double quarter_turns = x / (std::numbers::pi / 2);
-  const double nearest = std::nearbyint(quarter_turns);
-  if (std::abs(quarter_turns - nearest) > 1e-12) return rounded_number(graph, x);
-  const std::int64_t k = static_cast<std::int64_t>(nearest);
+Expr angle_number(ExprGraph& graph, const Extended& x) {
+  const Extended quarter_turns = x / kRightAngle;
+  const Extended nearest = round(quarter_turns);
+  if (abs(quarter_turns - nearest) > kAngleRounding) return rounded_number(graph, x);
+  const std::int64_t k = nearest.convert_to<std::int64_t>();
   if (k == 0) return graph.zero();
   return k % 2 == 0 ? graph.pi(Rational(k / 2)) : graph.pi(Rational(k, 2));
 }
@@ -25,30 +21,33 @@ Expr angle_number(ExprGraph& graph, double x) {
 /// Builds the nodes one after another.
 class TreeBuilder {
  public:
-  TreeBuilder(ExprGraph& graph, double length) : graph_(graph), length_(length) {}
+  TreeBuilder(ExprGraph& graph, const Extended& length) : graph_(graph), length_(length) {}
 
   /// A constant rotation about a coordinate axis; the parent itself where there is none.
-  int turn(int parent, int axis, double angle) {
+  int turn(int parent, int axis, const Extended& angle) {
     const Expr a = angle_number(graph_, angle);
     if (a.is_zero()) return parent;
     return add(parent, axis_rotation_motion(axis, a));
   }
-  int shift(int parent, const Eigen::Vector3d& t) {
+  int shift(int parent, const Vector3e& t) {
     const Motion motion = shift(t);
     if (motion.offset == zeros<3, 1>(graph_)) return parent;
     return add(parent, motion);
   }
-  Motion shift(const Eigen::Vector3d& t) const {
-    const auto entry = [&](int i) { return rounded_number(graph_, t[i], length_); };
+  Motion shift(const Vector3e& t) const {
+    const auto entry = [&](int i) {
+      return abs(t[i]) <= kExtendedRounding * length_ ? graph_.zero() : rounded_number(graph_, t[i]);
+    };
     return translation_motion({{entry(0), entry(1), entry(2)}});
   }
   /// A constant pose: its shift, then its rotation by Euler angles z x z.
-  int pose(int parent, const Matrix4d& pose) {
+  int pose(int parent, const Matrix4e& pose) {
     int node = shift(parent, pose.topRightCorner<3, 1>());
-    const double tilt = std::atan2(std::hypot(pose(0, 2), pose(1, 2)), pose(2, 2));
-    const bool tilted = std::abs(std::sin(tilt)) > 1e-12;
-    const double first = tilted ? std::atan2(pose(0, 2), -pose(1, 2)) : 0;
-    const double last = tilted ? std::atan2(pose(2, 0), pose(2, 1)) : std::atan2(-pose(0, 1), pose(0, 0));
+    const Extended across = hypot(pose(0, 2), pose(1, 2));
+    const bool tilted = across > kAngleRounding;
+    const Extended tilt = tilted ? atan2(across, pose(2, 2)) : Extended(pose(2, 2) > 0 ? 0 : 2 * kRightAngle);
+    const Extended first = tilted ? atan2(pose(0, 2), Extended(-pose(1, 2))) : Extended(0);
+    const Extended last = tilted ? atan2(pose(2, 0), pose(2, 1)) : atan2(Extended(-pose(0, 1)), pose(0, 0));
     node = turn(node, 2, first);
     node = turn(node, 0, tilt);
     return turn(node, 2, last);
@@ -72,14 +71,14 @@ class TreeBuilder {
 
  private:
   ExprGraph& graph_;
-  double length_;  // unit of shifts
+  Extended length_;  // shifts are rounding if they are nothing beside it
 };
 
 }  // namespace
 
 MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
   const std::vector<Split> splits = flow(regroupings).splits;
-  TreeBuilder builder(graph, units_.length);
+  TreeBuilder builder(graph, length_);
   std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const RigidLink& link = links_[i];
@@ -91,7 +90,7 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
       } else {
         // Beside the main child: from its twisted frame, whose U is made anyway.
         const MassFrame from = has_frame(p, MassFrame::twist) ? MassFrame::twist : MassFrame::joint;
-        const Matrix4d back = rigid_inverse(pose_in_link(p, from));
+        const Matrix4e back = rigid_inverse(pose_in_link(p, from));
         node = builder.pose(frames[p][static_cast<std::size_t>(from)], back * link.before);
       }
     } else {
@@ -149,14 +148,14 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
         moved.node = -1;
       } else {
         const std::size_t i = static_cast<std::size_t>(l);
-        const Matrix4d pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
+        const Matrix4e pose = rigid_inverse(links_[i].adjusted) * pose_of_node_[old];
         const Motion shift = builder.shift(pose.topRightCorner<3, 1>());
         Motion turn;
         turn.kind = MotionKind::rotation;
         for (int r = 0; r < 3; ++r) {
           for (int c = 0; c < 3; ++c)
             turn.matrix(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
-                rounded_number(graph, pose(r, c));
+                abs(pose(r, c)) <= kAngleRounding ? graph.zero() : rounded_number(graph, pose(r, c));
         }
         moved.node = frames[i][0];
         moved.tail.insert(moved.tail.begin(), {shift, turn});

@@ -1,27 +1,57 @@
-// Twists of a product of motions, with numbers and with expressions (see the header).
+// Twists of a product of motions, in a finite field and as expressions (see the header).
 #include "dynamics/motion_core.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
+#include "symbolic/modular.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using Part = MotionCore::Part;
+using modular::add, modular::is_zero, modular::multiply, modular::negate;
 
-constexpr double kSame = 1e-10;  ///< twists at two states, relative
+/// Vectors and matrices over the field.
+using ModularVector = std::array<Modular, 3>;
+using ModularMatrix = std::array<Modular, 9>;  // row by row
 
-struct NumericTwist {
-  Vector3d om = Vector3d::Zero(), v = Vector3d::Zero();
-  double om_size = 0, v_size = 0;  ///< of all that they are sums of: what rounding is relative to
+ModularVector plus(const ModularVector& x, const ModularVector& y) {
+  return {add(x[0], y[0]), add(x[1], y[1]), add(x[2], y[2])};
+}
+ModularVector cross(const ModularVector& x, const ModularVector& y) {
+  ModularVector out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    out[i] = add(multiply(x[j], y[k]), negate(multiply(x[k], y[j])));
+  }
+  return out;
+}
+ModularVector times(const ModularMatrix& R, const ModularVector& x, bool transposed = false) {
+  ModularVector out{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c)
+      out[r] = add(out[r], multiply(R[transposed ? 3 * c + r : 3 * r + c], x[c]));
+  }
+  return out;
+}
+ModularMatrix times(const ModularMatrix& R, const ModularMatrix& E) {
+  ModularMatrix out{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < 3; ++k)
+        out[3 * r + c] = add(out[3 * r + c], multiply(R[3 * r + k], E[3 * k + c]));
+    }
+  }
+  return out;
+}
+
+struct ModularTwist {
+  ModularVector om{}, v{};
+  friend bool operator==(const ModularTwist&, const ModularTwist&) = default;
 };
 
 void append_pose(std::vector<Expr>& out, const Motion& motion, ExprGraph& graph) {
@@ -30,52 +60,64 @@ void append_pose(std::vector<Expr>& out, const Motion& motion, ExprGraph& graph)
   out.insert(out.end(), pose.origin.entries.begin(), pose.origin.entries.end());
 }
 
-/// Twists of a product along each of `speeds`, at one state. Nothing if one is not finite.
-std::optional<std::vector<NumericTwist>> twists_at(std::span<const Part> parts, std::span<const double> state,
-                                                   std::span<const int> speeds, Side side, ExprGraph& graph) {
+/// Twists of a product along each of `speeds`, at one point. Seen from the left they depend on the motions
+/// before only, from the right on those after.
+std::vector<ModularTwist> twists_at(std::span<const Part> parts, std::span<const Modular> point,
+                                    std::span<const int> speeds, Side side, ExprGraph& graph) {
   std::vector<Expr> wanted;
   for (const Part& part : parts) {
     append_pose(wanted, part.motion, graph);
     for (const SpeedPartial& partial : part.partials)
       wanted.insert(wanted.end(), partial.values.begin(), partial.values.end());
   }
-  const std::vector<double> values = evaluate(wanted, state);
-  if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
-    return std::nullopt;
-  std::vector<NumericTwist> twists(speeds.size());
-  Matrix3d R = Matrix3d::Identity();
-  Vector3d p = Vector3d::Zero();
-  const double* next = values.data();
-  const auto vector = [&] {
-    const Vector3d v(next[0], next[1], next[2]);
-    next += 3;
-    return v;
+  const std::vector<Modular> values = evaluate_modular(wanted, point);
+  struct Numbers {
+    ModularMatrix E;
+    ModularVector p;
+    std::vector<ModularVector> directions;
   };
+  std::vector<Numbers> numbers;
+  const Modular* next = values.data();
   for (const Part& part : parts) {
-    Matrix3d E;
-    for (int r = 0; r < 3; ++r) E.row(r) = vector().transpose();
-    p += R * vector();
-    R = R * E;
-    for (const SpeedPartial& partial : part.partials) {
-      NumericTwist& twist = twists[static_cast<std::size_t>(
-          std::lower_bound(speeds.begin(), speeds.end(), partial.speed) - speeds.begin())];
-      const Vector3d d = R * vector();
-      if (part.motion.kind == MotionKind::translation) {
-        twist.v += d;
-        twist.v_size += d.norm();
-      } else {
-        twist.om += d;
-        twist.om_size += d.norm();
-        twist.v += p.cross(d);
-        twist.v_size += p.norm() * d.norm();
-      }
-    }
+    Numbers here;
+    std::copy(next, next + 9, here.E.begin());
+    next += 9;
+    std::copy(next, next + 3, here.p.begin());
+    next += 3;
+    for (std::size_t k = 0; k < part.partials.size(); ++k, next += 3)
+      here.directions.push_back({next[0], next[1], next[2]});
+    numbers.push_back(std::move(here));
   }
-  if (side == Side::right) {
-    for (NumericTwist& twist : twists) {
-      twist.v = R.transpose() * (twist.v - p.cross(twist.om));
-      twist.v_size += p.norm() * twist.om_size;
-      twist.om = R.transpose() * twist.om;
+  std::vector<ModularTwist> twists(speeds.size());
+  const auto add_twists = [&](const Part& part, const Numbers& here, auto seen) {
+    for (std::size_t k = 0; k < part.partials.size(); ++k) {
+      ModularTwist& twist = twists[static_cast<std::size_t>(
+          std::lower_bound(speeds.begin(), speeds.end(), part.partials[k].speed) - speeds.begin())];
+      const bool linear = part.motion.kind == MotionKind::translation;
+      const ModularTwist more =
+          seen(linear ? ModularTwist{{}, here.directions[k]} : ModularTwist{here.directions[k], {}});
+      twist = {plus(twist.om, more.om), plus(twist.v, more.v)};
+    }
+  };
+  const Modular one{1, 0};
+  ModularMatrix R{one, {}, {}, {}, one, {}, {}, {}, one};
+  ModularVector p{};
+  if (side == Side::left) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      p = plus(p, times(R, numbers[i].p));
+      R = times(R, numbers[i].E);
+      add_twists(parts[i], numbers[i], [&](const ModularTwist& twist) {
+        const ModularVector om = times(R, twist.om);
+        return ModularTwist{om, plus(times(R, twist.v), cross(p, om))};
+      });
+    }
+  } else {
+    for (std::size_t i = parts.size(); i-- > 0;) {
+      add_twists(parts[i], numbers[i], [&](const ModularTwist& twist) {
+        return ModularTwist{times(R, twist.om, true), times(R, plus(twist.v, cross(twist.om, p)), true)};
+      });
+      p = plus(numbers[i].p, times(numbers[i].E, p));
+      R = times(numbers[i].E, R);
     }
   }
   return twists;
@@ -140,22 +182,17 @@ std::vector<Expr> MotionCore::poses(std::span<const Part> parts) const {
 
 std::vector<char> MotionCore::constant_twists(std::span<const int> speeds, Side side) const {
   std::vector<char> constant(speeds.size(), 1);
-  for (const auto& group : states_.groups()) {
-    std::optional<std::vector<NumericTwist>> first;
-    std::size_t finite = 0;
-    for (const std::vector<double>& state : group) {
-      const auto here = twists_at(parts_, state, speeds, side, graph_);
-      if (!here) continue;
-      ++finite;
-      if (!first) first = here;
-      for (std::size_t k = 0; k < speeds.size(); ++k) {
-        const NumericTwist &x = (*first)[k], &y = (*here)[k];
-        const double om_size = std::max(1e-3, x.om_size);
-        const double v_size = std::max(1e-3 * states_.length(), x.v_size);
-        if ((x.om - y.om).norm() > kSame * om_size || (x.v - y.v).norm() > kSame * v_size) constant[k] = 0;
-      }
+  std::optional<std::vector<ModularTwist>> first;
+  for (const std::vector<Modular>& point : states_.points()) {
+    std::vector<ModularTwist> here = twists_at(parts_, point, speeds, side, graph_);
+    if (!first) {
+      first = std::move(here);
+      continue;
     }
-    if (finite < 2) return std::vector<char>(speeds.size(), 0);
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      if (!((*first)[k] == here[k])) constant[k] = 0;
+    }
+    if (std::find(constant.begin(), constant.end(), 1) == constant.end()) break;
   }
   return constant;
 }

@@ -39,7 +39,7 @@ class MotionCore {
   /// Entries of the poses of all motions.
   std::vector<Expr> poses() const { return poses(parts_); }
 
-  /// Which of `speeds` have one twist in all states (for each draw of the runtime parameters).
+  /// Which of `speeds` are proved to have one twist in all states, whatever the runtime parameters are.
   std::vector<char> constant_twists(std::span<const int> speeds, Side side) const;
   /// The constant twist along a speed, from the expressions with every coordinate held. Nothing where they
   /// have no value, or the axis moves with a runtime parameter.

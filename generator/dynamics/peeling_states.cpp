@@ -1,4 +1,4 @@
-// Random states of a mechanism, and comparisons there (see the header).
+// Proofs and states for screw peeling (see the header).
 #include "dynamics/peeling_states.hpp"
 
 #include <algorithm>
@@ -6,66 +6,78 @@
 
 #include "dynamics/constant_motions.hpp"
 #include "dynamics/state_checks.hpp"
+#include "symbolic/extended.hpp"
+#include "symbolic/identity.hpp"
+#include "symbolic/modular.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
 
 namespace {
 
-constexpr double kSameProduct = 1e-11;  ///< products of motions at a state, relative
-constexpr unsigned kGroups = 3;         ///< draws of the runtime parameters
-constexpr unsigned kDraws = 4;          ///< states a draw of them
-std::vector<PeelingStates::States> random_states(const Mechanism& mechanism, ExprGraph& graph) {
-  std::vector<PeelingStates::States> groups;
-  for (unsigned group = 0; group < kGroups; ++group) {
-    PeelingStates::States states;
-    std::vector<double> draw;  // in [-1, 1), one for each symbol
-    for (unsigned k = 0; k < kDraws; ++k) {
-      std::vector<double> state = state_values(mechanism, graph, 101 + 17 * group + k);
-      if (k == 0) draw = state_values(mechanism, graph, 501 + group);
-      const auto time = graph.symbol_index(mechanism.time.ref().node());
-      state[time] = 0.3 + 0.21 * (4 * group + k);
-      std::size_t p = 0;
-      for (const Parameter& parameter : mechanism.parameters) {
-        if (!parameter.runtime) continue;
-        const Coordinate& any = mechanism.coordinates[p++ % mechanism.coordinates.size()];
-        const double x =
-            std::sin(draw[graph.symbol_index(any.symbols[0].ref().node())] + static_cast<double>(p));
-        const auto index = graph.symbol_index(graph.symbol(parameter.name).ref().node());
-        state[index] = parameter.value * (1 + 0.1 * x);
-        if (parameter.value == 0) state[index] = 0.1 * x;
-      }
-      states.push_back(std::move(state));
-    }
-    groups.push_back(std::move(states));
-  }
-  return groups;
+constexpr double kSameProduct = 1e-15;  ///< products of motions at a state, relative
+constexpr unsigned kStates = 8;
+constexpr unsigned kPoints = kIdentityPoints;
+
+/// p^2/|p|^2 of the element p of four symbols, which is of unit length.
+void make_unit(std::vector<Modular>& point, const std::array<std::uint32_t, 4>& symbols) {
+  using namespace modular;
+  const Modular x = point[symbols[0]], y = point[symbols[1]], z = point[symbols[2]], w = point[symbols[3]];
+  const Modular v = add(add(multiply(x, x), multiply(y, y)), multiply(z, z)), ww = multiply(w, w);
+  const Modular scale = inverse(add(v, ww)), twice = multiply(add(w, w), scale);
+  point[symbols[0]] = multiply(twice, x);
+  point[symbols[1]] = multiply(twice, y);
+  point[symbols[2]] = multiply(twice, z);
+  point[symbols[3]] = multiply(add(ww, negate(v)), scale);
 }
 
 }  // namespace
 
-// A long mechanism has short parts too, of which nothing may be lost.
-PeelingStates::PeelingStates(const Mechanism& mechanism, const Units& units, ExprGraph& graph)
-    : graph_(graph), length_(std::min(units.length, 1.0)), groups_(random_states(mechanism, graph)) {}
+PeelingStates::PeelingStates(const Mechanism& mechanism, const std::vector<Motion>& motions, ExprGraph& graph)
+    : graph_(graph) {
+  const auto index = [&](Expr symbol) { return graph.symbol_index(symbol.ref().node()); };
+  for (unsigned k = 0; k < kStates; ++k) {
+    std::vector<double> state = state_values(mechanism, graph, 101 + k);
+    state[index(mechanism.time)] = 0.3 + 0.21 * k;
+    states_.push_back(std::move(state));
+  }
+  for (unsigned k = 0; k < kPoints; ++k) {
+    std::vector<Modular> point = random_modular_point(graph.symbol_count(), 0x7065656c + k);
+    for (const Coordinate& coordinate : mechanism.coordinates) {
+      if (coordinate.type != CoordinateType::quaternion) continue;
+      std::array<std::uint32_t, 4> symbols{};
+      for (std::size_t a = 0; a < 4; ++a) symbols[a] = index(coordinate.symbols[a]);
+      make_unit(point, symbols);
+    }
+    for (const Parameter& parameter : mechanism.parameters) {
+      if (!parameter.runtime || k == 0) continue;
+      const std::uint32_t p = index(graph.symbol(parameter.name));
+      point[p] = points_[0][p];
+    }
+    points_.push_back(std::move(point));
+  }
+  for (const Motion& motion : motions) {
+    if (motion.kind != MotionKind::translation) continue;
+    for (const double x : evaluate(motion.offset.entries, states_[0])) {
+      if (std::isfinite(x)) length_ = std::max(length_, std::abs(x));
+    }
+  }
+}
 
 bool PeelingStates::finite_everywhere(std::span<const Expr> values) const {
-  return std::all_of(groups_.begin(), groups_.end(), [&](const auto& group) {
-    const std::vector<double> here = evaluate(values, group[0]);
+  return std::all_of(states_.begin(), states_.end(), [&](const std::vector<double>& state) {
+    const std::vector<double> here = evaluate(values, state);
     return std::all_of(here.begin(), here.end(), [](double x) { return std::isfinite(x); });
   });
 }
 
 std::vector<Expr> PeelingStates::recognised(std::vector<Expr> values, std::span<const double> sizes) const {
-  std::vector<double> largest(values.size(), 0);
-  for (const auto& group : groups_) {
-    const std::vector<double> here = evaluate(values, group[0]);
-    for (std::size_t i = 0; i < values.size(); ++i) largest[i] = std::max(largest[i], std::abs(here[i]));
-  }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (largest[i] < 1e-14 * sizes[i])
+    if (vanishes(values[i], sizes[i])) {
       values[i] = graph_.zero();
-    else if (values[i].is_constant())
+    } else if (values[i].is_constant()) {
       values[i] = short_number(values[i]);
+    }
   }
   return values;
 }
@@ -82,20 +94,18 @@ bool PeelingStates::agree(const std::vector<Motion>& given, const std::vector<Mo
   product(other, entries);
   constexpr std::size_t kRotation = 9;  // entries before those of the position
   const std::size_t half = entries.size() / 2;
-  for (const auto& group : groups_) {
-    for (const std::vector<double>& state : group) {
-      const std::vector<double> x = evaluate(entries, state);
-      double distance = length_;
-      bool finite = true;
-      for (std::size_t i = 0; i < half; ++i) {
-        finite = finite && std::isfinite(x[i]);
-        if (i >= kRotation) distance = std::max(distance, std::abs(x[i]));
-      }
-      if (!finite) continue;
-      for (std::size_t i = 0; i < half; ++i) {
-        const double size = i < kRotation ? 1 : distance;
-        if (!(std::abs(x[i] - x[half + i]) <= kSameProduct * size)) return false;
-      }
+  for (const std::vector<double>& state : states_) {
+    const std::vector<Extended> x = evaluate_extended(entries, state);
+    Extended distance = length_;
+    bool finite = true;
+    for (std::size_t i = 0; i < half; ++i) {
+      finite = finite && isfinite(x[i]);
+      if (i >= kRotation) distance = std::max(distance, Extended(abs(x[i])));
+    }
+    if (!finite) continue;
+    for (std::size_t i = 0; i < half; ++i) {
+      const Extended size = i < kRotation ? Extended(1) : distance;
+      if (!(abs(x[i] - x[half + i]) <= kSameProduct * size)) return false;
     }
   }
   return true;

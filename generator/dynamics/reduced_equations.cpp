@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "dynamics/conditioning.hpp"
 #include "dynamics/formulations.hpp"
 #include "dynamics/rigid_links.hpp"
 #include "dynamics/scaled_vectors.hpp"
@@ -78,13 +79,18 @@ void toggle(std::vector<int>& list, int element) {
   }
 }
 
-/// The shortest of the lists of equal values that forms give, and the form it came from.
+/// The shortest of the lists of equal values that forms give, of those that are well conditioned, and the
+/// form it came from.
 class Search {
  public:
   using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
   /// `has_pairs`: the equations depend on Form::far.
   Search(const Kinematics& kinematics, Equations equations, bool has_pairs)
-      : kinematics_(kinematics), equations_(equations), has_pairs_(has_pairs) {}
+      : kinematics_(kinematics),
+        equations_(equations),
+        has_pairs_(has_pairs),
+        conditioning_(kinematics,
+                      equations(kinematics.mechanism, kinematics.tree, kinematics.graph, FarPairs::carry)) {}
 
   bool try_form(const Form& form) {
     const MotionTree tree = tree_of(form, kinematics_.graph);
@@ -92,6 +98,8 @@ class Search {
     std::vector<Expr> values = value_number(raw);
     work_ += static_cast<double>(postorder(raw).size());
     if (values == best_ || is_near(values)) return false;
+    // What was tried first is what there is if all others are worse.
+    if (!best_.empty() && !conditioning_.is_good(values)) return false;
     if (best_.empty()) small_ = length_of(values).first <= kSmall;
     const std::size_t here = measure(values).first;
     if (!best_.empty() && here >= least_) {
@@ -210,6 +218,7 @@ class Search {
   const Kinematics& kinematics_;
   Equations equations_;
   bool has_pairs_;
+  Conditioning conditioning_;
   bool small_ = false;  ///< programs are counted, not expressions
   Form form_;
   std::vector<Expr> best_;
@@ -266,6 +275,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   given.tree = &tree;
   offer_both_moments(given);
   masses.offer(given);
+  const std::vector<Expr> given_forces = forces.best();
   RegroupingChoices choices;
   if (links) {
     Form placed;
@@ -308,6 +318,8 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   // speeds for the bodies.
   if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv))
     M.add(value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+  // Where little is gained by placing and regrouping for Q, M may be shorter without.
+  if (mechanism.nv <= 6) M.add(value_number(coefficient_mass_matrix(mechanism, given_forces)));
   // The shortest c need not belong to the shortest Q, but to a much longer one it does not. Nor need the
   // shortest M.
   for (const std::vector<Expr>& Q : forces.near_ones()) {

@@ -177,7 +177,7 @@ class RegroupingSearch {
     if (link.main_child >= 0) {
       const RigidLink& child = links_.links()[static_cast<std::size_t>(link.main_child)];
       p.child = true;
-      p.twisted = std::abs(std::sin(2 * child.twist)) > 1e-12;  // right angles only rename axes
+      p.twisted = abs(sin(2 * child.twist)) > kAngleRounding;  // right angles only rename axes
       p.length = child.length != 0;
       p.offset = child.offset != 0;
     }
@@ -205,23 +205,25 @@ class RegroupingSearch {
   /// first is never missing.
   std::vector<Regrouping> ranked_candidates(std::size_t i, const LinkInertia& inertia) {
     std::vector<std::pair<std::size_t, Regrouping>> found;
-    const auto consider = [&](const Regrouping& how) {
-      const auto split = links_.split(i, how, inertia);
+    const auto consider = [&](const RigidLinks::Splits& splits, const Regrouping& how) {
+      const auto split = splits.zeroing(how.zeros);
       if (split) found.emplace_back(cost(i, how, *split), how);
     };
     const int movable = links_.movable_count(i);
     for (const MassFrame frame : kMassFrames) {
       if (!links_.has_frame(i, frame)) continue;
-      consider({frame, 0, 0, false, {}});
+      consider(RigidLinks::Splits(links_, i, {frame, 0, 0, false, {}}, inertia), {frame, 0, 0, false, {}});
       for (unsigned points = 0; points < 16; ++points) {
         if ((points & bit(static_cast<std::size_t>(frame))) != 0 || std::popcount(points) > 1) continue;
         if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
+        const RigidLinks::Splits stay(links_, i, {frame, 0, points, false, {}}, inertia);
+        const RigidLinks::Splits move(links_, i, {frame, 0, points, true, {}}, inertia);
         for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
           const int count = std::popcount(zeros) - std::popcount(points);
           if (count != movable) continue;
-          consider({frame, zeros, points, false, {}});
+          consider(stay, {frame, zeros, points, false, {}});
           if (terms_may_move_ && points == 0 && !inertia.terms.empty())
-            consider({frame, zeros, points, true, {}});
+            consider(move, {frame, zeros, points, true, {}});
         }
       }
     }

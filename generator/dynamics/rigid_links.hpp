@@ -9,12 +9,17 @@
 // (Denavit and Hartenberg), with the offset before the rotation it belongs to: both shifts happen in one
 // frame.
 //
-// Lengths, masses and inertias are in units in which they are about 1 (units.hpp), so that what counts
-// as zero does not depend on the size of the mechanism.
+// Axes that are nearly parallel have the feet of their common normal far away: frames there would multiply
+// all rounding errors. Where the feet are farther than a few lengths of the links, frames stay near: the
+// parent's slides only to where the next origin is beside it.
+//
+// All numbers have 50 digits, and are compared with what they are sums of: what the data say is kept, however
+// small, and no unit of length or mass is preferred.
 //
 // Regrouping: a symmetric 4x4 part d of a link's pseudo-inertia may move to its parent, S_parent += X d X^T,
 // exactly when (dA/dq) d = 0, that is when its range lies in the points and directions that the motion leaves
-// still. What an inertia has of runtime parameters (link_inertia.hpp) moves with the numbers or stays.
+// still, and when no part becomes much larger than the inertia that it is of, since what cancels leaves only
+// rounding. What an inertia has of runtime parameters (link_inertia.hpp) moves with the numbers or stays.
 #pragma once
 
 #include <Eigen/Core>
@@ -53,17 +58,17 @@ struct RigidLink {
   bool turns = false;   ///< rotation about a coordinate axis: from here on the z axis
   bool moves = true;    ///< false: a constant that depends on a runtime parameter
   bool grounded = false;  ///< does not move, and nothing before it does
-  double angle_offset = 0;
-  double twist = 0, length = 0, offset = 0;  ///< from the parent, if this is its main child
-  Eigen::Matrix4d before =
-      Eigen::Matrix4d::Identity();  ///< parent's frame to this one before its motion, offset included
-  LinkInertia inertia;              ///< in the frame after the motion
-  Eigen::Matrix4d adjusted =
-      Eigen::Matrix4d::Identity();  ///< node's frame after its motion to this link's frame
+  Extended angle_offset = 0;
+  Extended twist = 0, length = 0, offset = 0;  ///< from the parent, if this is its main child
+  Matrix4e before = Matrix4e::Identity();  ///< parent's frame to this one before its motion, offset included
+  LinkInertia inertia;                     ///< in the frame after the motion
+  Matrix4e adjusted = Matrix4e::Identity();  ///< node's frame after its motion to this link's frame
+  Extended size = 0;  ///< length: as far as it, or a link beyond it, reaches from its joint
 };
 
 /// The inverse of a pose [R p; 0 1].
-Eigen::Matrix4d rigid_inverse(const Eigen::Matrix4d& pose);
+Matrix4e rigid_inverse(const Matrix4e& pose);
+inline const Extended kRightAngle = acos(Extended(0));
 
 /// Links of one mechanism; the tree must outlive it.
 class RigidLinks {
@@ -86,14 +91,35 @@ class RigidLinks {
   /// points and directions.
   int movable_count(std::size_t i) const { return static_cast<int>(movable(i).size()); }
 
-  /// Solves for what leaves link i so that the entries become zero. `remaining` is in the chosen frame,
-  /// `moved` in the frame after the motion (zero if nothing moves), `points` are masses at the frames.
-  /// Nothing if the entries cannot be zeroed.
+  /// `remaining` is in the chosen frame, `moved` in the frame after the motion (zero if nothing moves),
+  /// `points` are masses at the frames.
   struct Split {
     LinkInertia remaining, moved;
-    std::array<double, 4> points{};
+    std::array<Extended, 4> points{};
   };
-  std::optional<Split> split(std::size_t i, const Regrouping& how, const LinkInertia& inertia) const;
+  /// Splits of one inertia that differ in the entries that become zero only.
+  class Splits {
+   public:
+    /// `how.zeros` is not read.
+    Splits(const RigidLinks& links, std::size_t i, const Regrouping& how, const LinkInertia& inertia);
+    /// Solves for what leaves the link so that these entries become zero. Nothing if they cannot be zeroed,
+    /// or if a part would become much larger than the whole is.
+    std::optional<Split> zeroing(unsigned zeros) const;
+
+   private:
+    bool take(Matrix4e& remaining, const std::vector<std::pair<int, int>>& zeros, Matrix4e& moved,
+              std::array<Extended, 4>* points) const;
+
+    const Extended& length_;
+    bool moves_terms_, possible_;
+    LinkInertia inertia_;            ///< in the frame
+    std::vector<Matrix4e> basis_;    ///< what can move, in the joint's frame
+    std::vector<Matrix4e> columns_;  ///< the same and the point masses, in the frame
+    std::vector<std::size_t> points_;
+  };
+  std::optional<Split> split(std::size_t i, const Regrouping& how, const LinkInertia& inertia) const {
+    return Splits(*this, i, how, inertia).zeroing(how.zeros);
+  }
 
   /// Inertias flowing from the tips to the root: what each link has once its children have handed over their
   /// parts, and how it splits that. A link whose entries cannot be zeroed keeps everything.
@@ -110,16 +136,17 @@ class RigidLinks {
   MotionTree link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const;
 
  private:
-  void place();  ///< turns and slides the frames about the axes
-  Eigen::Matrix4d pose_in_link(std::size_t i, MassFrame frame) const;
-  std::vector<Eigen::Matrix4d> movable(std::size_t i) const;
+  void measure();  ///< sizes of the links
+  void place();    ///< turns and slides the frames about the axes
+  Matrix4e pose_in_link(std::size_t i, MassFrame frame) const;
+  std::vector<Matrix4e> movable(std::size_t i) const;
 
   const MotionTree* tree_ = nullptr;
-  Units units_;  ///< of all numbers here
   RuntimeTerms terms_;
   std::vector<RigidLink> links_;
-  std::vector<int> link_of_node_;              ///< link that a node moves with; -1: world
-  std::vector<Eigen::Matrix4d> pose_of_node_;  ///< of a node in its link's original frame
+  std::vector<int> link_of_node_;       ///< link that a node moves with; -1: world
+  std::vector<Matrix4e> pose_of_node_;  ///< of a node in its link's original frame
+  Extended length_ = 0;                 ///< of the whole
 };
 
 /// Chooses for each link how its inertia is written, by counting the operations it causes: coordinate descent

@@ -16,12 +16,12 @@ namespace {
 /// Peels the screws off one product of motions.
 class Peeler {
  public:
-  Peeler(const std::vector<Motion>& motions, const Mechanism& mechanism, const Units& units,
-         const SpeedDerivatives& derivatives, ExprGraph& graph)
+  Peeler(const std::vector<Motion>& motions, const Mechanism& mechanism, const SpeedDerivatives& derivatives,
+         ExprGraph& graph)
       : given_(motions),
         derivatives_(derivatives),
         graph_(graph),
-        states_(mechanism, units, graph),
+        states_(mechanism, motions, graph),
         core_(motions, mechanism, derivatives, graph, states_) {
     for (const Coordinate& coordinate : mechanism.coordinates) {
       for (int k = 0; k < coordinate.nv(); ++k) {
@@ -32,7 +32,7 @@ class Peeler {
   }
 
   std::optional<std::vector<Motion>> run() {
-    if (is_plain() || has_pieces()) return std::nullopt;
+    if (is_plain()) return std::nullopt;
     while (peel_one()) {
     }
     if (left_.empty() && right_.empty()) return std::nullopt;
@@ -64,14 +64,6 @@ class Peeler {
       for (const SpeedPartial& partial : part.partials) seen.push_back(partial.speed);
     }
     return true;
-  }
-
-  /// Whether a function that is put together from pieces, such as a spline, is in the motions: states near
-  /// the initial one show some of its pieces only.
-  bool has_pieces() const {
-    const std::vector<std::uint32_t> nodes = postorder(core_.poses());
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [&](std::uint32_t id) { return graph_.node(id).op == Op::sign; });
   }
 
   /// exp(xi (q - reference)) as motions, left to right.
@@ -155,9 +147,9 @@ class Peeler {
 }  // namespace
 
 std::optional<std::vector<Motion>> peeled_motions(const std::vector<Motion>& motions,
-                                                  const Mechanism& mechanism, const Units& units,
+                                                  const Mechanism& mechanism,
                                                   const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  return Peeler(motions, mechanism, units, derivatives, graph).run();
+  return Peeler(motions, mechanism, derivatives, graph).run();
 }
 
 }  // namespace alembert

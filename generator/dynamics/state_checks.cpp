@@ -1,13 +1,16 @@
 // Checks that need numbers (see the header).
 #include "dynamics/state_checks.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "dynamics/equations.hpp"
 #include "dynamics/motion_tree.hpp"
+#include "dynamics/plain_equations.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
@@ -81,38 +84,78 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
   for (const Frame& frame : mechanism.frames) check(frame.transform, "frame '" + frame.name + "'");
 }
 
-const Coordinate* coordinate_without_inertia(const Mechanism& mechanism, std::span<const double> values) {
-  constexpr double kSingular = 1e-13;  // smallest eigenvalue of M scaled to a unit diagonal
-  const Eigen::Index n = mechanism.nv;
-  const Eigen::Map<const Eigen::MatrixXd> M(values.data(), n, n);
-  const double largest = M.diagonal().cwiseAbs().maxCoeff();
-  const Eigen::VectorXd diagonal = M.diagonal();
-  Eigen::Index culprit = 0;
-  if (diagonal.minCoeff(&culprit) > 1e-15 * largest) {
-    const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * M * scale.asDiagonal());
-    if (solver.eigenvalues()(0) > kSingular) return nullptr;
-    solver.eigenvectors().col(0).cwiseAbs().maxCoeff(&culprit);
+namespace {
+
+/// Cholesky factors of M scaled to a unit diagonal, the largest pivot first: where what is left is no more
+/// than `least`, M is singular. Scaled, so that a mirror of milligrams may ride on a stage of tonnes.
+template <class Matrix>
+std::optional<WithoutInertia> smallest_pivot(const Mechanism& mechanism, Matrix M, double least) {
+  using Real = typename Matrix::Scalar;
+  using std::sqrt;
+  const Eigen::Index n = M.rows();
+  const auto found = [&](Eigen::Index k, double fraction) {
+    const auto coordinate = std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
+                                         [&](const Coordinate& c) { return k < c.first_speed + c.nv(); });
+    return WithoutInertia{&*coordinate, fraction};
+  };
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> scale(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!(M(k, k) > 0)) return found(k, 0);
+    scale[k] = 1 / sqrt(M(k, k));
   }
-  return &*std::find_if(mechanism.coordinates.begin(), mechanism.coordinates.end(),
-                        [&](const Coordinate& c) { return culprit < c.first_speed + c.nv(); });
+  for (Eigen::Index r = 0; r < n; ++r) {
+    for (Eigen::Index c = 0; c < n; ++c) M(r, c) *= scale[r] * scale[c];
+  }
+  std::vector<Eigen::Index> left;
+  for (Eigen::Index k = 0; k < n; ++k) left.push_back(k);
+  while (!left.empty()) {
+    const auto pivot = std::max_element(left.begin(), left.end(),
+                                        [&](Eigen::Index x, Eigen::Index y) { return M(x, x) < M(y, y); });
+    const Eigen::Index k = *pivot;
+    if (!(M(k, k) > least)) return found(k, std::max(0.0, static_cast<double>(M(k, k))));
+    left.erase(pivot);
+    for (const Eigen::Index r : left) {
+      const Real factor = M(r, k) / M(k, k);
+      for (const Eigen::Index c : left) M(r, c) -= factor * M(k, c);
+    }
+  }
+  return std::nullopt;
 }
 
-void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+}  // namespace
+
+std::optional<WithoutInertia> coordinate_without_inertia(const Mechanism& mechanism,
+                                                         std::span<const double> values) {
+  const Eigen::Index n = mechanism.nv;
+  const double least = static_cast<double>(n) * 0x1p-52;
+  return smallest_pivot(mechanism, Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n)),
+                        least);
+}
+
+void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain) {
+  constexpr double kNothing = 1e-30;  // of 50 digits
   const Mechanism& mechanism = kinematics.mechanism;
-  const Coordinate* culprit = nullptr;
+  std::optional<WithoutInertia> culprit;
   for (const unsigned seed : {0u, 1u, 2u, 3u, 4u}) {
-    const std::vector<double> values = evaluate(equations.M, state_values(mechanism, kinematics.graph, seed));
-    if (!all_finite(values)) continue;
-    culprit = coordinate_without_inertia(mechanism, values);
-    if (culprit == nullptr) return;
+    const std::vector<double> state = state_values(mechanism, kinematics.graph, seed);
+    const MatrixXe M = plain.mass_matrix({state.begin(), state.end()});
+    if (!std::all_of(M.reshaped().begin(), M.reshaped().end(), [](const Extended& x) { return isfinite(x); }))
+      continue;
+    culprit = smallest_pivot(mechanism, M, kNothing);
+    if (!culprit) return;
   }
-  if (culprit == nullptr) {
+  if (!culprit) {
     throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
   }
-  throw InputError(culprit->where,
-                   "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
-                       culprit->name + "' alone; give a mass or an inertia to what it moves");
+  throw InputError(
+      culprit->coordinate->where,
+      "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
+          culprit->coordinate->name + "' alone" +
+          (culprit->fraction > 0
+               ? fmt::format(" (what is left of its inertia while the others move is {:.1g} of it)",
+                             culprit->fraction)
+               : std::string()) +
+          "; give a mass or an inertia to what it moves");
 }
 
 }  // namespace alembert

@@ -1,6 +1,7 @@
 // Checks that need numbers: frames that exist at the initial state, a mass matrix that is positive definite.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,13 +13,28 @@ namespace alembert {
 /// frame that is singular there).
 void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
 
+class PlainEquations;
+struct Kinematics;
+
+/// Throws InputError if M is singular at the initial state and at random states, naming the coordinate
+/// without inertia.
+void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain);
+
 /// Values of all symbols of the graph at a state: the initial one for `seed` 0, else a reproducible random
 /// one around it. Speeds, rates and wrenches are zero at the initial state and random elsewhere; runtime
 /// parameters have their defaults.
 std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
 
-/// The coordinate that M, nv x nv, has no inertia for, or none if M is positive definite well beyond
-/// rounding. M must be finite.
-const Coordinate* coordinate_without_inertia(const Mechanism& mechanism, std::span<const double> M);
+/// A coordinate for which a mass matrix has no inertia of its own.
+struct WithoutInertia {
+  const Coordinate* coordinate = nullptr;
+  /// What is left of the inertia along it once all others move freely, as a fraction of what it is with them
+  /// held.
+  double fraction = 0;
+};
+/// The coordinate that M, nv x nv, has no inertia for, or none if M is positive definite beyond the rounding
+/// of double precision. M must be finite.
+std::optional<WithoutInertia> coordinate_without_inertia(const Mechanism& mechanism,
+                                                         std::span<const double> M);
 
 }  // namespace alembert

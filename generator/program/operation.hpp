@@ -137,6 +137,8 @@ constexpr std::string_view operation_name(Operation op) {
 /// Value of an operation on `a` (and `b`); constants and inputs have none here and give `a`.
 template <class Real>
 Real apply(Operation op, Real a, Real b) {
+  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
+      std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (op) {
     case Operation::constant:
     case Operation::input:
@@ -152,37 +154,37 @@ Real apply(Operation op, Real a, Real b) {
     case Operation::neg:
       return -a;
     case Operation::sqrt:
-      return std::sqrt(a);
+      return sqrt(a);
     case Operation::sin:
-      return std::sin(a);
+      return sin(a);
     case Operation::cos:
-      return std::cos(a);
+      return cos(a);
     case Operation::tan:
-      return std::tan(a);
+      return tan(a);
     case Operation::asin:
-      return std::asin(a);
+      return asin(a);
     case Operation::acos:
-      return std::acos(a);
+      return acos(a);
     case Operation::atan:
-      return std::atan(a);
+      return atan(a);
     case Operation::atan2:
-      return std::atan2(a, b);
+      return atan2(a, b);
     case Operation::exp:
-      return std::exp(a);
+      return exp(a);
     case Operation::log:
-      return std::log(a);
+      return log(a);
     case Operation::abs:
-      return std::abs(a);
+      return abs(a);
     case Operation::sign:
       return static_cast<Real>((a > 0) - (a < 0));
     case Operation::sinh:
-      return std::sinh(a);
+      return sinh(a);
     case Operation::cosh:
-      return std::cosh(a);
+      return cosh(a);
     case Operation::tanh:
-      return std::tanh(a);
+      return tanh(a);
     case Operation::pow:
-      return std::pow(a, b);
+      return pow(a, b);
   }
   return a;
 }

@@ -88,14 +88,19 @@ Interval root(Interval x) {
   return ordered(lower, x.upper <= 0 ? 0 : up(std::sqrt(x.upper)));
 }
 
-// sin and cos of a narrow interval: the value in the middle, and a slope of at most 1.
+// sin and cos: the values at the ends, and 1 or -1 where the interval may hold a crest or a trough.
 Interval wave(bool cosine, Interval x) {
-  const double width = x.upper - x.lower;
-  if (!(width < 1e-3) || std::abs(x.lower) > 1e6) return {-1, 1};
-  const double middle = x.lower + width / 2;
-  const double value = cosine ? std::cos(middle) : std::sin(middle);
-  const double slack = width + 1e-15;
-  return {std::max(-1.0, value - slack), std::min(1.0, value + slack)};
+  if (!(x.upper - x.lower < 6) || std::abs(x.lower) > 1e6) return {-1, 1};
+  // Crests of cos are at even multiples of pi, of sin a quarter turn further; in half turns:
+  const double shift = cosine ? 0 : 0.5, slack = 1e-9;
+  const double from = x.lower / kPi - shift - slack, to = x.upper / kPi - shift + slack;
+  const bool crest = std::floor(to / 2) >= std::ceil(from / 2);
+  const bool trough = std::floor((to - 1) / 2) >= std::ceil((from - 1) / 2);
+  const double a = cosine ? std::cos(x.lower) : std::sin(x.lower);
+  const double b = cosine ? std::cos(x.upper) : std::sin(x.upper);
+  const double margin = 1e-15;
+  return {trough ? -1 : std::max(-1.0, std::min(a, b) - margin),
+          crest ? 1 : std::min(1.0, std::max(a, b) + margin)};
 }
 
 Interval absolute(Interval x) {

@@ -108,17 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "          - surface: {point: [(3 + cos(v2)/3)*cos(u2), (3 + cos(v2)/3)*sin(u2), "
                  "sin(v2)/3], along: [u2, v2], flip: true}\n",
                  {"z u1", "y -v1", "y v2", "z u2"}},
-        Spelling{"tori_of_runtime_size",
-                 "u1, v1, u2, v2",
-                 "      - mate:\n"
-                 "          - surface: {point: [(R + r*cos(v1))*cos(u1), (R + r*cos(v1))*sin(u1), "
-                 "r*sin(v1)], along: [u1, v1]}\n"
-                 "          - surface: {point: [(R + r*cos(v2))*cos(u2), (R + r*cos(v2))*sin(u2), "
-                 "r*sin(v2)], along: [u2, v2], flip: true}\n",
-                 {"z u1", "y -v1", "y v2", "z u2"},
-                 "parameters: {R: {value: 2, runtime: true}, r: {value: 0.5, runtime: true}}\n"},
         Spelling{"sphere",
-                 "u, v",
+                 "u, {name: v, limits: [-1.5, 1.5]}",
                  "      - surface: {point: [2*cos(u)*cos(v), 2*sin(u)*cos(v), 2*sin(v)], along: [u, v]}\n",
                  {"z u", "y -v"}},
         Spelling{"cylinder",
@@ -126,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "      - surface: {point: [2*cos(u), 2*sin(u), v], along: [u, v]}\n",
                  {"z u", "shift x 2 z v"}},
         Spelling{"cone",
-                 "u, v",
+                 "u, {name: v, limits: [-3, 3]}",
                  "      - surface: {point: [(2 + 3/5*v)*cos(u), (2 + 3/5*v)*sin(u), 4/5*v], along: [u, v]}\n",
                  {"z u", "shift x 2 + 3/5*v z 4/5*v"}},
         Spelling{"helix",
@@ -150,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"z q"}},
         Spelling{"axis_aslant", "q", "      - rotate: {axis: [1, 2, -2], angle: q}\n", {"z q"}},
         Spelling{"inverse",
-                 "u, v",
+                 "u, {name: v, limits: [-1.5, 1.5]}",
                  "      - inverse:\n          - surface: {point: [2*cos(u)*cos(v), 2*sin(u)*cos(v), "
                  "2*sin(v)], along: [u, v]}\n",
                  {"x v", "y -u"}},
@@ -186,6 +177,47 @@ TEST(ScrewPeeling, ConstantsOfAMateAreExact) {
     }
   }
   EXPECT_EQ(shifts, (std::vector<std::string>{"2", "5/6", "3"}));
+}
+
+// What is flat to rounding over a wide range is no constant.
+TEST(ScrewPeeling, StepsAndBumpsFarFromTheInitialStateAreKept) {
+  struct Late {
+    const char *transform, *coordinate;
+    double where;
+  };
+  for (const Late& late :
+       {Late{"[{rotate: {axis: z, angle: q}}, {translate: [0, 0, \"1 + tanh(20*(q - 4.5))\"]}]", "q", 4.5},
+        {"[{translate: [cos(q), sin(q), \"exp(-1e6*(q - 2)^2)\"]}, {rotate: {axis: z, angle: q}}]", "q",
+         2.0003},
+        {"[{translate: [q, 0, 0]}, {rotate: {axis: y, angle: \"q + 0.3*exp(-10*(t - 5)^2)\"}}]", "t", 5.1}}) {
+    const auto loaded = LoadedMechanism::text(
+        std::string("alembert: 1\nname: late\ngravity: [0.3, 0, -9.81]\ncoordinates: [q]\n") +
+        "bodies:\n  - {name: a, transform: " + late.transform + ", mass: 1, com: [0.1, 0.2, 0.3]}\n");
+    const Kinematics kinematics = loaded.kinematics();
+    const auto expected = equations_of_motion(kinematics, Formulation::factored);
+    const auto actual = equations_of_motion(kinematics, Formulation::reduced);
+    std::vector<double> state = state_values(*loaded.mechanism, *loaded.graph, 1);
+    state[loaded.graph->symbol_index(loaded.graph->symbol(late.coordinate).ref().node())] = late.where;
+    EXPECT_NEAR(evaluate(actual.Q, state)[0], evaluate(expected.Q, state)[0],
+                1e-10 * std::abs(evaluate(expected.Q, state)[0]))
+        << late.transform;
+  }
+}
+
+// Beyond a pole the frame of a sphere is turned over, and that of a torus where its tube is thicker than its
+// ring.
+TEST(ScrewPeeling, WhatHoldsOnOneSideOfAPoleOnlyIsNotPeeled) {
+  for (const char* point : {"[2*cos(u)*cos(v), 2*sin(u)*cos(v), 2*sin(v)]",
+                            "[(R + r*cos(v))*cos(u), (R + r*cos(v))*sin(u), r*sin(v)]"}) {
+    const auto loaded = LoadedMechanism::text(body_off_centre(
+        "u, v", std::string("      - surface: {point: ") + point + ", along: [u, v]}\n",
+        std::string(point).find("R") == std::string::npos
+            ? ""
+            : "parameters: {R: {value: 2, runtime: true}, r: {value: 0.5, runtime: true}}\n"));
+    const Kinematics kinematics = loaded.kinematics();
+    if (!kinematics.peeled) continue;
+    for (const std::string& word : moving_motions(*kinematics.peeled)) EXPECT_NE(word, "y -v");
+  }
 }
 
 TEST(ScrewPeeling, AnEllipsoidStaysAsItIs) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/plain_equations.hpp"
 
 namespace alembert::test {
 namespace {
@@ -12,7 +13,7 @@ std::string diagnosis(const std::string& text) {
   const auto loaded = LoadedMechanism::text(text);
   const Kinematics kinematics = loaded.kinematics();
   try {
-    check_mass_matrix(kinematics, equations_of_motion(kinematics, Formulation::reduced));
+    check_mass_matrix(kinematics, PlainEquations(kinematics));
   } catch (const InputError& error) {
     return error.what();
   }

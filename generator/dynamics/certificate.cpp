@@ -1,0 +1,244 @@
+// Measures programs (see the header).
+#include "dynamics/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "dynamics/formulations.hpp"
+#include "program/operation.hpp"
+#include "symbolic/error_bound.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// States for each function of a small mechanism, and what they may take of a large one: nodes that are
+/// evaluated.
+constexpr int kStates = 10, kFewest = 3;
+constexpr double kWork = 4e6;
+
+/// Uniform in [-1, 1), the same on every platform.
+double uniform(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+}
+
+/// A state of the k-th kind: around the initial one, near it, far from it; at rest, fast.
+std::vector<double> state_of_kind(const Kinematics& kinematics, int k, std::mt19937_64& random) {
+  static constexpr double kSpreads[] = {1, 3, 1e-3, 30, 1}, kSpeeds[] = {1, 5, 1, 1, 0};
+  const double spread = kSpreads[k % 5], speed = kSpeeds[k % 5];
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  std::vector<double> values(graph.symbol_count(), 0.0);
+  const auto set = [&](Expr symbol, double value) {
+    values[graph.symbol_index(symbol.ref().node())] = value;
+  };
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    std::vector<double> q = coordinate.initial;
+    double norm = 0;
+    for (double& x : q) {
+      const double r = uniform(random);
+      x += spread * r;
+      if (coordinate.limits) {
+        const auto [lower, upper] = *coordinate.limits;
+        // Over all of the range, where it is one.
+        if (spread >= 1 && std::isfinite(lower) && std::isfinite(upper))
+          x = lower + (upper - lower) * (0.5 + 0.5 * r);
+        x = std::clamp(x, lower, upper);
+      }
+      norm += x * x;
+    }
+    for (std::size_t a = 0; a < q.size(); ++a)
+      set(coordinate.symbols[a],
+          coordinate.type == CoordinateType::quaternion ? q[a] / std::sqrt(norm) : q[a]);
+  }
+  for (int i = 0; i < mechanism.nv; ++i) {
+    set(kinematics.derivatives.speed(i), speed * uniform(random));
+    set(kinematics.derivatives.rate(i), uniform(random));
+    set(tau_symbol(mechanism, i, graph), uniform(random));
+  }
+  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, graph)) {
+    for (const Expr e : wrench.force.entries) set(e, uniform(random));
+    for (const Expr e : wrench.torque.entries) set(e, uniform(random));
+  }
+  set(mechanism.time, k % 5 == 2 ? 0.0 : 5 + 5 * uniform(random));
+  for (const Parameter& parameter : mechanism.parameters) {
+    if (!parameter.runtime) continue;
+    const double r = uniform(random);
+    set(graph.symbol(parameter.name), parameter.value == 0 ? 0.1 * r : parameter.value * (1 + 0.3 * r));
+  }
+  return values;
+}
+
+/// Values of a program in double precision, functions of the C library rounded correctly.
+std::vector<double> run(const Program& program, std::span<const double> inputs) {
+  std::vector<double> v(program.code.size());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Instruction& c = program.code[i];
+    switch (c.op) {
+      case Operation::constant:
+        v[i] = program.constants[c.a];
+        break;
+      case Operation::input:
+        v[i] = inputs[c.a];
+        break;
+      case Operation::add:
+      case Operation::sub:
+      case Operation::mul:
+      case Operation::div:
+      case Operation::neg:
+      case Operation::sqrt:
+      case Operation::abs:
+      case Operation::sign:
+        v[i] = apply(c.op, v[c.a], operand_count(c.op) == 2 ? v[c.b] : 0.0);
+        break;
+      case Operation::sin:
+      case Operation::cos:
+      case Operation::tan:
+      case Operation::asin:
+      case Operation::acos:
+      case Operation::atan:
+      case Operation::atan2:
+      case Operation::exp:
+      case Operation::log:
+      case Operation::sinh:
+      case Operation::cosh:
+      case Operation::tanh:
+      case Operation::pow:
+        v[i] = apply(c.op, Extended(v[c.a]), Extended(operand_count(c.op) == 2 ? v[c.b] : 0.0))
+                   .convert_to<double>();
+        break;
+    }
+  }
+  std::vector<double> out;
+  for (const OutputArray& output : program.outputs)
+    for (const std::uint32_t value : output.values) out.push_back(v[value]);
+  return out;
+}
+
+bool finite(const VectorXe& v) {
+  return std::all_of(v.begin(), v.end(), [](const Extended& x) { return isfinite(x); });
+}
+
+/// One array as it should be: all of it, or its product with a vector.
+struct Wanted {
+  VectorXe values;
+  std::optional<VectorXe> times;
+};
+
+/// What the arrays of a function should be.
+std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
+                                  const PlainEquations::State& state, const VectorXe& signs) {
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+      return {{plain.forces(state), {}}};
+    case FunctionKind::mass_matrix:
+      return {{plain.mass_times(state, signs), signs}};
+    case FunctionKind::bias:
+      return {{plain.bias(state), {}}};
+    case FunctionKind::mass_matrix_and_bias:
+      return {{plain.mass_times(state, signs), signs}, {plain.bias(state), {}}};
+    case FunctionKind::forward_dynamics:
+      return {{plain.accelerations(state), {}}};
+    case FunctionKind::inverse_dynamics_derivatives:
+      return {{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}};
+    case FunctionKind::coordinate_rates:
+    case FunctionKind::energy:
+    case FunctionKind::body_poses:
+    case FunctionKind::frame_poses:
+    case FunctionKind::frame_jacobians:
+    case FunctionKind::constraints:
+    case FunctionKind::body_jacobians:
+    case FunctionKind::body_inertias:
+      break;
+  }
+  const std::vector<Extended> all = plain.outputs(kind, state);
+  std::vector<Wanted> arrays;
+  Eigen::Index at = 0;
+  for (const OutputArray& output : program.outputs) {
+    const Eigen::Index size = static_cast<Eigen::Index>(output.values.size());
+    arrays.push_back({Eigen::Map<const VectorXe>(all.data() + at, size), {}});
+    at += size;
+  }
+  return arrays;
+}
+
+}  // namespace
+
+Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings)
+    : kinematics_(kinematics), bindings_(bindings), plain_(kinematics) {
+  std::mt19937_64 random(20261124);
+  for (int k = 0; k < 4 * kStates; ++k) states_.push_back(state_of_kind(kinematics, k, random));
+}
+
+MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
+  MeasuredError worst;
+  std::mt19937_64 random(1);
+  double work = 0;
+  for (const std::vector<double>& values : states_) {
+    if (worst.states >= kStates || (work > kWork && worst.states >= kFewest)) break;
+    const PlainEquations::State state(values.begin(), values.end());
+    VectorXe signs(kinematics_.mechanism.nv);
+    for (Extended& sign : signs) sign = uniform(random) < 0 ? -1 : 1;
+    work += static_cast<double>(2 * plain_.nodes());
+    const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
+    if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
+      continue;
+    ++worst.states;
+    std::vector<double> inputs;
+    for (const SymbolBinding& binding : bindings_)
+      inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
+    const std::vector<double> found = run(program, inputs);
+    std::size_t at = 0;
+    for (std::size_t a = 0; a < arrays.size(); ++a) {
+      const OutputArray& output = program.outputs[a];
+      const std::size_t size = output.values.size(), columns = output.columns;
+      const std::optional<VectorXe>& times = arrays[a].times;
+      Extended largest = 0, difference = 0;
+      bool known = true;
+      VectorXe here = VectorXe::Zero(arrays[a].values.size());
+      for (std::size_t i = 0; i < size; ++i) {
+        const Extended x = found[at + i];
+        known = known && isfinite(x);
+        largest = std::max(largest, Extended(abs(x)));
+        if (times) {
+          here[static_cast<Eigen::Index>(i / columns)] +=
+              x * (*times)[static_cast<Eigen::Index>(i % columns)];
+        } else {
+          here[static_cast<Eigen::Index>(i)] = x;
+        }
+      }
+      at += size;
+      for (Eigen::Index i = 0; i < here.size(); ++i) {
+        if (!times) largest = std::max(largest, Extended(abs(arrays[a].values[i])));
+        difference = std::max(difference, Extended(abs(here[i] - arrays[a].values[i])));
+      }
+      const double relative = !known            ? HUGE_VAL
+                              : difference == 0 ? 0.0
+                                                : Extended(difference / largest).convert_to<double>();
+      if (relative > worst.relative) {
+        worst.relative = relative;
+        worst.array = output.name;
+      }
+    }
+  }
+  return worst;
+}
+
+double Certificate::plain_bound(const std::vector<OutputExpressions>& plain) const {
+  double worst = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kStates); ++k) {
+    for (const OutputExpressions& output : plain) {
+      double largest = 0, error = 0;
+      for (const Approximate& x : evaluate_bounded(output.values, states_[k])) {
+        largest = std::max(largest, std::abs(x.value));
+        error = std::max(error, x.error);
+      }
+      if (std::isfinite(largest) && error > 0)
+        worst = std::max(worst, largest > 0 ? error / largest : HUGE_VAL);
+    }
+  }
+  return worst;
+}
+
+}  // namespace alembert

@@ -1,0 +1,30 @@
+// Rounding errors of candidates for equations. In: the plain equations (nothing placed, regrouped, scaled or
+// peeled) and a list of equal values. Out: whether the list loses many more digits than they do.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dynamics/equations.hpp"
+
+namespace alembert {
+
+class Conditioning {
+ public:
+  /// `plain` are values of the mechanism by the plain equations. The kinematics must outlive it.
+  Conditioning(const Kinematics& kinematics, std::span<const Expr> plain);
+
+  /// Whether the running error bound of every entry is at most 16 times that of the plain equations: the
+  /// largest over a few states each. An entry of a matrix beside the diagonal may have that of the diagonal,
+  /// m_ij < sqrt(m_ii m_jj). Not by operations alone are equations chosen: terms that are large and cancel
+  /// can be few.
+  bool is_good(std::span<const Expr> values) const;
+
+ private:
+  std::vector<double> bounds(std::span<const Expr> values) const;
+
+  std::vector<std::vector<double>> states_;
+  std::vector<double> most_;  ///< for each entry
+};
+
+}  // namespace alembert

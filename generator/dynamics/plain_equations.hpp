@@ -1,0 +1,58 @@
+// The plain equations: those of the tree of motions as it is given, with nothing placed, regrouped, scaled or
+// peeled, in 50 digits. In: a mechanism's kinematics and a state. Out: what its functions are there. All that
+// is written is measured against these (certificate.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dynamics/equations.hpp"
+#include "symbolic/extended.hpp"
+
+namespace alembert {
+
+using VectorXe = Eigen::Matrix<Extended, Eigen::Dynamic, 1>;
+using MatrixXe = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
+
+class PlainEquations {
+ public:
+  /// Values of all symbols of the graph.
+  using State = std::vector<Extended>;
+
+  /// The kinematics must outlive it.
+  explicit PlainEquations(const Kinematics& kinematics);
+
+  /// Q, nv.
+  VectorXe forces(const State& state) const;
+  /// M v: what the forces gain by rates v of the speeds.
+  VectorXe mass_times(State state, const VectorXe& v) const;
+  /// c: the forces without rates.
+  VectorXe bias(State state) const;
+  /// M by composite bodies over the given tree, which is cheaper than by columns.
+  MatrixXe mass_matrix(const State& state) const;
+  /// M^-1 (tau - c).
+  VectorXe accelerations(const State& state) const;
+  /// The forces' derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
+  VectorXe along_speeds(const State& state, const VectorXe& v) const;
+  VectorXe by_speeds(const State& state, const VectorXe& v) const;
+  /// Results of a function that is none of these, all arrays one after another.
+  std::vector<Extended> outputs(FunctionKind kind, const State& state) const;
+
+  /// Nodes that `forces` evaluates: what the others take is a multiple of it.
+  std::size_t nodes() const { return forces_.nodes(); }
+
+ private:
+  VectorXe tau(const State& state) const;
+  void set_rates(State& state, const VectorXe* rates) const;
+
+  const Kinematics& kinematics_;
+  ExtendedFunction forces_;
+  ExtendedFunction coordinate_rates_;  ///< N, nq x nv
+  mutable std::optional<ExtendedFunction> mass_matrix_;
+  mutable std::map<FunctionKind, ExtendedFunction> others_;
+};
+
+}  // namespace alembert
