@@ -63,15 +63,15 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   if (options.check) {
     for (const WrittenFile& file : written) {
       if (file.state != FileState::unchanged) {
-        fmt::print(stderr, "{}/{}:1:1: error: this file is not what {} gives: it would be {}\n",
-                   options.out_dir, file.path, common.file, to_string(file.state));
+        tell(fmt::format("{}/{}:1:1: error: this file is not what {} gives: it would be {}\n",
+                         options.out_dir, file.path, common.file, to_string(file.state)));
       }
     }
     return up_to_date(written) ? 0 : 1;
   }
   if (options.dry_run || common.verbose) {
     for (const WrittenFile& file : written)
-      fmt::print(stderr, "{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path);
+      tell(fmt::format("{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path));
   }
   if (options.dry_run) return 0;
   if (!options.depfile.empty()) {

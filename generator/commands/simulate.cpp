@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <string>
@@ -50,8 +49,7 @@ void write_whole(const std::string& path, const std::string& text) {
 class PointSplitter {
  public:
   PointSplitter(const SimulateOptions& options, CsvWriter* csv, MotionRecorder* recorder)
-      : step_(options.step),
-        row_steps_(options.every),
+      : row_steps_(options.every),
         frame_steps_(steps_per_frame(options.step, options.fps)),
         csv_(csv),
         recorder_(recorder) {}
@@ -63,16 +61,15 @@ class PointSplitter {
   }
 
   void take(const TrajectoryPoint& point) {
-    if (!first_) first_ = point.state.t;
-    const long step = std::lround((point.state.t - *first_) / step_);
+    any_ = true;
     in_table_ = in_scene_ = false;
     last_ = point;
-    if (step % row_steps_ == 0) to_table();
-    if (step % frame_steps_ == 0) to_scene();
+    if (point.steps % row_steps_ == 0) to_table();
+    if (point.steps % frame_steps_ == 0) to_scene();
   }
 
   void finish() {
-    if (!first_) return;
+    if (!any_) return;
     if (!in_table_) to_table();
     if (!in_scene_) to_scene();
   }
@@ -87,13 +84,11 @@ class PointSplitter {
     in_scene_ = true;
   }
 
-  double step_;
   long row_steps_, frame_steps_;
   CsvWriter* csv_;
   MotionRecorder* recorder_;
-  std::optional<double> first_;
   TrajectoryPoint last_;
-  bool in_table_ = false, in_scene_ = false;
+  bool any_ = false, in_table_ = false, in_scene_ = false;
 };
 
 /// The motions of one or several mechanisms, and what is written of them.
@@ -128,7 +123,7 @@ class Simulation {
     std::optional<InputError> stopped =
         integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
     points.finish();
-    if (trajectory.progress) fmt::print(stderr, "\r");
+    if (trajectory.progress) tell("\r");
     if (csv) csv->flush();
     if (!recorder.motion().times.empty())
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
@@ -145,13 +140,13 @@ class Simulation {
  private:
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
     TrajectoryOptions out;
-    out.note = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+    out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
     out.duration = options_.duration;
     out.step = options_.step;
     out.method =
         options_.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
     if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
-      out.progress = [](double done) { fmt::print(stderr, "\r{:3.0f} %", 100 * done); };
+      out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
     const std::optional<long> steps = step_count(out);
     if (!steps) {
       throw InputError(mechanism.where,

@@ -143,6 +143,32 @@ constraints:
   EXPECT_EQ(Csv(second.out).rows.size(), 1u);  // what there was
 }
 
+TEST(SimulateConstrained, RowsWithoutAValueAreNotContradictions) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("edge.yaml", R"yaml(alembert: 1
+name: edge
+gravity: [0, 0, 0]
+coordinates: [{name: x, initial: 1}, {name: y, initial: 1}, z]
+bodies:
+  - {name: bob, transform: [{translate: [x, y, z]}], mass: 1}
+constraints:
+  - {name: first, type: pfaffian, rows: ["d(z)"]}
+  - {name: root, type: pfaffian, rows: ["d(y) - sqrt(x)*d(x)"]}
+  - {name: second, type: pfaffian, rows: ["2*d(z)"]}
+)yaml");
+  const CommandResult at_once = alembert(folder, "simulate " + file + " --q=-1,1,0");
+  EXPECT_EQ(at_once.exit_code, 1);
+  EXPECT_THAT(at_once.err, HasSubstr("edge.yaml:9:12: error: row root has no value at the initial state"));
+  const CommandResult later = alembert(folder, "simulate " + file + " --qd=-1,-1,0 --no-assemble");
+  EXPECT_EQ(later.exit_code, 1);
+  EXPECT_THAT(later.err, Not(HasSubstr("contradict")));
+  EXPECT_THAT(later.err, HasSubstr("no finite step from t = "));
+  const CommandResult state =
+      alembert(folder, "evaluate --json " + file, R"({"q": [-1, 1, 0], "qd": [1, 1, 1]})");
+  ASSERT_EQ(state.exit_code, 0) << state.err;
+  EXPECT_EQ(nlohmann::json::parse(state.out)["status"], "a value is not finite");
+}
+
 TEST(SimulateSingular, AnInflectionAlongTheWayIsNamed) {
   const TemporaryFolder folder;
   const std::string file = folder.write("wave.yaml", R"(alembert: 1

@@ -56,6 +56,15 @@ TEST(Generate, CheckReportsDrift) {
   EXPECT_THAT(read_text(header), HasSubstr("// edited"));
 }
 
+TEST(Generate, CheckDoesNotListInstead) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") +
+                                                    " --check --print-outputs --out-dir " + (folder / "out"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("--print-outputs excludes --check"));
+}
+
 TEST(Generate, DryRunWritesNothing) {
   const TemporaryFolder folder;
   const CommandResult result =
