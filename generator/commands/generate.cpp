@@ -1,4 +1,4 @@
-// `generate`: the files of one mechanism, written all or none.
+// `generate`: the files of one mechanism, with depfile and stamp, written all or none.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "commands/commands.hpp"
 #include "emit/batch.hpp"
 #include "emit/emit.hpp"
+#include "emit/waiting_file.hpp"
 #include "emit/write_files.hpp"
 #include "mechanism/load.hpp"
 
@@ -32,6 +33,24 @@ std::string_view to_string(FileState state) {
 /// Dot products over many states are loops where there are so many times more: near there, on chains of 30
 /// joints, M and c take the same time either way.
 constexpr std::size_t kBatchFactor = 12;
+
+/// Depfile and stamp. Without a stamp the rule is for `output`; standard input is no file to depend on.
+std::vector<RunFile> run_files(const std::string& description, const GenerateOptions& options,
+                               const std::string& output) {
+  std::vector<RunFile> out;
+  std::vector<std::string> dependencies;
+  if (description != "-") dependencies.push_back(description);
+  if (!options.depfile.empty()) {
+    out.push_back(
+        {options.depfile, depfile_text(options.stamp.empty() ? output : options.stamp, dependencies)});
+  }
+  if (!options.stamp.empty()) out.push_back({options.stamp, ""});
+  std::vector<NamedFile> written;
+  if (!options.depfile.empty()) written.push_back({"--depfile", options.depfile});
+  if (!options.stamp.empty()) written.push_back({"--stamp", options.stamp});
+  check_distinct(written, std::vector<NamedFile>{{"the description", description}});
+  return out;
+}
 
 }  // namespace
 
@@ -59,7 +78,8 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   }
   const bool only_look = options.dry_run || options.check;
   const std::vector<WrittenFile> written =
-      write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write);
+      write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write,
+                  run_files(common.file, options, options.out_dir + "/" + files.front().path));
   if (options.check) {
     for (const WrittenFile& file : written) {
       if (file.state != FileState::unchanged) {
@@ -73,15 +93,6 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
     for (const WrittenFile& file : written)
       tell(fmt::format("{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path));
   }
-  if (options.dry_run) return 0;
-  if (!options.depfile.empty()) {
-    const std::vector<std::string> dependencies{common.file};
-    write_file(
-        options.depfile,
-        depfile_text(options.stamp.empty() ? options.out_dir + "/" + files.front().path : options.stamp,
-                     dependencies));
-  }
-  if (!options.stamp.empty()) write_file(options.stamp, "");
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <string>
 
@@ -12,6 +11,7 @@
 #include "commands/motion_recorder.hpp"
 #include "commands/start_state.hpp"
 #include "commands/trajectory.hpp"
+#include "emit/waiting_file.hpp"
 #include "emit/write_files.hpp"
 #include "viewer/glb.hpp"
 #include "viewer/page.hpp"
@@ -31,17 +31,6 @@ void check_outputs(const SimulateOptions& options, const SourceLocation& where) 
   }
   if (options.html.empty() && options.glb.empty() && !options.scene.empty())
     throw InputError(where, "--scene needs --html or --glb to be seen in");
-}
-
-/// The whole text or nothing: written beside its place and moved there, except to what is no file (a pipe, a
-/// device).
-void write_whole(const std::string& path, const std::string& text) {
-  const std::filesystem::path place(path);
-  std::error_code error;
-  if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
-    return write_file(path, text);
-  const EmittedFile file{place.filename().string(), text};
-  write_files(std::span(&file, 1), place.parent_path().string());
 }
 
 /// Passes on points of a motion: to a table each so many steps, to a recorder each so many others, and the
@@ -124,7 +113,7 @@ class Simulation {
         integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
     points.finish();
     if (trajectory.progress) tell("\r");
-    if (csv) csv->flush();
+    if (csv) csv->finish();
     if (!recorder.motion().times.empty())
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
     return stopped;
@@ -133,8 +122,8 @@ class Simulation {
   void write() {
     if (scene_.mechanisms.empty()) return;
     place_side_by_side(scene_);
-    if (!options_.html.empty()) write_whole(options_.html, html_page(scene_));
-    if (!options_.glb.empty()) write_whole(options_.glb, glb_file(scene_));
+    if (!options_.html.empty()) write_file(options_.html, html_page(scene_));
+    if (!options_.glb.empty()) write_file(options_.glb, glb_file(scene_));
   }
 
  private:
@@ -170,6 +159,13 @@ class Simulation {
 }  // namespace
 
 int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
+  std::vector<NamedFile> written, read{{"the description", common.file}};
+  for (const NamedFile& file :
+       {NamedFile{"--csv", options.csv}, {"--html", options.html}, {"--glb", options.glb}}) {
+    if (!file.path.empty() && file.path != "-") written.push_back(file);
+  }
+  for (const std::string& file : options.scene) read.push_back({"a description of --scene", file});
+  check_distinct(written, read);
   Simulation simulation(options, common);
   std::optional<InputError> stopped = simulation.add(common.file, true);
   for (const std::string& file : options.scene) {

@@ -26,6 +26,21 @@ TEST(Simulate, ConservesTheEnergyOfADoublePendulum) {
   for (const auto& row : rows) EXPECT_NEAR(row.back(), rows[0].back(), 1e-7 * std::abs(rows[0].back()));
 }
 
+// A limit on the size of files makes writing fail midway, as a full disk does.
+TEST(Simulate, AFullDiskLeavesTheTableFromBefore) {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("out.csv", "before");
+  const CommandResult result =
+      run_command(folder,
+                  "bash -c 'trap \"\" XFSZ; ulimit -f 8; " ALEMBERT_EXECUTABLE " simulate " +
+                      mechanism_file("pendulum") + " --q 1 --every 1 --csv " + csv + "'",
+                  "", 20);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::StartsWith(csv + ":1:1: error: cannot write it: "));
+  EXPECT_EQ(read_text(csv), "before");
+  EXPECT_FALSE(std::filesystem::exists(csv + ".alembert-new"));
+}
+
 TEST(Simulate, KeepsQuaternionsOfUnitLength) {
   const TemporaryFolder folder;
   const CommandResult result =
