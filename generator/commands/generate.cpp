@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "commands/commands.hpp"
+#include "commands/interpreted_mechanism.hpp"
 #include "emit/batch.hpp"
 #include "emit/emit.hpp"
 #include "emit/waiting_file.hpp"
@@ -33,6 +34,21 @@ std::string_view to_string(FileState state) {
 /// Dot products over many states are loops where there are so many times more: near there, on chains of 30
 /// joints, M and c take the same time either way.
 constexpr std::size_t kBatchFactor = 12;
+
+/// Tells of constraints that no state keeps, as far as Newton's method from the initial one can tell: code
+/// for them has no motion. Needs the functions of an InterpretedMechanism among those that are written.
+void warn_of_contradictions(const CompiledMechanism& compiled) {
+  const auto written = [&](FunctionKind kind) {
+    return std::ranges::find(compiled.functions, kind, &CompiledFunction::kind) != compiled.functions.end();
+  };
+  if (compiled.mechanism->constraints.empty() || !std::ranges::all_of(interpreted_functions(), written))
+    return;
+  try {
+    start_state(compiled, {}, [](const std::string&) {});
+  } catch (const InputError& error) {
+    tell(warning_text(error.where(), error.message()) + "\n");
+  }
+}
 
 /// Depfile and stamp. Without a stamp the rule is for `output`; standard input is no file to depend on.
 std::vector<RunFile> run_files(const std::string& description, const GenerateOptions& options,
@@ -76,6 +92,7 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
     for (const EmittedFile& file : files) fmt::print("{}/{}\n", options.out_dir, file.path);
     return 0;
   }
+  warn_of_contradictions(compiled);
   const bool only_look = options.dry_run || options.check;
   const std::vector<WrittenFile> written =
       write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write,
