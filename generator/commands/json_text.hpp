@@ -13,17 +13,16 @@ namespace alembert {
 /// A value of a JSON text. Texts are not kept: no input here has any.
 struct JsonValue {
   enum class Kind { null, boolean, number, text, array, object };
-  struct Key;
+  struct Key {
+    std::string name;
+    std::size_t at;
+  };
 
   Kind kind = Kind::null;
   std::size_t at = 0;            ///< offset of its first character
   double number = 0;             ///< of a number
   std::vector<JsonValue> items;  ///< of an array; of an object the values, in the order of the text
   std::vector<Key> keys;         ///< of an object, one a value
-};
-struct JsonValue::Key {
-  std::string name;
-  std::size_t at;
 };
 
 /// What is wrong, and where.

@@ -11,8 +11,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <memory>
-#include <ranges>
 #include <system_error>
 
 #include "emit/waiting_file.hpp"
@@ -27,14 +25,6 @@ namespace fs = std::filesystem;
 constexpr const char* kPending = ".alembert-pending";
 constexpr const char* kCommit = ".alembert-commit";
 constexpr const char* kUndo = ".alembert-undo";
-
-[[noreturn]] void fail_in_folder(const std::string& place, const std::string& message) {
-  throw InputError({std::make_shared<const SourceText>(SourceText{place, ""}), 1, 1}, message);
-}
-
-std::string reason_of(int error) {
-  return std::generic_category().message(error);
-}
 
 fs::path kept(const fs::path& path) {
   return path.string() + ".alembert-old";
@@ -82,7 +72,7 @@ LockedFolder::~LockedFolder() {
 }
 
 void LockedFolder::release() {
-  for (const fs::path& folder : std::views::reverse(made_)) ::rmdir(folder.c_str());
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
@@ -91,7 +81,7 @@ void LockedFolder::lock(Access access) {
     if (access == Access::write) make_root(root_);
     descriptor_ = ::open(root_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0 && access == Access::read) return;
-    if (descriptor_ < 0) fail_in_folder(directory_, "cannot open the folder: " + reason_of(errno));
+    if (descriptor_ < 0) fail_at_path(directory_, "cannot open the folder: " + reason_of(errno));
     while (::flock(descriptor_, access == Access::write ? LOCK_EX : LOCK_SH) != 0 && errno == EINTR) {
     }
     // A run that failed may have removed, after this one opened it, the folder that it had made.
@@ -111,9 +101,8 @@ void LockedFolder::make_root(const fs::path& path) {
   if (path.empty() || fs::is_directory(path, error)) return;
   make_root(path.parent_path());
   const bool made = ::mkdir(path.c_str(), 0777) == 0;
-  if (!made && errno != EEXIST) fail_in_folder(directory_, "cannot make the folder: " + reason_of(errno));
-  if (!fs::is_directory(path, error))
-    fail_in_folder(directory_, fmt::format("{} is no folder", path.string()));
+  if (!made && errno != EEXIST) fail_at_path(directory_, "cannot make the folder: " + reason_of(errno));
+  if (!fs::is_directory(path, error)) fail_at_path(directory_, fmt::format("{} is no folder", path.string()));
   if (made) made_.push_back(path);
 }
 
@@ -148,7 +137,7 @@ std::vector<LockedFolder::Step> LockedFolder::plan(std::span<const FileEdit> edi
     if (edit.in_place) continue;
     const std::string name = edit.path.string();
     if (name.find('\n') != std::string::npos)
-      fail_in_folder(printable(name), "a path with a line break cannot be written");
+      fail_at_path(printable(name), "a path with a line break cannot be written");
     if (edit.text && edit.path.is_relative()) folder(folder, edit.path.parent_path());
     const fs::path path = root_ / edit.path;
     steps.push_back({!edit.text       ? Step::Kind::remove
@@ -177,17 +166,17 @@ void LockedFolder::write_journal(std::span<const Step> steps) const {
   for (const Step& step : steps)
     text += fmt::format("{} {}\n", Step::kWords[static_cast<int>(step.kind)], step.name);
   if (const int error = create_file(journal(kPending), text); error != 0)
-    fail_in_folder(directory_,
-                   fmt::format("cannot write {}: {}", journal(kPending).string(), reason_of(error)));
+    fail_at_path(directory_,
+                 fmt::format("cannot write {}: {}", journal(kPending).string(), reason_of(error)));
 }
 
 void LockedFolder::prepare(std::span<const FileEdit> edits, std::span<const Step> steps) const {
   const auto fail = [&](const Step& step, int error) {
     if (step.kind != Step::Kind::folder && fs::path(step.name).is_absolute())
       fail_to_write_file(step.name, error);
-    fail_in_folder(directory_,
-                   fmt::format("cannot {} {}: {}", step.kind == Step::Kind::remove ? "remove" : "write",
-                               step.path.string(), reason_of(error)));
+    fail_at_path(directory_,
+                 fmt::format("cannot {} {}: {}", step.kind == Step::Kind::remove ? "remove" : "write",
+                             step.path.string(), reason_of(error)));
   };
   for (const Step& step : steps) {
     switch (step.kind) {
@@ -223,7 +212,7 @@ void LockedFolder::finish(std::span<const Step> steps) const {
                     std::rename(waiting_path(step.path).c_str(), step.path.c_str()) != 0
               : step.kind == Step::Kind::remove && ::unlink(step.path.c_str()) != 0 && errno != ENOENT;
     if (failed)
-      fail_in_folder(directory_, fmt::format("cannot replace {}: {}", step.path.string(), reason_of(errno)));
+      fail_at_path(directory_, fmt::format("cannot replace {}: {}", step.path.string(), reason_of(errno)));
   }
   for (const Step& step : steps)
     if (step.kind != Step::Kind::folder) ::unlink(kept(step.path).c_str());
@@ -233,7 +222,8 @@ void LockedFolder::finish(std::span<const Step> steps) const {
 /// Takes back what was done. May have been begun before.
 void LockedFolder::undo(std::span<const Step> steps, const std::string& name) const noexcept {
   const bool moved = name == kUndo;  // else no file has left its place
-  for (const Step& step : std::views::reverse(steps)) {
+  for (auto at = steps.rbegin(); at != steps.rend(); ++at) {
+    const Step& step = *at;
     switch (step.kind) {
       case Step::Kind::folder:
         ::rmdir(step.path.c_str());
@@ -258,7 +248,7 @@ void LockedFolder::apply(std::span<const FileEdit> edits) {
     write_journal(steps);
     prepare(edits, steps);
     if (std::rename(journal(kPending).c_str(), journal(kCommit).c_str()) != 0)
-      fail_in_folder(directory_, "cannot write into the folder: " + reason_of(errno));
+      fail_at_path(directory_, "cannot write into the folder: " + reason_of(errno));
   } catch (...) {
     undo(steps, kPending);
     throw;

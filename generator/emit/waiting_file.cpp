@@ -30,8 +30,7 @@ void check_distinct(std::span<const NamedFile> written, std::span<const NamedFil
     if (!is_replaceable(written[i].path)) continue;
     const auto refuse = [&](const NamedFile& other) {
       if (place(other) != place(written[i])) return;
-      throw InputError({std::make_shared<const SourceText>(SourceText{written[i].path, ""}), 1, 1},
-                       other.name + " and " + written[i].name + " are the same file");
+      fail_at_path(written[i].path, other.name + " and " + written[i].name + " are the same file");
     };
     for (const NamedFile& other : written.first(i)) refuse(other);
     for (const NamedFile& other : read) refuse(other);
@@ -56,9 +55,16 @@ int create_file(const fs::path& path, std::string_view text) {
   return error;
 }
 
+std::string reason_of(int error) {
+  return std::generic_category().message(error);
+}
+
+void fail_at_path(const std::string& path, const std::string& message) {
+  throw InputError({std::make_shared<const SourceText>(SourceText{path, ""}), 1, 1}, message);
+}
+
 void fail_to_write_file(const std::string& path, int error) {
-  throw InputError({std::make_shared<const SourceText>(SourceText{path, ""}), 1, 1},
-                   "cannot write it: " + std::generic_category().message(error));
+  fail_at_path(path, "cannot write it: " + reason_of(error));
 }
 
 WaitingFile::WaitingFile(std::string path) : path_(std::move(path)) {

@@ -25,7 +25,11 @@ void check_distinct(std::span<const NamedFile> written, std::span<const NamedFil
 std::filesystem::path waiting_path(const std::filesystem::path& path);
 /// Writes a new file and makes sure that the system took it; errno of what failed, or 0.
 int create_file(const std::filesystem::path& path, std::string_view text);
-/// `cannot write it: No space left on device`, as an InputError at PATH:1:1.
+/// What an errno means.
+std::string reason_of(int error);
+/// An InputError at PATH:1:1.
+[[noreturn]] void fail_at_path(const std::string& path, const std::string& message);
+/// The same: `cannot write it: No space left on device`.
 [[noreturn]] void fail_to_write_file(const std::string& path, int error);
 
 /// A file that is being written. Its text waits beside it, where the next run to write the same file clears

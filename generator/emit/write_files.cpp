@@ -21,27 +21,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& place, const std::string& message) {
-  SourceLocation where;
-  where.source = std::make_shared<const SourceText>(SourceText{place, ""});
-  throw InputError(where, message);
-}
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
 /// Text of a file; nothing if there is no file.
 std::optional<std::string> current_text(const fs::path& path, const std::string& directory) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) return std::nullopt;
   if (status.type() != fs::file_type::regular)
-    fail(directory, fmt::format("cannot write {}: it is no regular file", path.string()));
+    fail_at_path(directory, fmt::format("cannot write {}: it is no regular file", path.string()));
   std::ifstream stream(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   if (!stream.is_open() || stream.bad())
-    fail(directory, fmt::format("cannot read {}: {}", path.string(), reason(errno)));
+    fail_at_path(directory, fmt::format("cannot read {}: {}", path.string(), reason_of(errno)));
   return text;
 }
 
@@ -111,7 +101,7 @@ std::string depfile_text(const std::string& target, std::span<const std::string>
     std::size_t backslashes = 0;  // just before; make halves their number before a blank
     for (const char c : path + ' ') {
       if (c == '\n' || c == '\r')
-        fail(printable(path), "a path with a line break cannot be written to a depfile");
+        fail_at_path(printable(path), "a path with a line break cannot be written to a depfile");
       if (c == ' ' || c == '\t') out.append(backslashes + 1, '\\');
       if (c == '#') out += '\\';
       if (c == '$') out += '$';

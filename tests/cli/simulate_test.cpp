@@ -188,7 +188,8 @@ bodies:
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err,
                 testing::StartsWith(file + ":5:76: error: the equations of this mechanism have no value"));
-    EXPECT_THAT(result.err, HasSubstr("note: a product of numbers is out of range; this one is the farthest"));
+    EXPECT_THAT(result.err,
+                HasSubstr("note: a product of numbers is out of range; this one is the farthest"));
   }
 }
 
