@@ -79,13 +79,11 @@ WaitingFile::~WaitingFile() {
 void WaitingFile::open() {
   const std::string& name = waiting_.empty() ? path_ : waiting_;
   for (;;) {
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    const int begin = waiting_.empty() ? O_TRUNC : 0;
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | begin, 0666);
     if (descriptor < 0) fail_to_write_file(path_, errno);
     stream_.reset(::fdopen(descriptor, "wb"));
-    if (waiting_.empty()) {
-      static_cast<void>(::ftruncate(descriptor, 0));  // of a link's file; devices and pipes have no length
-      return;
-    }
+    if (waiting_.empty()) return;
     while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
     }
     // Whoever wrote it meanwhile has moved it away.
