@@ -1,14 +1,19 @@
 // The command line. The one place that catches: InputError exits 1, anything else that is thrown is a defect
 // and exits 2.
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <new>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "emit/emit.hpp"
@@ -50,20 +55,35 @@ std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names) 
 
 namespace {
 
-CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
-                      CommonOptions& common) {
+/// A check of one value of an option: a finite number that `accepts` takes, such as `a number above 0`.
+CLI::Validator finite_number(const std::string& expected, const std::function<bool(double)>& accepts) {
+  const auto check = [=](const std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && accepts(value);
+    return good ? std::string() : "expected " + expected + ", not '" + printable(text) + "'";
+  };
+  return {check, "", ""};
+}
+CLI::Validator any_number() {
+  return finite_number("a finite number", [](double) { return true; });
+}
+CLI::Validator from_zero() {
+  return finite_number("a finite number that is not negative", [](double x) { return x >= 0; });
+}
+CLI::Validator above_zero() {
+  return finite_number("a finite number above 0", [](double x) { return x > 0; });
+}
+
+/// A command that reads a description.
+CLI::App* add_reader(CLI::App& app, const std::string& name, const std::string& description,
+                     CommonOptions& common) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("file", common.file, "mechanism description (YAML); - is standard input")->required();
-  command
-      ->add_option_function<std::string>(
-          "--formulation",
-          [&common](const std::string& value) {
-            if (value == "factored") common.formulation = Formulation::factored;
-            if (value == "reduced") common.formulation = Formulation::reduced;
-          },
-          "factored (eq. 13), reduced, or auto: fewest operations")
-      ->check(CLI::IsMember({"factored", "reduced", "auto"}))
-      ->default_str("auto");
+  return command;
+}
+
+/// The passes that look for fewer operations.
+void add_passes(CLI::App* command, CommonOptions& common) {
   command
       ->add_option_function<std::vector<std::string>>(
           "--without",
@@ -81,21 +101,38 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
       ->delimiter(',')
       ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling", "articulation"}));
   command
+      ->add_option(
+          "--effort", common.passes.effort,
+          "work spent on trying further choices for fewer operations, as a multiple of the usual; 0: none")
+      ->check(from_zero())
+      ->capture_default_str();
+}
+
+/// A command that compiles it too, with all options for that.
+CLI::App* add_compiler(CLI::App& app, const std::string& name, const std::string& description,
+                       CommonOptions& common) {
+  CLI::App* command = add_reader(app, name, description, common);
+  command
+      ->add_option_function<std::string>(
+          "--formulation",
+          [&common](const std::string& value) {
+            if (value == "factored") common.formulation = Formulation::factored;
+            if (value == "reduced") common.formulation = Formulation::reduced;
+          },
+          "factored (eq. 13), reduced, or auto: fewest operations")
+      ->check(CLI::IsMember({"factored", "reduced", "auto"}))
+      ->default_str("auto");
+  add_passes(command, common);
+  command
       ->add_option("--loop-operations", common.loop_operations,
                    "in functions of more operations, steps that do the same are written as loops")
-      ->check(CLI::NonNegativeNumber)
+      ->check(from_zero())
       ->capture_default_str();
   command
       ->add_option(
           "--loop-results", common.loop_results,
           "so many results that are dot products of the same rows, or more, are written as loops; 0: none")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--effort", common.passes.effort,
-          "work spent on trying further choices for fewer operations, as a multiple of the usual; 0: none")
-      ->check(CLI::NonNegativeNumber)
+      ->check(from_zero())
       ->capture_default_str();
   command->add_flag("--verbose", common.verbose, "time, nodes and operations of each stage");
   command->add_option("--dump", common.dump_stage, "print what a stage makes")
@@ -111,7 +148,7 @@ int run(int argc, char** argv) {
   int result = 0;
 
   GenerateOptions generate;
-  CLI::App* command = add_command(app, "generate", "write C++ for a mechanism", common);
+  CLI::App* command = add_compiler(app, "generate", "write C++ for a mechanism", common);
   command->add_option("--out-dir", generate.out_dir, "folder of the files to be written")->required();
   command
       ->add_option("--functions", generate.functions,
@@ -136,22 +173,25 @@ int run(int argc, char** argv) {
   command->add_option("--expected-name", generate.expected_name, "fail unless the mechanism has this name");
   command->add_option("--depfile", generate.depfile, "write a make dependency file for the stamp");
   command->add_option("--stamp", generate.stamp, "touch this file when done");
-  command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them");
+  CLI::Option* print_outputs =
+      command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them");
   command->add_flag("--dry-run", generate.dry_run, "do everything but write");
-  command->add_flag("--check", generate.check,
-                    "write nothing; exit 1 if a file differs from what would be written");
+  command
+      ->add_flag("--check", generate.check,
+                 "write nothing; exit 1 if a file differs from what would be written")
+      ->excludes(print_outputs);
   command->callback([&] { result = run_generate(common, generate); });
 
   ReportOptions report;
-  command = add_command(app, "report", "operations of each function", common);
+  command = add_compiler(app, "report", "operations of each function", common);
   command->add_option("--functions", report.functions, "functions to count (default: all of dynamics)")
       ->delimiter(',');
   command->add_flag("--json", report.json, "as JSON");
   command->callback([&] { result = run_report(common, report); });
 
   EvaluateOptions evaluate;
-  command = add_command(app, "evaluate",
-                        "states in (JSON, one a line, standard input), tau, M, c and qdd out", common);
+  command = add_compiler(app, "evaluate",
+                         "states in (JSON, one a line, standard input), tau, M, c and qdd out", common);
   command
       ->add_option("--functions", evaluate.functions,
                    "functions whose results are wanted instead, as `generate` writes them")
@@ -161,14 +201,12 @@ int run(int argc, char** argv) {
 
   SimulateOptions simulate;
   command =
-      add_command(app, "simulate",
-                  "integrate the free motion; CSV of t, q, qd, energy; page and scene to see it", common);
-  command->add_option("--duration", simulate.duration, "seconds")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--step", simulate.step, "seconds")->check(CLI::PositiveNumber)->capture_default_str();
+      add_compiler(app, "simulate",
+                   "integrate the free motion; CSV of t, q, qd, energy; page and scene to see it", common);
+  command->add_option("--duration", simulate.duration, "seconds")->check(from_zero())->capture_default_str();
+  command->add_option("--step", simulate.step, "seconds")->check(above_zero())->capture_default_str();
   command->add_option("--every", simulate.every, "a row each so many steps")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->add_option("--integrator", simulate.integrator, "rk4 or euler (semi-implicit)")
       ->check(CLI::IsMember({"rk4", "euler"}))
@@ -178,12 +216,12 @@ int run(int argc, char** argv) {
   command->add_option("--html", simulate.html, "page to write: the motion in three dimensions, and plots");
   command->add_option("--glb", simulate.glb, "glTF scene to write (binary), with the motion as an animation");
   command->add_option("--fps", simulate.fps, "frames a second of page and scene")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->add_option("--scene", simulate.scene, "further descriptions to be seen beside the first")
       ->delimiter(',');
-  command->add_option("--q", simulate.start.q, "initial coordinates")->delimiter(',');
-  command->add_option("--qd", simulate.start.qd, "initial speeds")->delimiter(',');
+  command->add_option("--q", simulate.start.q, "initial coordinates")->check(any_number())->delimiter(',');
+  command->add_option("--qd", simulate.start.qd, "initial speeds")->check(any_number())->delimiter(',');
   command->add_option("--hold", simulate.start.hold, "coordinates that assembling leaves as they are")
       ->delimiter(',');
   command->add_flag("!--no-assemble", simulate.start.assemble,
@@ -191,7 +229,8 @@ int run(int argc, char** argv) {
   command->callback([&] { result = run_simulate(common, simulate); });
 
   command =
-      add_command(app, "check", "load, derive both formulations and test the laws they must obey", common);
+      add_reader(app, "check", "load, derive both formulations and test the laws they must obey", common);
+  add_passes(command, common);
   command->callback([&] { result = run_check(common); });
 
   ImportOptions import;
@@ -208,7 +247,7 @@ int run(int argc, char** argv) {
   command
       ->add_option("--snap-angles", import.describe.snap_angles,
                    "angles of origins so near to a multiple of pi/12 are that multiple, rad")
-      ->check(CLI::NonNegativeNumber)
+      ->check(from_zero())
       ->capture_default_str();
   command->callback([&] { result = run_import(import); });
 
@@ -226,28 +265,39 @@ int run(int argc, char** argv) {
 namespace {
 
 int fail_to_write() {
-  fmt::print(stderr, "alembert: error: cannot write to standard output\n");
+  alembert::tell("alembert: error: cannot write to standard output\n");
   return 1;
+}
+
+/// Standard streams that are closed become streams that fail: a file opened later would get their numbers,
+/// and what is said its text. A reader that has gone must not end the run midway either.
+void secure_streams() {
+  for (const auto& [stream, access] :
+       {std::pair{0, O_WRONLY}, std::pair{1, O_RDONLY}, std::pair{2, O_RDONLY}}) {
+    if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", access));
+  }
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  secure_streams();
   try {
     const int result = alembert::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return result;
     return std::max(result, fail_to_write());
   } catch (const alembert::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    alembert::tell(std::string(error.what()) + "\n");
     return 1;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "alembert: error: out of memory\n");
+    alembert::tell("alembert: error: out of memory\n");
     return 1;
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return fail_to_write();  // what fmt::print throws then
-    fmt::print(stderr,
-               "alembert: internal error: {}\nPlease report this with the description that led to it.\n",
-               error.what());
+    alembert::tell(
+        fmt::format("alembert: internal error: {}\nPlease report this with the description that led to it.\n",
+                    error.what()));
     return 2;
   }
 }

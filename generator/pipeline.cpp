@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "dynamics/state_checks.hpp"
+#include "mechanism/extreme_number.hpp"
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"
 #include "symbolic/passes.hpp"
@@ -374,8 +375,11 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 }  // namespace
 
 void fail_without_value(std::shared_ptr<const SourceText> source, const std::domain_error& error) {
-  throw InputError({std::move(source), 1, 1},
-                   std::string("the equations of this mechanism have no value: ") + error.what());
+  const std::string message = std::string("the equations of this mechanism have no value: ") + error.what();
+  if (dynamic_cast<const ConstantOutOfRange*>(&error) == nullptr)
+    throw InputError({std::move(source), 1, 1}, message);
+  throw InputError(most_extreme_number(source), message,
+                   "a product of numbers is out of range; this one is the farthest from 1");
 }
 
 CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, const CompileOptions& options) {

@@ -1,4 +1,5 @@
-// `check`: does a description load, and do its equations obey their laws at random states?
+// `check`: does a description load, and do its equations, by the passes asked for, obey their laws at random
+// states?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,9 +98,9 @@ bool check_constraints(const Kinematics& kinematics) {
   good = report_law("constraints: d/dt velocity = P qdd + gamma", laws.velocity_rate, kMeasured) && good;
 
   const auto warn = [&](std::size_t row, const std::string& message) {
-    fmt::print(stderr, "{}\n",
-               warning_text(mechanism.constraints[rows[row].constraint].where,
-                            "row '" + rows[row].name + "' " + message));
+    tell(warning_text(mechanism.constraints[rows[row].constraint].where,
+                      "row '" + rows[row].name + "' " + message) +
+         "\n");
   };
   const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations);
   fmt::print("constraints: rows {}, rank {} at the initial state, free speeds {}\n", rows.size(),
@@ -116,11 +117,11 @@ bool check_constraints(const Kinematics& kinematics) {
   return good;
 }
 
-int check_laws(const std::shared_ptr<const SourceText>& source) {
+int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& passes) {
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(source, graph);
   const Kinematics kinematics = symbolic_kinematics(mechanism, graph);
-  const EquationsOfMotion reduced = equations_of_motion(kinematics, Formulation::reduced);
+  const EquationsOfMotion reduced = equations_of_motion(kinematics, Formulation::reduced, passes);
   check_mass_matrix(kinematics, PlainEquations(kinematics));
   const EquationsOfMotion factored = equations_of_motion(kinematics, Formulation::factored);
 
@@ -158,7 +159,7 @@ int check_laws(const std::shared_ptr<const SourceText>& source) {
 int run_check(const CommonOptions& common) {
   const std::shared_ptr<const SourceText> source = read_source(common.file);
   try {
-    return check_laws(source);
+    return check_laws(source, common.passes);
   } catch (const std::domain_error& error) {
     fail_without_value(source, error);
   }

@@ -13,7 +13,7 @@
 
 namespace alembert {
 
-/// Options that every command has.
+/// Options of the commands that read descriptions; `check` has file and passes only.
 struct CommonOptions {
   std::string file;                               ///< description; `-` is standard input
   std::optional<Formulation> formulation;         ///< none: auto

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
@@ -25,9 +27,8 @@ std::string header(const Mechanism& mechanism) {
 
 }  // namespace
 
-CsvWriter::CsvWriter(const Mechanism& mechanism, const std::string& path)
-    : mechanism_(mechanism), path_(path), file_(path == "-" ? stdout : std::fopen(path.c_str(), "w")) {
-  if (!file_) fail();
+CsvWriter::CsvWriter(const Mechanism& mechanism, const std::string& path) : mechanism_(mechanism) {
+  if (path != "-") file_.emplace(path);
   put(header(mechanism));
 }
 
@@ -41,16 +42,18 @@ void CsvWriter::write(const TrajectoryPoint& point) {
   put(out + "\n");
 }
 
-void CsvWriter::flush() {
-  if (std::fflush(file_.get()) != 0) fail();
+void CsvWriter::finish() {
+  if (file_) return file_->publish();
+  if (std::fflush(stdout) != 0) fail();
 }
 
 void CsvWriter::put(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail();
+  if (file_) return file_->put(text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
 }
 
 void CsvWriter::fail() const {
-  throw InputError(mechanism_.where, "cannot write " + printable(path_, 300));
+  throw InputError(mechanism_.where, "cannot write to standard output");
 }
 
 }  // namespace alembert

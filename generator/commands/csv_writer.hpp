@@ -3,11 +3,11 @@
 // and the largest violation.
 #pragma once
 
-#include <cstdio>
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "commands/trajectory.hpp"
+#include "emit/waiting_file.hpp"
 
 namespace alembert {
 
@@ -17,22 +17,15 @@ class CsvWriter {
   /// Opens the file and writes the header. `path` - is standard output.
   CsvWriter(const Mechanism& mechanism, const std::string& path);
   void write(const TrajectoryPoint& point);
-  /// Hands what was written to the system. To be called at the end.
-  void flush();
+  /// Moves the file into place; until then there is the one from before. To be called at the end.
+  void finish();
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE* file) const {
-      if (file != stdout) std::fclose(file);
-    }
-  };
-
   void put(const std::string& text);
   [[noreturn]] void fail() const;
 
   const Mechanism& mechanism_;
-  std::string path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::optional<WaitingFile> file_;  ///< none: standard output
 };
 
 }  // namespace alembert

@@ -2,6 +2,8 @@
 #include "commands/dynamics_evaluator.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "program/passes.hpp"
 
@@ -22,6 +24,19 @@ EvaluationState DynamicsEvaluator::initial_state() const {
                                       [](const Body& b) { return b.external_wrench; });
   state.wrenches.assign(6 * static_cast<std::size_t>(wrenches), 0.0);
   return state;
+}
+
+const Coordinate* normalise_quaternions(const Mechanism& mechanism, std::vector<double>& q) {
+  constexpr double kRounding = 1e-15;
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    if (coordinate.type != CoordinateType::quaternion) continue;
+    const std::span<double> parts = std::span(q).subspan(static_cast<std::size_t>(coordinate.first_q), 4);
+    const double norm = std::hypot(std::hypot(parts[0], parts[1]), std::hypot(parts[2], parts[3]));
+    if (!(norm > 0) || !std::isfinite(norm)) return &coordinate;
+    if (std::abs(norm - 1) <= kRounding) continue;
+    for (double& part : parts) part /= norm;
+  }
+  return nullptr;
 }
 
 void program_inputs(const Program& program, const EvaluationState& state, std::vector<double>& inputs) {

@@ -16,6 +16,10 @@ struct EvaluationState {
   std::vector<double> tau;  ///< generalized forces; empty: none
 };
 
+/// Scales each quaternion among the coordinates to unit length; those that rounding explains are left as they
+/// are. \return the first that has no direction, if there is one: its coordinates are left as they were.
+const Coordinate* normalise_quaternions(const Mechanism& mechanism, std::vector<double>& q);
+
 /// Values for the inputs of a program, in their order.
 void program_inputs(const Program& program, const EvaluationState& state, std::vector<double>& inputs);
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "commands/dynamics_evaluator.hpp"
 #include "commands/interpreted_mechanism.hpp"
+#include "commands/state_reader.hpp"
 #include "emit/function_signature.hpp"
 
 namespace alembert {
@@ -19,110 +19,6 @@ namespace alembert {
 namespace {
 
 constexpr std::size_t kLineLimit = 1 << 24;
-
-/// A state being read, with its place for messages.
-class StateReader {
- public:
-  StateReader(const Mechanism& mechanism, const EvaluationState& defaults)
-      : mechanism_(mechanism), defaults_(defaults) {}
-
-  EvaluationState read(const std::string& text, int line) {
-    line_ = line;
-    text_ = std::make_shared<const SourceText>(
-        SourceText{"<stdin>", std::string(static_cast<std::size_t>(line - 1), '\n') + text});
-    nlohmann::json object;
-    try {
-      object = nlohmann::json::parse(text);
-    } catch (const nlohmann::json::parse_error& error) {
-      fail("this is no JSON object: " + printable(error.what(), 200),
-           static_cast<int>(std::max<std::size_t>(error.byte, 1)));
-    } catch (const nlohmann::json::exception& error) {
-      fail("this is no JSON object: " + printable(error.what(), 200));
-    }
-    if (!object.is_object()) fail("expected a JSON object with q, qd, qdd, t, tau, parameters, wrenches");
-    EvaluationState state = defaults_;
-    static const std::vector<std::string> kKeys{"q", "qd", "qdd", "t", "tau", "parameters", "wrenches"};
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-        fail("unknown key '" + printable(key) + "'" + did_you_mean(key, kKeys));
-      }
-    }
-    array(object, "q", state.q);
-    array(object, "qd", state.qd);
-    array(object, "qdd", state.qdd);
-    if (object.contains("tau")) {
-      state.tau.resize(state.qd.size());
-      array(object, "tau", state.tau);
-    }
-    if (object.contains("t")) state.t = number(object["t"], "t");
-    if (object.contains("parameters")) parameters(object["parameters"], state);
-    if (object.contains("wrenches")) wrenches(object["wrenches"], state);
-    unit_quaternions(state);
-    return state;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& message, int column = 1) const {
-    throw InputError({text_, line_, column}, message);
-  }
-
-  double number(const nlohmann::json& value, const std::string& what) const {
-    if (!value.is_number() || !std::isfinite(value.get<double>()))
-      fail("'" + what + "' must be a finite number");
-    return value.get<double>();
-  }
-  void numbers(const nlohmann::json& value, const std::string& what, std::span<double> out) const {
-    if (!value.is_array() || value.size() != out.size()) {
-      fail(fmt::format("'{}' must be an array of {} numbers", what, out.size()));
-    }
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = number(value[i], what);
-  }
-  void array(const nlohmann::json& object, const std::string& key, std::vector<double>& out) const {
-    if (object.contains(key)) numbers(object[key], key, out);
-  }
-  void parameters(const nlohmann::json& values, EvaluationState& state) const {
-    if (!values.is_object()) fail("'parameters' must be an object of runtime parameters by name");
-    std::vector<std::string> names;
-    for (const Parameter& parameter : mechanism_.parameters) {
-      if (parameter.runtime) names.push_back(parameter.name);
-    }
-    for (const auto& [name, value] : values.items()) {
-      const auto found = std::find(names.begin(), names.end(), name);
-      if (found == names.end())
-        fail("there is no runtime parameter '" + printable(name) + "'" + did_you_mean(name, names));
-      state.parameters[static_cast<std::size_t>(found - names.begin())] = number(value, name);
-    }
-  }
-  void wrenches(const nlohmann::json& values, EvaluationState& state) const {
-    if (!values.is_object()) fail("'wrenches' must be an object of [fx, fy, fz, tx, ty, tz] by body");
-    std::vector<std::string> names;
-    for (const Body& body : mechanism_.bodies) {
-      if (body.external_wrench) names.push_back(body.name);
-    }
-    for (const auto& [name, value] : values.items()) {
-      const auto found = std::find(names.begin(), names.end(), name);
-      if (found == names.end())
-        fail("there is no body with external_wrench called '" + printable(name) + "'" +
-             did_you_mean(name, names));
-      numbers(value, name,
-              std::span(state.wrenches).subspan(6 * static_cast<std::size_t>(found - names.begin()), 6));
-    }
-  }
-  void unit_quaternions(const EvaluationState& state) const {
-    for (const Coordinate& coordinate : mechanism_.coordinates) {
-      if (coordinate.type != CoordinateType::quaternion) continue;
-      double norm = 0;
-      for (int a = 0; a < 4; ++a)
-        norm += std::pow(state.q[static_cast<std::size_t>(coordinate.first_q + a)], 2);
-      if (std::abs(norm - 1) > 1e-6) fail("quaternion '" + coordinate.name + "' is not of unit length");
-    }
-  }
-
-  const Mechanism& mechanism_;
-  const EvaluationState& defaults_;
-  std::shared_ptr<const SourceText> text_;
-  int line_ = 1;
-};
 
 std::string json_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
@@ -302,7 +198,7 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
   const EvaluationState defaults = DynamicsEvaluator(compiled).initial_state();
   std::optional<WholeDynamics> whole;
   if (functions.empty()) whole.emplace(compiled, defaults);
-  StateReader reader(*compiled.mechanism, defaults);
+  const StateReader reader(*compiled.mechanism, defaults);
 
   std::string text;
   for (int line = 1; std::getline(std::cin, text); ++line) {

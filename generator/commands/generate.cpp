@@ -1,4 +1,4 @@
-// `generate`: the files of one mechanism, written all or none.
+// `generate`: the files of one mechanism, with depfile and stamp, written all or none.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +6,10 @@
 #include <iterator>
 
 #include "commands/commands.hpp"
+#include "commands/interpreted_mechanism.hpp"
 #include "emit/batch.hpp"
 #include "emit/emit.hpp"
+#include "emit/waiting_file.hpp"
 #include "emit/write_files.hpp"
 #include "mechanism/load.hpp"
 
@@ -33,6 +35,39 @@ std::string_view to_string(FileState state) {
 /// joints, M and c take the same time either way.
 constexpr std::size_t kBatchFactor = 12;
 
+/// Tells of constraints that no state keeps, as far as Newton's method from the initial one can tell: code
+/// for them has no motion. Needs the functions of an InterpretedMechanism among those that are written.
+void warn_of_contradictions(const CompiledMechanism& compiled) {
+  const auto written = [&](FunctionKind kind) {
+    return std::ranges::find(compiled.functions, kind, &CompiledFunction::kind) != compiled.functions.end();
+  };
+  if (compiled.mechanism->constraints.empty() || !std::ranges::all_of(interpreted_functions(), written))
+    return;
+  try {
+    start_state(compiled, {}, [](const std::string&) {});
+  } catch (const InputError& error) {
+    tell(warning_text(error.where(), error.message()) + "\n");
+  }
+}
+
+/// Depfile and stamp. Without a stamp the rule is for `output`; standard input is no file to depend on.
+std::vector<RunFile> run_files(const std::string& description, const GenerateOptions& options,
+                               const std::string& output) {
+  std::vector<RunFile> out;
+  std::vector<std::string> dependencies;
+  if (description != "-") dependencies.push_back(description);
+  if (!options.depfile.empty()) {
+    out.push_back(
+        {options.depfile, depfile_text(options.stamp.empty() ? output : options.stamp, dependencies)});
+  }
+  if (!options.stamp.empty()) out.push_back({options.stamp, ""});
+  std::vector<NamedFile> written;
+  if (!options.depfile.empty()) written.push_back({"--depfile", options.depfile});
+  if (!options.stamp.empty()) written.push_back({"--stamp", options.stamp});
+  check_distinct(written, std::vector<NamedFile>{{"the description", description}});
+  return out;
+}
+
 }  // namespace
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
@@ -57,31 +92,24 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
     for (const EmittedFile& file : files) fmt::print("{}/{}\n", options.out_dir, file.path);
     return 0;
   }
+  warn_of_contradictions(compiled);
   const bool only_look = options.dry_run || options.check;
   const std::vector<WrittenFile> written =
-      write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write);
+      write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write,
+                  run_files(common.file, options, options.out_dir + "/" + files.front().path));
   if (options.check) {
     for (const WrittenFile& file : written) {
       if (file.state != FileState::unchanged) {
-        fmt::print(stderr, "{}/{}:1:1: error: this file is not what {} gives: it would be {}\n",
-                   options.out_dir, file.path, common.file, to_string(file.state));
+        tell(fmt::format("{}/{}:1:1: error: this file is not what {} gives: it would be {}\n",
+                         options.out_dir, file.path, common.file, to_string(file.state)));
       }
     }
     return up_to_date(written) ? 0 : 1;
   }
   if (options.dry_run || common.verbose) {
     for (const WrittenFile& file : written)
-      fmt::print(stderr, "{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path);
+      tell(fmt::format("{:<10} {}/{}\n", to_string(file.state), options.out_dir, file.path));
   }
-  if (options.dry_run) return 0;
-  if (!options.depfile.empty()) {
-    const std::vector<std::string> dependencies{common.file};
-    write_file(
-        options.depfile,
-        depfile_text(options.stamp.empty() ? options.out_dir + "/" + files.front().path : options.stamp,
-                     dependencies));
-  }
-  if (!options.stamp.empty()) write_file(options.stamp, "");
   return 0;
 }
 

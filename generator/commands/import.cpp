@@ -18,7 +18,7 @@ int run_import(const ImportOptions& options) {
   ExprGraph graph;
   load_mechanism(described.document, graph);
   const std::string text = yaml_text(described.document.root());
-  for (const std::string& warning : described.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : described.warnings) tell(warning + "\n");
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

@@ -2,6 +2,7 @@
 #include "commands/interpreted_mechanism.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace alembert {
 
@@ -44,6 +45,10 @@ void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::Ve
   gamma = Eigen::Map<const Eigen::VectorXd>(rest, k);
   velocity = Eigen::Map<const Eigen::VectorXd>(rest + k, k);
   position = Eigen::Map<const Eigen::VectorXd>(rest + 2 * k, k);
+  for (Eigen::Index row = 0; row < k; ++row) {
+    if (!P.row(row).allFinite())
+      gamma(row) = velocity(row) = position(row) = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 Eigen::VectorXd InterpretedMechanism::coordinate_rates(const Eigen::VectorXd& q,
@@ -65,7 +70,9 @@ Violation worst_violation(const InterpretedMechanism& system, const Eigen::Vecto
   system.constraints(q, u, P, gamma, velocity, position);
   for (int row = 0; row < system.nc(); ++row) {
     const double size = std::max(std::abs(velocity(row)), std::abs(position(row)));
-    if (size > worst.size || std::isnan(size)) worst = {size, row};
+    if (!std::isfinite(velocity(row)) || !std::isfinite(position(row)))
+      return {std::numeric_limits<double>::quiet_NaN(), row};
+    if (size > worst.size) worst = {size, row};
   }
   return worst;
 }

@@ -30,6 +30,8 @@ class InterpretedMechanism {
   void set_inputs(const EvaluationState& inputs) { state_ = inputs; }
   void mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& mass,
                             Eigen::VectorXd& c) const;
+  /// A row of P that has no value has no gamma, velocity and position either, so that no algorithm mistakes
+  /// it for one that depends on others.
   void constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
                    Eigen::VectorXd& gamma, Eigen::VectorXd& velocity, Eigen::VectorXd& position) const;
   Eigen::VectorXd coordinate_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
@@ -56,7 +58,8 @@ class InterpretedMechanism {
 /// Functions that must have been compiled for an InterpretedMechanism.
 std::vector<FunctionKind> interpreted_functions();
 
-/// Largest violation of the constraints, positions and velocities, and its row.
+/// Largest violation of the constraints, positions and velocities, and its row; NaN at the first row that has
+/// no value.
 struct Violation {
   double size = 0;
   int row = -1;

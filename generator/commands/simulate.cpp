@@ -3,8 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <string>
 
@@ -13,6 +11,7 @@
 #include "commands/motion_recorder.hpp"
 #include "commands/start_state.hpp"
 #include "commands/trajectory.hpp"
+#include "emit/waiting_file.hpp"
 #include "emit/write_files.hpp"
 #include "viewer/glb.hpp"
 #include "viewer/page.hpp"
@@ -34,24 +33,12 @@ void check_outputs(const SimulateOptions& options, const SourceLocation& where) 
     throw InputError(where, "--scene needs --html or --glb to be seen in");
 }
 
-/// The whole text or nothing: written beside its place and moved there, except to what is no file (a pipe, a
-/// device).
-void write_whole(const std::string& path, const std::string& text) {
-  const std::filesystem::path place(path);
-  std::error_code error;
-  if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
-    return write_file(path, text);
-  const EmittedFile file{place.filename().string(), text};
-  write_files(std::span(&file, 1), place.parent_path().string());
-}
-
 /// Passes on points of a motion: to a table each so many steps, to a recorder each so many others, and the
 /// last one to both.
 class PointSplitter {
  public:
   PointSplitter(const SimulateOptions& options, CsvWriter* csv, MotionRecorder* recorder)
-      : step_(options.step),
-        row_steps_(options.every),
+      : row_steps_(options.every),
         frame_steps_(steps_per_frame(options.step, options.fps)),
         csv_(csv),
         recorder_(recorder) {}
@@ -63,16 +50,15 @@ class PointSplitter {
   }
 
   void take(const TrajectoryPoint& point) {
-    if (!first_) first_ = point.state.t;
-    const long step = std::lround((point.state.t - *first_) / step_);
+    any_ = true;
     in_table_ = in_scene_ = false;
     last_ = point;
-    if (step % row_steps_ == 0) to_table();
-    if (step % frame_steps_ == 0) to_scene();
+    if (point.steps % row_steps_ == 0) to_table();
+    if (point.steps % frame_steps_ == 0) to_scene();
   }
 
   void finish() {
-    if (!first_) return;
+    if (!any_) return;
     if (!in_table_) to_table();
     if (!in_scene_) to_scene();
   }
@@ -87,13 +73,11 @@ class PointSplitter {
     in_scene_ = true;
   }
 
-  double step_;
   long row_steps_, frame_steps_;
   CsvWriter* csv_;
   MotionRecorder* recorder_;
-  std::optional<double> first_;
   TrajectoryPoint last_;
-  bool in_table_ = false, in_scene_ = false;
+  bool any_ = false, in_table_ = false, in_scene_ = false;
 };
 
 /// The motions of one or several mechanisms, and what is written of them.
@@ -128,8 +112,8 @@ class Simulation {
     std::optional<InputError> stopped =
         integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
     points.finish();
-    if (trajectory.progress) fmt::print(stderr, "\r");
-    if (csv) csv->flush();
+    if (trajectory.progress) tell("\r");
+    if (csv) csv->finish();
     if (!recorder.motion().times.empty())
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
     return stopped;
@@ -138,20 +122,20 @@ class Simulation {
   void write() {
     if (scene_.mechanisms.empty()) return;
     place_side_by_side(scene_);
-    if (!options_.html.empty()) write_whole(options_.html, html_page(scene_));
-    if (!options_.glb.empty()) write_whole(options_.glb, glb_file(scene_));
+    if (!options_.html.empty()) write_file(options_.html, html_page(scene_));
+    if (!options_.glb.empty()) write_file(options_.glb, glb_file(scene_));
   }
 
  private:
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
     TrajectoryOptions out;
-    out.note = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+    out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
     out.duration = options_.duration;
     out.step = options_.step;
     out.method =
         options_.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
     if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
-      out.progress = [](double done) { fmt::print(stderr, "\r{:3.0f} %", 100 * done); };
+      out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
     const std::optional<long> steps = step_count(out);
     if (!steps) {
       throw InputError(mechanism.where,
@@ -175,6 +159,13 @@ class Simulation {
 }  // namespace
 
 int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
+  std::vector<NamedFile> written, read{{"the description", common.file}};
+  for (const NamedFile& file :
+       {NamedFile{"--csv", options.csv}, {"--html", options.html}, {"--glb", options.glb}}) {
+    if (!file.path.empty() && file.path != "-") written.push_back(file);
+  }
+  for (const std::string& file : options.scene) read.push_back({"a description of --scene", file});
+  check_distinct(written, read);
   Simulation simulation(options, common);
   std::optional<InputError> stopped = simulation.add(common.file, true);
   for (const std::string& file : options.scene) {

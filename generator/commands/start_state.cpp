@@ -28,6 +28,10 @@ EvaluationState given_state(const CompiledMechanism& compiled, const StartOption
   };
   replace("--q", options.q, state.q);
   replace("--qd", options.qd, state.qd);
+  if (const Coordinate* none = normalise_quaternions(*compiled.mechanism, state.q)) {
+    throw InputError(compiled.mechanism->where,
+                     fmt::format("--q gives the quaternion '{}' no direction: its length is 0", none->name));
+  }
   return state;
 }
 
@@ -103,6 +107,10 @@ EvaluationState start_state(const CompiledMechanism& compiled, const StartOption
   };
 
   const Violation before = worst_violation(system, q, u);
+  if (std::isnan(before.size)) {
+    throw InputError(where(before.row),
+                     fmt::format("row {} has no value at the initial state", row(before.row).name));
+  }
   if (before.size <= projection.tolerance) return given;
   if (!options.assemble) {
     if (before.size <= kKept) return given;

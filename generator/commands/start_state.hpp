@@ -17,9 +17,10 @@ struct StartOptions {
   std::vector<std::string> hold;  ///< coordinates that assembling must not change, nor their speeds
 };
 
-/// The state to start from. Newton's method changes the coordinates, and then the speeds are changed least in
-/// the metric of the kinetic energy (alembert/consistent_state.hpp); `note` is told what changed. Throws
-/// InputError where sizes or names are wrong, or no such state is found: at the constraint, with its row.
+/// The state to start from, its quaternions of unit length. Newton's method changes the coordinates, and then
+/// the speeds are changed least in the metric of the kinetic energy (alembert/consistent_state.hpp); `note`
+/// is told what changed. Throws InputError where sizes or names are wrong, or no such state is found: at the
+/// constraint, with its row.
 EvaluationState start_state(const CompiledMechanism& compiled, const StartOptions& options,
                             const std::function<void(const std::string&)>& note);
 

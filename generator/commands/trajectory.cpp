@@ -125,6 +125,12 @@ class MovingMechanism {
   }
 
   InputError no_finite_step(double h) {
+    if (const Violation none = worst_violation(system_, q_, u_); std::isnan(none.size)) {
+      const ConstraintRow& row = system_.rows()[static_cast<std::size_t>(none.row)];
+      return InputError(
+          mechanism_.constraints[row.constraint].where,
+          fmt::format("row {} has no value at t = {:.9g} (the output so far is kept)", row.name, time()));
+    }
     const Eigen::VectorXd rate = system_.coordinate_rates(q_, u_);
     for (const double part : {0.0, 0.5, 1.0}) {  // where the stages of the step were
       EvaluationState ahead = system_.state(q_ + part * h * rate, u_);
@@ -171,9 +177,11 @@ std::vector<FunctionKind> trajectory_functions() {
 }
 
 std::optional<long> step_count(const TrajectoryOptions& options) {
+  constexpr double kRounding = 1e-12;  // of decimals: 0.3 / 0.1 is 3
   const double steps = options.duration / options.step;
   if (!(steps >= 0) || steps > 1e9) return std::nullopt;
-  return std::lround(steps);
+  const double whole = std::round(steps);
+  return static_cast<long>(std::abs(steps - whole) <= kRounding * steps ? whole : std::ceil(steps));
 }
 
 std::optional<InputError> integrate(const CompiledMechanism& compiled, const EvaluationState& start,
@@ -186,8 +194,9 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   }
   MovingMechanism motion(compiled, start);
   bool noted = false;
-  const auto give = [&]() -> std::optional<InputError> {
+  const auto give = [&](long steps) -> std::optional<InputError> {
     TrajectoryPoint point;
+    point.steps = steps;
     std::optional<InputError> stopped = motion.point(point);
     if (std::isfinite(point.energy())) take(point);
     const std::string redundant = noted ? "" : motion.redundant_rows();
@@ -203,15 +212,20 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
     return stopped;
   };
   if (std::optional<InputError> stopped = motion.check_frames()) return stopped;
-  if (std::optional<InputError> stopped = give()) return stopped;
+  if (std::optional<InputError> stopped = give(0)) return stopped;
+  const auto time_after = [&](long steps) {
+    return start.t + (steps == *count ? options.duration : static_cast<double>(steps) * options.step);
+  };
   for (long i = 1; i <= *count; ++i) {
-    if (std::optional<InputError> stopped = motion.step(options.method, options.step)) {
-      if ((i - 1) % options.every != 0) give();  // the last state that is good
+    const double rest = options.duration - static_cast<double>(*count - 1) * options.step;
+    const double h = i == *count ? std::min(rest, options.step) : options.step;
+    if (std::optional<InputError> stopped = motion.step(options.method, h)) {
+      if ((i - 1) % options.every != 0) give(i - 1);  // the last state that is good
       return stopped;
     }
-    motion.set_time(start.t + static_cast<double>(i) * options.step);
+    motion.set_time(time_after(i));
     if (i % options.every == 0 || i == *count) {
-      if (std::optional<InputError> stopped = give()) return stopped;
+      if (std::optional<InputError> stopped = give(i)) return stopped;
     }
     if (options.progress && i % std::max(1L, *count / 100) == 0)
       options.progress(static_cast<double>(i) / static_cast<double>(*count));

@@ -16,6 +16,7 @@ namespace alembert {
 
 /// One moment of a motion.
 struct TrajectoryPoint {
+  long steps = 0;              ///< made so far
   EvaluationState state;       ///< t, q and qd (speeds) of the moment; parameters and wrenches
   double kinetic = 0;          ///< J
   double potential = 0;        ///< J
@@ -38,15 +39,16 @@ struct TrajectoryOptions {
 /// Functions that must have been compiled for a motion.
 std::vector<FunctionKind> trajectory_functions();
 
-/// Number of steps that the options ask for, or none if that makes no sense.
+/// Number of steps that the options ask for, or none if that makes no sense. Where the duration is no
+/// multiple of the step, the last one is shorter.
 std::optional<long> step_count(const TrajectoryOptions& options);
 
-/// Integrates from `start` and gives each point to `take`, in order, as soon as it is known. Under
-/// constraints the state is projected on them after each step. \return nothing if the motion reached its end,
-/// else why it stopped, where and when: constraints that contradict each other (with the row), a frame that
-/// is singular (with body, coordinates and cure), a mass matrix that is (with the coordinate), a step without
-/// a finite state. The points up to there were given. Throws InputError if the options make no sensible
-/// number of steps.
+/// Integrates from `start`, for the duration exactly, and gives each point to `take`, in order, as soon as it
+/// is known. Under constraints the state is projected on them after each step. \return nothing if the motion
+/// reached its end, else why it stopped, where and when: constraints that contradict each other (with the
+/// row), a frame that is singular (with body, coordinates and cure), a mass matrix that is (with the
+/// coordinate), a step without a finite state. The points up to there were given. Throws InputError if the
+/// options make no sensible number of steps.
 std::optional<InputError> integrate(const CompiledMechanism& compiled, const EvaluationState& start,
                                     const TrajectoryOptions& options,
                                     const std::function<void(const TrajectoryPoint&)>& take);

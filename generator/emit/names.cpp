@@ -74,6 +74,13 @@ std::vector<std::string> initial_coordinates(const Mechanism& mechanism) {
   return out;
 }
 
+std::vector<std::string> initial_speeds(const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial_speed) out.push_back(number_literal(value));
+  return out;
+}
+
 std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
   std::vector<std::string> out;
   const auto text = [lower](double value) {
@@ -167,6 +174,7 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"parameter_names", cpp_array(literals(names.parameters))},
       {"wrench_names", cpp_array(literals(names.wrench_bodies))},
       {"initial", cpp_array(initial_coordinates(mechanism))},
+      {"initial_speeds", cpp_array(initial_speeds(mechanism))},
       {"lower_limits", cpp_array(limits(mechanism, true))},
       {"upper_limits", cpp_array(limits(mechanism, false))},
       {"quaternion_offsets", cpp_array(quaternions)},
@@ -188,6 +196,7 @@ Slots c_constant_slots(const Mechanism& mechanism) {
       {"constraint_names", c_array(literals(names.constraints), "nullptr")},
       {"holonomic", c_array(holonomic(mechanism, "1", "0"), "0")},
       {"initial", c_array(initial_coordinates(mechanism), "")},
+      {"initial_speeds", c_array(initial_speeds(mechanism), "")},
       {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
   };
 }

@@ -1,15 +1,10 @@
-// Writes files so that a failure changes nothing.
+// What is to be written where (see the header).
 #include "emit/write_files.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,6 +12,8 @@
 #include <optional>
 #include <system_error>
 
+#include "emit/locked_folder.hpp"
+#include "emit/waiting_file.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -24,125 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& place, const std::string& message) {
-  SourceLocation where;
-  where.source = std::make_shared<const SourceText>(SourceText{place, ""});
-  throw InputError(where, message);
-}
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
-/// Writes a new file and makes sure that the disk took it; errno of what failed, or 0.
-int create_file(const fs::path& path, const std::string& text) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return errno;
-  std::size_t done = 0;
-  int error = 0;
-  while (done < text.size() && error == 0) {
-    const ssize_t n = ::write(descriptor, text.data() + done, text.size() - done);
-    if (n > 0) done += static_cast<std::size_t>(n);
-    if (n < 0 && errno != EINTR) error = errno;
-  }
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  return error;
-}
-
 /// Text of a file; nothing if there is no file.
 std::optional<std::string> current_text(const fs::path& path, const std::string& directory) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) return std::nullopt;
   if (status.type() != fs::file_type::regular)
-    fail(directory, fmt::format("cannot write {}: it is no regular file", path.string()));
+    fail_at_path(directory, fmt::format("cannot write {}: it is no regular file", path.string()));
   std::ifstream stream(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   if (!stream.is_open() || stream.bad())
-    fail(directory, fmt::format("cannot read {}: {}", path.string(), reason(errno)));
+    fail_at_path(directory, fmt::format("cannot read {}: {}", path.string(), reason_of(errno)));
   return text;
 }
-
-/// What has been done, to be undone unless it is kept.
-class Transaction {
- public:
-  explicit Transaction(std::string directory) : directory_(std::move(directory)) {}
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
-  ~Transaction() {
-    if (!kept_) undo();
-  }
-
-  void make_folder(const fs::path& path) {
-    std::error_code error;
-    if (path.empty() || fs::is_directory(path, error)) return;
-    make_folder(path.parent_path());
-    if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
-      fail(directory_, "cannot make the folder: " + reason(errno));
-    if (!fs::is_directory(path, error)) fail(directory_, fmt::format("{} is no folder", path.string()));
-    folders_.push_back(path);
-  }
-
-  void prepare(const fs::path& path, const std::string& text) {
-    const fs::path waiting = path.string() + fmt::format(".{}.new", ::getpid());
-    moves_.push_back({waiting, path, std::nullopt, false});
-    if (const int error = create_file(waiting, text); error != 0)
-      fail(directory_, fmt::format("cannot write {}: {}", path.string(), reason(error)));
-  }
-
-  /// Moves what was prepared into place.
-  void move_all() {
-    for (Move& move : moves_) {
-      set_aside(move);
-      if (std::rename(move.from.c_str(), move.to.c_str()) != 0)
-        fail(directory_, fmt::format("cannot write {}: {}", move.to.string(), reason(errno)));
-      move.done = true;
-    }
-  }
-
-  void remove(const fs::path& path) {
-    moves_.push_back({{}, path, std::nullopt, false});
-    set_aside(moves_.back());
-    moves_.back().done = true;
-  }
-
-  void keep() {
-    kept_ = true;
-    for (const Move& move : moves_)
-      if (move.aside) ::unlink(move.aside->c_str());
-  }
-
- private:
-  struct Move {
-    fs::path from, to;              ///< no `from`: the file is removed
-    std::optional<fs::path> aside;  ///< where the old file waits
-    bool done;
-  };
-
-  void set_aside(Move& move) {
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(move.to, error))) return;
-    const fs::path aside = move.to.string() + fmt::format(".{}.old", ::getpid());
-    if (std::rename(move.to.c_str(), aside.c_str()) != 0)
-      fail(directory_, fmt::format("cannot replace {}: {}", move.to.string(), reason(errno)));
-    move.aside = aside;
-  }
-
-  void undo() noexcept {
-    std::ranges::reverse(moves_);
-    for (const Move& move : moves_) {
-      if (!move.from.empty()) ::unlink(move.done ? move.to.c_str() : move.from.c_str());
-      if (move.aside) std::rename(move.aside->c_str(), move.to.c_str());
-    }
-    std::ranges::reverse(folders_);
-    for (const fs::path& folder : folders_) ::rmdir(folder.c_str());
-  }
-
-  std::string directory_;
-  std::vector<Move> moves_;
-  std::vector<fs::path> folders_;
-  bool kept_ = false;
-};
 
 /// `include/arm/arm_part7.hpp` of `include/arm/arm_part1.hpp`: the same path with another number; empty if it
 /// has none.
@@ -169,29 +60,33 @@ std::vector<std::string> left_over_parts(std::span<const EmittedFile> files, con
 }  // namespace
 
 std::vector<WrittenFile> write_files(std::span<const EmittedFile> files, const std::string& directory,
-                                     WriteMode mode) {
+                                     WriteMode mode, std::span<const RunFile> run_files) {
   const fs::path root = directory.empty() ? "." : directory;
+  const bool writes = mode == WriteMode::write;
+  LockedFolder folder(directory, writes ? LockedFolder::Access::write : LockedFolder::Access::read);
   std::vector<WrittenFile> result;
+  std::vector<FileEdit> edits;
   for (const EmittedFile& file : files) {
     const std::optional<std::string> old = current_text(root / file.path, directory);
     result.push_back({file.path, !old                ? FileState::created
                                  : *old == file.text ? FileState::unchanged
                                                      : FileState::changed});
+    if (result.back().state != FileState::unchanged) edits.push_back({file.path, file.text});
   }
-  const std::vector<std::string> left_over = left_over_parts(files, root);
-  if (mode == WriteMode::write) {
-    Transaction transaction(directory);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (result[i].state == FileState::unchanged) continue;
-      const fs::path path = root / files[i].path;
-      transaction.make_folder(path.parent_path());
-      transaction.prepare(path, files[i].text);
-    }
-    transaction.move_all();
-    for (const std::string& path : left_over) transaction.remove(root / path);
-    transaction.keep();
+  for (const std::string& path : left_over_parts(files, root)) {
+    result.push_back({path, FileState::removed});
+    edits.push_back({path, std::nullopt});
   }
-  for (const std::string& path : left_over) result.push_back({path, FileState::removed});
+  if (const std::optional<std::string> journal = folder.unfinished())
+    result.push_back({*journal, FileState::removed});
+  if (!writes) return result;
+  if (edits.empty()) {
+    for (const RunFile& file : run_files) write_file(file.path, file.text);
+    return result;
+  }
+  for (const RunFile& file : run_files)
+    edits.push_back({fs::absolute(file.path), file.text, !is_replaceable(file.path)});
+  folder.apply(edits);
   return result;
 }
 
@@ -203,14 +98,17 @@ bool up_to_date(std::span<const WrittenFile> files) {
 std::string depfile_text(const std::string& target, std::span<const std::string> dependencies) {
   const auto escaped = [](const std::string& path) {
     std::string out;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      const char c = path[i];
+    std::size_t backslashes = 0;  // just before; make halves their number before a blank
+    for (const char c : path + ' ') {
       if (c == '\n' || c == '\r')
-        fail(printable(path), "a path with a line break cannot be written to a depfile");
-      if (c == ' ' || c == '#') out += '\\';
+        fail_at_path(printable(path), "a path with a line break cannot be written to a depfile");
+      if (c == ' ' || c == '\t') out.append(backslashes + 1, '\\');
+      if (c == '#') out += '\\';
       if (c == '$') out += '$';
+      backslashes = c == '\\' ? backslashes + 1 : 0;
       out += c;
     }
+    out.resize(out.size() - 2);  // the blank that ends the path, and its backslash
     return out;
   };
   std::string out = escaped(target) + ":";
@@ -219,7 +117,9 @@ std::string depfile_text(const std::string& target, std::span<const std::string>
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  if (const int error = create_file(path, text); error != 0) fail(path, "cannot write it: " + reason(error));
+  WaitingFile file(path);
+  file.put(text);
+  file.publish();
 }
 
 }  // namespace alembert

@@ -3,6 +3,7 @@
 #include "support/error.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 
 namespace alembert {
@@ -93,6 +94,11 @@ InputError::InputError(SourceLocation where, std::string message, std::string no
 
 std::string warning_text(const SourceLocation& where, const std::string& message) {
   return diagnostic(where, "warning", message, {});
+}
+
+void tell(std::string_view text) {
+  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
+  static_cast<void>(written);
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {

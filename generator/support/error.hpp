@@ -42,6 +42,10 @@ class InputError : public std::runtime_error {
 /// and so on.
 std::string warning_text(const SourceLocation& where, const std::string& message);
 
+/// Writes a text to standard error. If that cannot be written, nothing happens: the exit code tells the
+/// result.
+void tell(std::string_view text);
+
 /// An invariant of the generator is broken (exit code 2): a defect to be reported, never the user's fault.
 class InternalError : public std::logic_error {
  public:

@@ -31,7 +31,7 @@ struct Builder {
   Ref number(Rational value);
   Ref number(std::int64_t value) { return number(Rational(value)); }
   Ref pi(Rational multiple);
-  Ref real(double value);  ///< throws std::domain_error on NaN and infinity
+  Ref real(double value);  ///< throws ConstantOutOfRange on NaN and infinity
 
   // A product seen as coefficient * rest. The coefficient of a constant is its exact number, that of anything
   // else all its constant factors; `rest` is unsigned.

@@ -295,7 +295,7 @@ Ref Builder::pi(Rational multiple) {
 }
 
 Ref Builder::real(double value) {
-  if (!std::isfinite(value)) throw std::domain_error("a constant is infinite or not a number");
+  if (!std::isfinite(value)) throw ConstantOutOfRange();
   const std::optional<Rational> exact = rational_from_double(value);
   return exact ? number(*exact) : graph.intern_real(value);
 }

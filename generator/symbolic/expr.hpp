@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -162,6 +163,12 @@ Expr tanh(Expr x);
 Expr pow(Expr x, Expr y);
 Expr pow(Expr x, int n);
 
+/// A constant that doubles cannot hold: infinity, or no number.
+class ConstantOutOfRange : public std::domain_error {
+ public:
+  ConstantOutOfRange() : std::domain_error("a constant is infinite or not a number") {}
+};
+
 /// Owns nodes, constants and symbols. Not copyable; not thread safe.
 /// 0*x is 0 whatever x is: NaN and infinity are not values here.
 class ExprGraph {
@@ -174,7 +181,7 @@ class ExprGraph {
   Expr rational(Rational value);
   Expr pi(Rational multiple = Rational(1));
   /// Exact rational if it is a short one. Sums of others in which no more than rounding is left are 0. Throws
-  /// std::domain_error on NaN and infinity.
+  /// ConstantOutOfRange on NaN and infinity.
   Expr real(double value);
   Expr zero() { return integer(0); }
   Expr one() { return integer(1); }

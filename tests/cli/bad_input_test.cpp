@@ -114,6 +114,53 @@ TEST(StandardOutput, ThatCannotBeWrittenIsAnError) {
   }
 }
 
+// Exit codes are the same where nobody listens: standard error on a full disk, closed, or a pipe without
+// reader.
+TEST(StandardError, ThatCannotBeWrittenChangesNoExitCode) {
+  const TemporaryFolder folder;
+  const std::string file = mechanism_file("pendulum"), missing = folder / "missing.yaml";
+  const std::string noted = mechanism_file("paper/five_bar"), out = folder / "out";
+  const struct {
+    std::string arguments;
+    int exit_code;
+  } cases[] = {{"generate " + missing + " --out-dir " + out, 1},
+               {"report " + missing, 1},
+               {"evaluate " + missing, 1},
+               {"simulate " + missing, 1},
+               {"check " + missing, 1},
+               {"import " + missing, 1},
+               {"report --effort nan " + file, 1},
+               {"generate --verbose " + file + " --out-dir " + out, 0},
+               {"generate --dry-run " + file + " --out-dir " + out, 0},
+               {"generate --check " + file + " --out-dir " + folder / "other", 1},
+               {"simulate --duration 0.01 " + noted, 0},
+               {"check " + noted, 0}};
+  for (const auto& [arguments, exit_code] : cases) {
+    for (const std::string stream : {"2> /dev/full", "2>&-", "2> >(true)"}) {
+      const CommandResult result = run_command(
+          folder, "bash -c '" ALEMBERT_EXECUTABLE " " + arguments + " > /dev/null " + stream + "'", "{}\n",
+          10);
+      EXPECT_EQ(result.exit_code, exit_code) << arguments << ' ' << stream;
+    }
+  }
+  // A file that is written never becomes standard error.
+  EXPECT_EQ(run_command(folder,
+                        "bash -c '" ALEMBERT_EXECUTABLE " simulate --duration 0.01 --csv " +
+                            folder / "a.csv" + " " + noted + " 2>&-'",
+                        "", 10)
+                .exit_code,
+            0);
+  EXPECT_THAT(read_text(folder / "a.csv"), testing::StartsWith("t,"));
+}
+
+TEST(StandardOutput, ThatIsClosedIsAnError) {
+  const TemporaryFolder folder;
+  const CommandResult result = run_command(
+      folder, "bash -c '" ALEMBERT_EXECUTABLE " report " + mechanism_file("pendulum") + " >&-'", "", 10);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::HasSubstr("error: cannot write"));
+}
+
 TEST(BadFile, MissingFileAndFolder) {
   const TemporaryFolder folder;
   for (const std::string& file : {folder / "missing.yaml", std::string("/tmp")}) {

@@ -1,6 +1,8 @@
 // `generate`: what it writes, lists, checks and leaves alone.
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "cli/command.hpp"
 
 namespace alembert::test {
@@ -56,6 +58,15 @@ TEST(Generate, CheckReportsDrift) {
   EXPECT_THAT(read_text(header), HasSubstr("// edited"));
 }
 
+TEST(Generate, CheckDoesNotListInstead) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") +
+                                                    " --check --print-outputs --out-dir " + (folder / "out"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("--print-outputs excludes --check"));
+}
+
 TEST(Generate, DryRunWritesNothing) {
   const TemporaryFolder folder;
   const CommandResult result =
@@ -91,6 +102,108 @@ TEST(Generate, DepfileNamesTheStampAndTheDescription) {
   EXPECT_TRUE(std::filesystem::exists(stamp));
   EXPECT_THAT(read_text(folder / "s.d"), testing::StartsWith(stamp + ":"));
   EXPECT_THAT(read_text(folder / "s.d"), HasSubstr("pendulum.yaml"));
+}
+
+TEST(Generate, DepfileOfStandardInputNamesNoFile) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder,
+                                        "generate - --out-dir " + (folder / "out") + " --depfile " +
+                                            (folder / "s.d") + " --stamp " + (folder / "s"),
+                                        read_text(mechanism_file("pendulum")));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_text(folder / "s.d"), (folder / "s") + ":\n");
+}
+
+TEST(Generate, WithoutDepfileOrStampThereIsNoCodeEither) {
+  const TemporaryFolder folder;
+  const std::string command = "generate " + mechanism_file("pendulum") + " --out-dir " + (folder / "out");
+  for (const std::string& options : {" --stamp " + (folder / "s") + " --depfile " + (folder / "none/s.d"),
+                                     " --depfile " + (folder / "s.d") + " --stamp " + (folder / "none/s"),
+
+                                     " --stamp " + (folder / "s") + " --depfile /dev/full",
+                                     " --depfile " + (folder / "s") + " --stamp " + (folder / "s")}) {
+    const CommandResult result = alembert(folder, command + options);
+    EXPECT_EQ(result.exit_code, 1) << options;
+    for (const char* file : {"out", "s", "s.d"})
+      EXPECT_FALSE(std::filesystem::exists(folder / file)) << options;
+  }
+  const std::string copy = folder.write("copy.yaml", read_text(mechanism_file("pendulum")));
+  EXPECT_THAT(
+      alembert(folder, "generate " + copy + " --out-dir " + (folder / "out") + " --stamp " + copy).err,
+      HasSubstr("the description and --stamp are the same file"));
+  EXPECT_NE(read_text(copy), "");
+}
+
+/// A mechanism whose every file depends on the mass, and everything that is generated of it.
+struct Version {
+  std::string file;
+  std::map<std::string, std::string> texts;
+};
+std::map<std::string, std::string> texts_below(const std::string& path) {
+  std::map<std::string, std::string> out;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+    if (entry.is_regular_file())
+      out[std::filesystem::relative(entry.path(), path).string()] = read_text(entry.path().string());
+  return out;
+}
+std::vector<Version> two_versions(const TemporaryFolder& folder) {
+  std::vector<Version> out;
+  for (const std::string mass : {"2", "3"}) {
+    const std::string file = folder.write("arm" + mass + ".yaml", R"(alembert: 1
+name: arm
+coordinates: [{name: q, initial: )" + mass + R"(}]
+parameters: {k: {value: 1, runtime: true}}
+bodies:
+  - {name: bob)" + mass + R"(, transform: [{rotate: {axis: y, angle: q}}], mass: )" +
+                                                                      mass + R"(, com: [k, 0, 0]}
+)");
+    const std::string fresh = folder / ("fresh" + mass);
+    EXPECT_EQ(alembert(folder, "generate " + file + " --parts 4 --out-dir " + fresh).exit_code, 0);
+    out.push_back({file, texts_below(fresh)});
+  }
+  EXPECT_NE(out[0].texts, out[1].texts);
+  return out;
+}
+
+// tests/emit/test_locked_folder.cpp kills at every system call; here the program as it is used.
+TEST(Generate, KilledRunsLeaveNothingToTheNext) {
+  const TemporaryFolder folder;
+  const std::vector<Version> versions = two_versions(folder);
+  const std::string out = folder / "out", command = ALEMBERT_EXECUTABLE " generate ";
+  const std::string script = folder.write("killed.sh", R"(
+for i in $(seq 120); do
+  )" + command + "$(if [ $((i % 2)) = 0 ]; then echo " + versions[0].file +
+                                                           "; else echo " + versions[1].file +
+                                                           "; fi) --parts 4 --out-dir " + out + R"( &
+  sleep 0.0$((RANDOM % 2))$((RANDOM % 10))
+  kill -KILL $! 2> /dev/null
+  wait $! 2> /dev/null
+  )" + command + mechanism_file("pendulum") + " --out-dir " +
+                                                           out + R"( || exit 1
+  cp -r )" + out + " " + folder / "trial" + "$i\ndone\n");
+  ASSERT_EQ(run_command(folder, "bash " + script, "", 120).exit_code, 0);
+  std::size_t files = 0;
+  for (int i = 1; i <= 120; ++i) {
+    std::map<std::string, std::string> texts = texts_below(folder / ("trial" + std::to_string(i)));
+    std::erase_if(texts, [](const auto& text) { return text.first.find("pendulum") != std::string::npos; });
+    ASSERT_TRUE(texts.empty() || texts == versions[0].texts || texts == versions[1].texts) << i;
+    files += texts.size();
+  }
+  EXPECT_GT(files, 0u);
+}
+
+TEST(Generate, RunsAtTheSameTimeDoNotMix) {
+  const TemporaryFolder folder;
+  const std::vector<Version> versions = two_versions(folder);
+  for (int i = 0; i < 40; ++i) {
+    std::string both = "sh -c '";
+    for (const Version& version : versions)
+      both += ALEMBERT_EXECUTABLE " generate " + version.file + " --parts 4 --out-dir " + (folder / "out") +
+              " & ";
+    ASSERT_EQ(run_command(folder, both + "wait'", "", 20).exit_code, 0);
+    const std::map<std::string, std::string> texts = texts_below(folder / "out");
+    ASSERT_TRUE(texts == versions[0].texts || texts == versions[1].texts) << i;
+  }
 }
 
 TEST(Generate, UnknownFunctionNamesTheNearest) {

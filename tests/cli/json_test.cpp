@@ -147,9 +147,40 @@ TEST(Evaluate, GivesTheResultsOfFunctionsAskedFor) {
   EXPECT_THAT(text.out, HasSubstr("\ninverse_dynamics_derivatives\ntau_q "));
 }
 
+TEST(Evaluate, ScalesQuaternionsToUnitLength) {
+  const TemporaryFolder folder;
+  const std::string command = "evaluate --json " + mechanism_file("free_body");
+  const CommandResult result = alembert(folder, command,
+                                        R"({"q": [0,0,0,0.6000003,0,0,0.8000004]})"
+                                        "\n"
+                                        R"({"q": [0,0,0,0.6,0,0,0.8]})"
+                                        "\n");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string near, exact;
+  ASSERT_TRUE(std::getline(lines, near) && std::getline(lines, exact));
+  const json a = json::parse(near)["c"], b = json::parse(exact)["c"];
+  for (std::size_t i = 0; i < b.size(); ++i) EXPECT_NEAR(a[i].get<double>(), b[i].get<double>(), 1e-14) << i;
+
+  const CommandResult far = alembert(folder, command, R"({"q": [0,0,0,3,0,0,4]})");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_THAT(far.err, StartsWith("<stdin>:1:14: error: quaternion 'turn' is not of unit length"));
+}
+
+// Lines before a state cost nothing more once they are read.
+TEST(Evaluate, TakesTimeInProportionToItsInput) {
+  const TemporaryFolder folder;
+  std::string input(10'000'000, '\n');
+  for (int i = 0; i < 20'000; ++i) input += "{}\n";
+  const CommandResult result =
+      alembert(folder, "evaluate --functions energy " + mechanism_file("pendulum"), input, 8);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 struct BadState {
   const char* name;
   const char* line;
+  int column;
   const char* message;
 };
 void PrintTo(const BadState& state, std::ostream* out) {
@@ -161,19 +192,32 @@ TEST_P(EvaluateRejects, WithPlaceAndReason) {
   const CommandResult result = alembert(folder, "evaluate --json " + folder.write("pendulum.yaml", kPendulum),
                                         std::string("{\"q\": [0]}\n") + GetParam().line + "\n");
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, StartsWith("<stdin>:2:"));
+  EXPECT_THAT(result.err, StartsWith("<stdin>:2:" + std::to_string(GetParam().column) + ": error: "));
   EXPECT_THAT(result.err, HasSubstr(GetParam().message));
 }
 INSTANTIATE_TEST_SUITE_P(
     States, EvaluateRejects,
-    testing::Values(BadState{"cut", "{\"q\": [0", "JSON"}, BadState{"array", "[1]", "object"},
-                    BadState{"size", "{\"q\": [0, 1]}", "1 numbers"},
-                    BadState{"text", "{\"q\": [\"a\"]}", "number"},
-                    BadState{"key", "{\"qdddd\": [1]}", "unknown key"},
-                    BadState{"huge", "{\"q\": [1e999]}", ""},
-                    BadState{"body", "{\"wrenches\": {\"bop\": [0,0,0,0,0,0]}}", "bob"},
-                    BadState{"deep", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[", "JSON"}),
+    testing::Values(BadState{"cut", "{\"q\": [0", 9, "JSON"}, BadState{"array", " [1]", 2, "object"},
+                    BadState{"comma", "{\"q\": [0.1 2]}", 12, "JSON"},
+                    BadState{"size", "{\"qd\": [1], \"q\": [0, 1]}", 18, "1 numbers"},
+                    BadState{"text", R"({"qd": [1], "q": [ "a\"]" ]})", 20, "number"},
+                    BadState{"key", "{\"t\": 1e-3 , \"qdddd\": [1]}", 14, "unknown key 'qdddd'"},
+                    BadState{"huge", "{\"qd\": [1], \"q\": [1e999]}", 19, "out of the range"},
+                    BadState{"twice", "{\"q\": [1], \"t\": 0, \"q\": [1]}", 20, "'q' is given twice"},
+                    BadState{"body", "{\"wrenches\": {\"bop\": [0,0,0,0,0,0]}}", 15, "bob"},
+                    BadState{"wrench", "{\"wrenches\": {\"bob\": [0,0,true,0,0,0]}}", 27, "number"},
+                    BadState{"parameter", "{\"parameters\": {\"l\": null}}", 22, "number"},
+                    BadState{"deep", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[", 45, "JSON"}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Evaluate, RejectsBracketsWithoutEnd) {
+  const TemporaryFolder folder;
+  const std::string deep(1'000'000, '[');
+  const CommandResult result =
+      alembert(folder, "evaluate " + mechanism_file("pendulum"), deep + std::string(1'000'000, ']'));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, StartsWith("<stdin>:1:65: error: JSON nested more than 64 levels deep"));
+}
 
 }  // namespace
 }  // namespace alembert::test

@@ -108,6 +108,14 @@ TEST(See, RefusesWhatMakesNoSense) {
   EXPECT_THAT(error(" --duration 1e5 --fps 1000 --glb " + (folder / "a.glb")),
               HasSubstr("frames are too many to be seen"));
   EXPECT_THAT(error(" --duration 0.1 --glb /proc/none/a.glb"), HasSubstr("/proc/none"));
+  EXPECT_THAT(error(" --html " + (folder / "a") + " --glb " + (folder / "./a")),
+              HasSubstr("--html and --glb are the same file"));
+  EXPECT_THAT(error(" --csv " + (folder / "a") + " --glb " + (folder / "a")),
+              HasSubstr("--csv and --glb are the same file"));
+  const std::string copy = folder.write("copy.yaml", read_text(mechanism_file("pendulum")));
+  EXPECT_THAT(alembert(folder, "simulate " + copy + " --csv " + copy).err,
+              HasSubstr("the description and --csv are the same file"));
+  EXPECT_EQ(read_text(copy), read_text(mechanism_file("pendulum")));
 }
 
 }  // namespace

@@ -121,6 +121,7 @@ Coordinate coordinate(Mechanism& mechanism, std::string name, CoordinateType typ
   c.first_q = mechanism.nq;
   c.first_speed = mechanism.nv;
   c.initial = std::move(initial);
+  c.initial_speed.assign(static_cast<std::size_t>(c.nv()), 0.0);
   mechanism.nq += c.nq();
   mechanism.nv += c.nv();
   return c;
@@ -175,7 +176,9 @@ Sample every_function() {
   m.description =
       "Every function, every kind of argument.\nA second line with */ and // and \\ and ?\?/ in it";
   m.coordinates.push_back(coordinate(m, "shoulder", CoordinateType::real, {0.25}));
+  m.coordinates.back().initial_speed = {2.5};
   m.coordinates.push_back(coordinate(m, "base", CoordinateType::quaternion, {0, 0, 0, 1}));
+  m.coordinates.back().initial_speed = {0, 0, -1};
   m.coordinates.push_back(coordinate(m, "slide", CoordinateType::real, {-1}));
   m.coordinates.back().limits = {-1.5, 2.0};
   m.coordinates.push_back(coordinate(m, "wrist", CoordinateType::real, {0}));

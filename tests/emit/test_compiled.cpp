@@ -34,6 +34,8 @@ static_assert(all::kQuaternionOffsets.size() == 1 && all::kQuaternionOffsets[0] 
 static_assert(all::kParameterNames[1] == "length" && all::kWrenchBodyNames[0] == "hand" &&
               all::kFrameNames[0] == "tip");
 static_assert(all::kInitialCoordinates[4] == 1.0 && all::kInitialCoordinates[0] == 0.25);
+static_assert(all::kInitialSpeeds.size() == 6 && all::kInitialSpeeds[0] == 2.5 &&
+              all::kInitialSpeeds[1] == 0.0 && all::kInitialSpeeds[3] == -1.0);
 static_assert(all::kLowerLimits[5] == -1.5 && all::kUpperLimits[5] == 2.0);
 static_assert(all::kUpperLimits[6] == std::numeric_limits<double>::infinity());
 static_assert(alembert::has_energy_v<Model> && alembert::has_energy_v<all::Mechanism<float>>);
@@ -432,6 +434,8 @@ TEST(Compiled, CInterfaceDefaultsNullsAndNames) {
   EXPECT_STREQ(sample_all_wrench_body_names[0], "hand");
   EXPECT_EQ(sample_all_default_parameters[1], 1e-3);
   EXPECT_EQ(sample_all_initial_coordinates[4], 1.0);
+  EXPECT_EQ(sample_all_initial_speeds[3], -1.0);
+  EXPECT_EQ(Model::initial_speeds()(0), 2.5);
   EXPECT_EQ(sample_big_parameter_count, 0);
   EXPECT_EQ(sample_big_parameter_names[0], nullptr);
 }

@@ -7,56 +7,17 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
 #include <fstream>
-#include <map>
 
-#include "emit/write_files.hpp"
-#include "support/error.hpp"
+#include "emit/waiting_file.hpp"
+#include "emit/written_tree.hpp"
 
 namespace alembert {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class WriteFiles : public testing::Test {
- protected:
-  WriteFiles() {
-    std::string pattern = (fs::temp_directory_path() / "alembert_write_XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-  }
-  ~WriteFiles() override {
-    std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(root_, error))
-      if (entry.is_directory()) fs::permissions(entry.path(), fs::perms::owner_all, error);
-    fs::permissions(root_, fs::perms::owner_all, error);
-    fs::remove_all(root_, error);
-  }
-
-  /// Every file below the root with its text.
-  std::map<std::string, std::string> contents() const {
-    std::map<std::string, std::string> out;
-    for (const auto& entry : fs::recursive_directory_iterator(root_)) {
-      const std::string name = fs::relative(entry.path(), root_).string();
-      std::ifstream stream(entry.path(), std::ios::binary);
-      out[name] = entry.is_directory() ? "(folder)" : std::string(std::istreambuf_iterator<char>(stream), {});
-    }
-    return out;
-  }
-  std::string folder(const std::string& name) const { return (root_ / name).string(); }
-
-  std::string error_of(std::span<const EmittedFile> files, const std::string& directory) {
-    try {
-      write_files(files, directory);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-
-  fs::path root_;
-};
+using WriteFiles = WrittenTree;
 
 const std::vector<EmittedFile> kFiles{
     {"include/a/a.hpp", "first\n"}, {"src/a.cpp", "second\n"}, {"src/b.cpp", "third\n"}};
@@ -179,6 +140,61 @@ TEST_F(WriteFiles, PartsThatAreLeftOverGo) {
   EXPECT_EQ(contents(), expected);
 }
 
+TEST_F(WriteFiles, FilesOfTheRunAreWrittenWithTheOthersOrNotAtAll) {
+  const std::vector<RunFile> run{{folder("x.d"), "x: y\n"}, {folder("x.stamp"), ""}};
+  write_files(kFiles, folder("x"), WriteMode::write, run);
+  EXPECT_EQ(contents().at("x.d"), "x: y\n");
+  const timespec old[2] = {{1000, 0}, {1000, 0}};
+  ASSERT_EQ(::utimensat(AT_FDCWD, run[1].path.c_str(), old, 0), 0);
+  write_files(kFiles, folder("x"), WriteMode::write, run);
+  struct stat status {};
+  ASSERT_EQ(::stat(run[1].path.c_str(), &status), 0);
+  EXPECT_NE(status.st_mtime, 1000);
+
+  const auto before = contents();
+  std::vector<EmittedFile> files = kFiles;
+  files[1].text = "other\n";
+  for (const std::string& bad : {folder("none/x.stamp"), folder("x"), std::string("/dev/full")}) {
+    const std::vector<RunFile> failing{{folder("x.d"), "new\n"}, {bad, "new\n"}};
+    try {
+      write_files(files, folder("x"), WriteMode::write, failing);
+      ADD_FAILURE() << "no error for " << bad;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(bad + ":1:1: error: cannot write it: "));
+    }
+    EXPECT_EQ(contents(), before) << bad;
+    try {
+      write_files(files, folder("fresh"), WriteMode::write, failing);
+      ADD_FAILURE() << "no error for " << bad;
+    } catch (const InputError&) {
+    }
+    EXPECT_EQ(contents(), before) << bad;
+  }
+}
+
+TEST_F(WriteFiles, LinksAreFollowedForFilesOfTheRun) {
+  std::ofstream(root_ / "real") << "before";
+  fs::create_symlink(root_ / "real", root_ / "link");
+  write_files(kFiles, folder("x"), WriteMode::write, std::vector<RunFile>{{folder("link"), "after"}});
+  EXPECT_TRUE(fs::is_symlink(root_ / "link"));
+  EXPECT_EQ(contents().at("real"), "after");
+}
+
+TEST_F(WriteFiles, AWaitingFileIsWholeOrNotThere) {
+  std::ofstream(root_ / "table") << "before";
+  {
+    WaitingFile file(folder("table"));
+    file.put("half");
+    EXPECT_EQ(contents().at("table"), "before");
+  }
+  EXPECT_EQ(contents(), (std::map<std::string, std::string>{{"table", "before"}}));
+  std::ofstream(root_ / "table.alembert-new") << "of a run that was killed";
+  WaitingFile file(folder("table"));
+  file.put("all");
+  file.publish();
+  EXPECT_EQ(contents(), (std::map<std::string, std::string>{{"table", "all"}}));
+}
+
 TEST_F(WriteFiles, SingleFile) {
   write_file(folder("stamp"), "");
   write_file(folder("stamp"), "text");
@@ -195,6 +211,11 @@ TEST(Depfile, PathsAreEscapedForMake) {
   const std::vector<std::string> dependencies{"/my files/arm.yaml", "/a#b", "/c$d", "/plain"};
   EXPECT_EQ(depfile_text("/out dir/arm.stamp", dependencies),
             "/out\\ dir/arm.stamp: \\\n  /my\\ files/arm.yaml \\\n  /a\\#b \\\n  /c$$d \\\n  /plain\n");
+  // A blank after backslashes needs twice as many and its own; elsewhere they stand for themselves.
+  const std::vector<std::string> backslashes{"/a\\b", "/a\\ b", "/a\\\\\tb", "/end\\"};
+  EXPECT_EQ(depfile_text("t", backslashes),
+            "t: \\\n  /a\\b \\\n  /a\\\\\\ b \\\n  /a\\\\\\\\\\\tb \\\n  /end\\\\\n");
+  EXPECT_EQ(depfile_text("t", {}), "t:\n");
   EXPECT_THROW(depfile_text("a\nb", {}), InputError);
 }
 

@@ -33,6 +33,7 @@ const char* const bead_on_helix_wrench_body_names[1 + 1] = {"bead", nullptr};
 const char* const bead_on_helix_constraint_names[0 + 1] = {nullptr};
 const int bead_on_helix_holonomic[0 + 1] = {0};
 const double bead_on_helix_initial_coordinates[2] = {0.0, 0.0};
+const double bead_on_helix_initial_speeds[2] = {0.0, 0.0};
 const double bead_on_helix_default_parameters[0 + 1] = {0.0};
 
 int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

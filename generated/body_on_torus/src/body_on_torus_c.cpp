@@ -33,6 +33,7 @@ const char* const body_on_torus_wrench_body_names[0 + 1] = {nullptr};
 const char* const body_on_torus_constraint_names[0 + 1] = {nullptr};
 const int body_on_torus_holonomic[0 + 1] = {0};
 const double body_on_torus_initial_coordinates[3] = {0.0, 0.0, 0.0};
+const double body_on_torus_initial_speeds[3] = {0.0, 0.0, 0.0};
 const double body_on_torus_default_parameters[0 + 1] = {0.0};
 
 int body_on_torus_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

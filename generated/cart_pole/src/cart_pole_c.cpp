@@ -33,6 +33,7 @@ const char* const cart_pole_wrench_body_names[1 + 1] = {"cart", nullptr};
 const char* const cart_pole_constraint_names[0 + 1] = {nullptr};
 const int cart_pole_holonomic[0 + 1] = {0};
 const double cart_pole_initial_coordinates[2] = {0.0, 0.1};
+const double cart_pole_initial_speeds[2] = {0.0, 0.0};
 const double cart_pole_default_parameters[0 + 1] = {0.0};
 
 int cart_pole_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

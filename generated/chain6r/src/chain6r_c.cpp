@@ -35,6 +35,7 @@ const char* const chain6r_wrench_body_names[0 + 1] = {nullptr};
 const char* const chain6r_constraint_names[0 + 1] = {nullptr};
 const int chain6r_holonomic[0 + 1] = {0};
 const double chain6r_initial_coordinates[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+const double chain6r_initial_speeds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double chain6r_default_parameters[0 + 1] = {0.0};
 
 int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,

@@ -33,6 +33,7 @@ const char* const double_pendulum_wrench_body_names[0 + 1] = {nullptr};
 const char* const double_pendulum_constraint_names[0 + 1] = {nullptr};
 const int double_pendulum_holonomic[0 + 1] = {0};
 const double double_pendulum_initial_coordinates[2] = {0.0, 0.0};
+const double double_pendulum_initial_speeds[2] = {0.0, 0.0};
 const double double_pendulum_default_parameters[0 + 1] = {0.0};
 
 int double_pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

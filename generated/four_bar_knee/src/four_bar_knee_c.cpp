@@ -33,6 +33,7 @@ const char* const four_bar_knee_wrench_body_names[1 + 1] = {"shank", nullptr};
 const char* const four_bar_knee_constraint_names[0 + 1] = {nullptr};
 const int four_bar_knee_holonomic[0 + 1] = {0};
 const double four_bar_knee_initial_coordinates[2] = {0.0, 1.3};
+const double four_bar_knee_initial_speeds[2] = {0.0, 0.0};
 const double four_bar_knee_default_parameters[0 + 1] = {0.0};
 
 int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

@@ -35,6 +35,7 @@ const char* const free_body_wrench_body_names[1 + 1] = {"body", nullptr};
 const char* const free_body_constraint_names[0 + 1] = {nullptr};
 const int free_body_holonomic[0 + 1] = {0};
 const double free_body_initial_coordinates[7] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+const double free_body_initial_speeds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double free_body_default_parameters[0 + 1] = {0.0};
 
 int free_body_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

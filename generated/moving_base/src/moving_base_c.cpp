@@ -33,6 +33,7 @@ const char* const moving_base_wrench_body_names[0 + 1] = {nullptr};
 const char* const moving_base_constraint_names[0 + 1] = {nullptr};
 const int moving_base_holonomic[0 + 1] = {0};
 const double moving_base_initial_coordinates[2] = {0.0, 0.0};
+const double moving_base_initial_speeds[2] = {0.0, 0.0};
 const double moving_base_default_parameters[0 + 1] = {0.0};
 
 int moving_base_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

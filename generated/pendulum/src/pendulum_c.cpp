@@ -33,6 +33,7 @@ const char* const pendulum_wrench_body_names[0 + 1] = {nullptr};
 const char* const pendulum_constraint_names[0 + 1] = {nullptr};
 const int pendulum_holonomic[0 + 1] = {0};
 const double pendulum_initial_coordinates[1] = {0.3};
+const double pendulum_initial_speeds[1] = {0.0};
 const double pendulum_default_parameters[0 + 1] = {0.0};
 
 int pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

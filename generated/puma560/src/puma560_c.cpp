@@ -35,6 +35,7 @@ const char* const puma560_wrench_body_names[0 + 1] = {nullptr};
 const char* const puma560_constraint_names[0 + 1] = {nullptr};
 const int puma560_holonomic[0 + 1] = {0};
 const double puma560_initial_coordinates[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+const double puma560_initial_speeds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double puma560_default_parameters[0 + 1] = {0.0};
 
 int puma560_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,

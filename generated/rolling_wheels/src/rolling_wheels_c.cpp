@@ -33,6 +33,7 @@ const char* const rolling_wheels_wrench_body_names[1 + 1] = {"wheel", nullptr};
 const char* const rolling_wheels_constraint_names[0 + 1] = {nullptr};
 const int rolling_wheels_holonomic[0 + 1] = {0};
 const double rolling_wheels_initial_coordinates[2] = {1.2, 0.4};
+const double rolling_wheels_initial_speeds[2] = {0.0, 0.0};
 const double rolling_wheels_default_parameters[0 + 1] = {0.0};
 
 int rolling_wheels_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

@@ -33,6 +33,7 @@ const char* const runtime_parameters_wrench_body_names[0 + 1] = {nullptr};
 const char* const runtime_parameters_constraint_names[0 + 1] = {nullptr};
 const int runtime_parameters_holonomic[0 + 1] = {0};
 const double runtime_parameters_initial_coordinates[2] = {0.0, 0.0};
+const double runtime_parameters_initial_speeds[2] = {0.0, 0.0};
 const double runtime_parameters_default_parameters[4 + 1] = {9.81, 1.3, 0.42, 0.05, 0.0};
 
 int runtime_parameters_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

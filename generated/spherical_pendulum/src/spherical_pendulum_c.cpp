@@ -33,6 +33,7 @@ const char* const spherical_pendulum_wrench_body_names[1 + 1] = {"bob", nullptr}
 const char* const spherical_pendulum_constraint_names[0 + 1] = {nullptr};
 const int spherical_pendulum_holonomic[0 + 1] = {0};
 const double spherical_pendulum_initial_coordinates[4] = {0.0, 0.0, 0.0, 1.0};
+const double spherical_pendulum_initial_speeds[3] = {0.0, 0.0, 0.0};
 const double spherical_pendulum_default_parameters[0 + 1] = {0.0};
 
 int spherical_pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

@@ -35,6 +35,7 @@ const char* const stanford_wrench_body_names[0 + 1] = {nullptr};
 const char* const stanford_constraint_names[0 + 1] = {nullptr};
 const int stanford_holonomic[0 + 1] = {0};
 const double stanford_initial_coordinates[6] = {0.0, 0.0, 0.5, 0.0, 0.0, 0.0};
+const double stanford_initial_speeds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double stanford_default_parameters[0 + 1] = {0.0};
 
 int stanford_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

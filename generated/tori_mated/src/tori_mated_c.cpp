@@ -33,6 +33,7 @@ const char* const tori_mated_wrench_body_names[0 + 1] = {nullptr};
 const char* const tori_mated_constraint_names[0 + 1] = {nullptr};
 const int tori_mated_holonomic[0 + 1] = {0};
 const double tori_mated_initial_coordinates[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
+const double tori_mated_initial_speeds[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
 const double tori_mated_default_parameters[0 + 1] = {0.0};
 
 int tori_mated_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

@@ -42,6 +42,8 @@ const int tree_every_joint_holonomic[0 + 1] = {0};
 const double tree_every_joint_initial_coordinates[22] = {
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
     0.0};
+const double tree_every_joint_initial_speeds[20] = {
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 const double tree_every_joint_default_parameters[0 + 1] = {0.0};
 
 int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,

@@ -47,8 +47,9 @@ extern const char* const bead_on_helix_constraint_names[0 + 1];
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int bead_on_helix_holonomic[0 + 1];
 
-/* The initial coordinates of the description; its speeds are zero. */
+/* The initial state of the description: coordinates and speeds. */
 extern const double bead_on_helix_initial_coordinates[2];
+extern const double bead_on_helix_initial_speeds[2];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double bead_on_helix_default_parameters[0 + 1];
 

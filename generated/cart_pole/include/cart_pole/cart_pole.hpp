@@ -43,6 +43,12 @@ struct Mechanism {
     for (int i = 0; i < kNq; ++i) q(i) = S(::alembert::mechanisms::cart_pole::kInitialCoordinates[static_cast<unsigned>(i)]);
     return q;
   }
+  /// The initial speeds of the description.
+  static SpeedVector initial_speeds() {
+    SpeedVector qd;
+    for (int i = 0; i < kNv; ++i) qd(i) = S(::alembert::mechanisms::cart_pole::kInitialSpeeds[static_cast<unsigned>(i)]);
+    return qd;
+  }
 
   /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
   static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,

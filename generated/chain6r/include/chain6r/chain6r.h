@@ -49,8 +49,9 @@ extern const char* const chain6r_constraint_names[0 + 1];
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int chain6r_holonomic[0 + 1];
 
-/* The initial coordinates of the description; its speeds are zero. */
+/* The initial state of the description: coordinates and speeds. */
 extern const double chain6r_initial_coordinates[6];
+extern const double chain6r_initial_speeds[6];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double chain6r_default_parameters[0 + 1];
 

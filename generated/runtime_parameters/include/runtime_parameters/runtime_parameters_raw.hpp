@@ -43,8 +43,9 @@ inline constexpr ::std::array<const char*, kNc> kConstraintNames = {};
 /// Whether the row is the rate of an equation in the coordinates alone, which then has to hold as well.
 inline constexpr ::std::array<bool, kNc> kHolonomic = {};
 
-/// The initial state of the description: coordinates. Its speeds are zero.
+/// The initial state of the description: coordinates and speeds.
 inline constexpr ::std::array<double, kNq> kInitialCoordinates = {{0.0, 0.0}};
+inline constexpr ::std::array<double, kNv> kInitialSpeeds = {{0.0, 0.0}};
 /// Limits of the coordinates as described, infinite where there are none. The equations do not enforce them.
 inline constexpr ::std::array<double, kNq> kLowerLimits = {{
     -::std::numeric_limits<double>::infinity(), -::std::numeric_limits<double>::infinity()}};

@@ -47,8 +47,9 @@ extern const char* const spherical_pendulum_constraint_names[0 + 1];
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int spherical_pendulum_holonomic[0 + 1];
 
-/* The initial coordinates of the description; its speeds are zero. */
+/* The initial state of the description: coordinates and speeds. */
 extern const double spherical_pendulum_initial_coordinates[4];
+extern const double spherical_pendulum_initial_speeds[3];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double spherical_pendulum_default_parameters[0 + 1];
 

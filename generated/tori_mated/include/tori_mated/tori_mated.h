@@ -47,8 +47,9 @@ extern const char* const tori_mated_constraint_names[0 + 1];
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int tori_mated_holonomic[0 + 1];
 
-/* The initial coordinates of the description; its speeds are zero. */
+/* The initial state of the description: coordinates and speeds. */
 extern const double tori_mated_initial_coordinates[5];
+extern const double tori_mated_initial_speeds[5];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double tori_mated_default_parameters[0 + 1];
 

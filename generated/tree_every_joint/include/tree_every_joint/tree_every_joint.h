@@ -47,8 +47,9 @@ extern const char* const tree_every_joint_constraint_names[0 + 1];
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int tree_every_joint_holonomic[0 + 1];
 
-/* The initial coordinates of the description; its speeds are zero. */
+/* The initial state of the description: coordinates and speeds. */
 extern const double tree_every_joint_initial_coordinates[22];
+extern const double tree_every_joint_initial_speeds[20];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double tree_every_joint_default_parameters[0 + 1];
 
