@@ -9,6 +9,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "dynamics/state_checks.hpp"
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"
 #include "symbolic/passes.hpp"
@@ -226,6 +227,21 @@ std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
 
 namespace {
 
+/// What a singular mass matrix does to the functions asked for (SingularMass).
+void check_singular(const Kinematics& kinematics, const EquationsOfMotion& equations,
+                    const CompileOptions& options, std::vector<FunctionKind>& kinds) {
+  try {
+    check_mass_matrix(kinematics, equations);
+  } catch (const SingularMassMatrix& error) {
+    const bool solved = std::ranges::find(kinds, FunctionKind::forward_dynamics) != kinds.end();
+    if (options.singular == SingularMass::refuse ||
+        (options.singular == SingularMass::refuse_where_solved && solved))
+      throw;
+    std::erase(kinds, FunctionKind::forward_dynamics);
+    if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
+  }
+}
+
 CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
   CompiledMechanism compiled;
   compiled.graph = std::make_unique<ExprGraph>();
@@ -237,6 +253,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
   compiled.mechanism = std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph));
   const Mechanism& mechanism = *compiled.mechanism;
+  if (options.warn) options.warn(mechanism.warnings);
   log.done("load", fmt::format("{} bodies, {} coordinates", mechanism.bodies.size(), mechanism.nq));
   if (dumping("load")) dump_mechanism(*options.dump, mechanism);
 
@@ -255,7 +272,9 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   }
 
   const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);
-  check_mass_matrix(kinematics, candidates.front());
+  std::vector<FunctionKind> kinds =
+      options.functions.empty() ? default_functions(mechanism) : options.functions;
+  check_singular(kinematics, candidates.front(), options, kinds);
   if (dumping("equations")) {
     dump_expressions(*options.dump, "Q", candidates.front().Q);
     dump_expressions(*options.dump, "M", candidates.front().M);
@@ -263,8 +282,6 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   }
 
   const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
-  const std::vector<FunctionKind> kinds =
-      options.functions.empty() ? default_functions(mechanism) : options.functions;
   for (const FunctionKind kind : kinds) {
     std::optional<CompiledFunction> best;
     std::vector<OutputExpressions> best_outputs;

@@ -11,14 +11,16 @@
 
 namespace alembert {
 
-int run_import(const ImportOptions& options) {
-  const std::shared_ptr<const SourceText> source = read_source(options.file);
+int run_import(const CommonOptions& common, const ImportOptions& options) {
+  const std::shared_ptr<const SourceText> source = read_source(common.file);
   const DescribedRobot described = describe_robot(read_urdf(source), source, options.describe);
   // What the language refuses is shown where it stands in the URDF.
   ExprGraph graph;
-  load_mechanism(described.document, graph);
+  const Mechanism mechanism = load_mechanism(described.document, graph);
+  Warnings warnings = described.warnings;
+  warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
+  report_warnings(warnings, common.strict);
   const std::string text = yaml_text(described.document.root());
-  for (const std::string& warning : described.warnings) fmt::print(stderr, "{}\n", warning);
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

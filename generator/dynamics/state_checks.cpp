@@ -110,9 +110,13 @@ void check_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& eq
   if (culprit == nullptr) {
     throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
   }
-  throw InputError(culprit->where,
-                   "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
-                       culprit->name + "' alone; give a mass or an inertia to what it moves");
+  throw SingularMassMatrix(
+      culprit->where,
+      "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" + culprit->name +
+          "' alone; give a mass or an inertia to what it moves",
+      "or give '" + culprit->name +
+          "' an `armature` (a rotor's inertia), put a constant in its place, or leave it out with what "
+          "it moves; `alembert import --massless` does each of these");
 }
 
 }  // namespace alembert

@@ -17,6 +17,11 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
 /// parameters have their defaults.
 std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
 
+/// What check_mass_matrix throws where M is singular: equations that divide by it have no value, others do.
+struct SingularMassMatrix : InputError {
+  using InputError::InputError;
+};
+
 /// The coordinate that M, nv x nv, has no inertia for, or none if M is positive definite well beyond
 /// rounding. M must be finite.
 const Coordinate* coordinate_without_inertia(const Mechanism& mechanism, std::span<const double> M);

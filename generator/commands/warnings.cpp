@@ -1,0 +1,24 @@
+// Warnings in, diagnostics on standard error out.
+#include <cstdio>
+#include <span>
+#include <string>
+
+#include "commands/commands.hpp"
+
+namespace alembert {
+
+void report_warnings(const Warnings& warnings, bool strict) {
+  const Warnings shown = one_of_each_kind(warnings);
+  const auto tell_line = [](const std::string& text) { std::fputs((text + "\n").c_str(), stderr); };
+  if (!strict) {
+    for (const Warning& warning : shown)
+      tell_line(warning_text(warning.where, warning.message, warning.note));
+    return;
+  }
+  if (shown.empty()) return;
+  for (const Warning& warning : std::span(shown).first(shown.size() - 1))
+    tell_line(InputError(warning.where, warning.message, warning.note).what());
+  throw InputError(shown.back().where, shown.back().message, shown.back().note);
+}
+
+}  // namespace alembert
