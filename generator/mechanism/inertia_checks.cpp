@@ -18,6 +18,7 @@ namespace alembert {
 namespace {
 
 constexpr double kTolerance = 1e-6;  // of the largest moment: inertias are written with so many digits
+constexpr double kPoint = 1e-12;     // m^2, of the mass: it is a point then, and the rest is rounding
 
 /// Of one or several bodies.
 struct Inertia {
@@ -41,11 +42,12 @@ struct Inertia {
   }
 };
 
-/// What is wrong with an inertia about a centre of mass, or nothing.
-std::string objection_to(const Eigen::Matrix3d& inertia) {
+/// What is wrong with the moments of an inertia, or nothing.
+std::string objection_to(const Inertia& inertia) {
   const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  const double tolerance = kTolerance * moments.cwiseAbs().maxCoeff();
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.about_centre, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  const double tolerance = std::max(kTolerance * moments.cwiseAbs().maxCoeff(), kPoint * inertia.mass);
   const std::string found =
       fmt::format("its principal moments are {:.6g}, {:.6g} and {:.6g}", moments[0], moments[1], moments[2]);
   if (moments[0] < -tolerance) return found + "; none can be negative";
@@ -75,8 +77,7 @@ class InertiaChecks {
       if (whole < 0) continue;  // fixed to the world: it moves nothing
       const Inertia& all = merged_[static_cast<std::size_t>(whole)];
       const bool alone = std::ranges::count(first_of_, whole) == 1;
-      const std::string wrong =
-          all.mass == 0 ? objection(inertias_[b]) : objection_to(inertias_[b].about_centre);
+      const std::string wrong = all.mass == 0 ? objection(inertias_[b]) : objection_to(inertias_[b]);
       if (wrong.empty() || objection(all).empty()) continue;
       const auto place = loading_.inertia_places.find(bodies_[b].name);
       loading_.mechanism.warnings.push_back(
@@ -91,7 +92,7 @@ class InertiaChecks {
  private:
   static std::string objection(const Inertia& inertia) {
     if (inertia.mass == 0 && !inertia.about_centre.isZero(0)) return "it has no mass";
-    return objection_to(inertia.about_centre);
+    return objection_to(inertia);
   }
 
   void read_inertias() {

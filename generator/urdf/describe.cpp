@@ -26,8 +26,7 @@ class Describer {
     name_links();
     YamlNode& coordinates = nodes_.sequence(top);
     add_coordinates(coordinates);
-    if (coordinates.items.empty())
-      throw InputError(top, "no joint of the robot moves", "--root floating lets it move as one body");
+    if (coordinates.items.empty()) fail_without_coordinates();
     const YamlNode& definitions = add_definitions();
     YamlNode& bodies = nodes_.sequence(top);
     YamlNode& frames = nodes_.sequence(top);
@@ -156,6 +155,13 @@ class Describer {
     if (mimic.offset != 0)
       value += fmt::format(" {} {}", mimic.offset < 0 ? '-' : '+', number_text(std::abs(mimic.offset)));
     return value;
+  }
+
+  [[noreturn]] void fail_without_coordinates() const {
+    if (options_.massless == Massless::freeze || options_.massless == Massless::drop)
+      throw InputError(robot_.where, "no joint of the robot moves mass: nothing that moves is left",
+                       "--massless armature=1e-4 leaves all joints as they are");
+    throw InputError(robot_.where, "no joint of the robot moves", "--root floating lets it move as one body");
   }
 
   bool root_is_massless() const {
