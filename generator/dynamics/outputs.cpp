@@ -71,8 +71,8 @@ std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, E
     potential -= body.mass_properties.mass * dot(mechanism.gravity, center);
   }
   for (const Coordinate& coordinate : mechanism.coordinates) {
-    for (std::size_t k = 0; k < coordinate.speed_symbols.size(); ++k) {
-      const Expr u = coordinate.speed_symbols[k];
+    if (coordinate.armature.is_zero()) continue;
+    for (const Expr u : coordinate.speed_symbols) {
       const Expr square = u * u;
       kinetic += half * (coordinate.armature * square);
     }

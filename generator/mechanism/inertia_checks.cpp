@@ -17,8 +17,8 @@
 namespace alembert {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // of the largest moment: inertias are written with so many digits
-constexpr double kPoint = 1e-12;     // m^2, of the mass: it is a point then, and the rest is rounding
+constexpr double kInertiaTolerance = 1e-6;  // of the largest moment: inertias are written with so many digits
+constexpr double kPointInertia = 1e-12;     // m^2, of the mass: it is a point then, and the rest is rounding
 
 /// Of one or several bodies.
 struct Inertia {
@@ -47,7 +47,8 @@ std::string objection_to(const Inertia& inertia) {
   const Eigen::Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.about_centre, Eigen::EigenvaluesOnly)
           .eigenvalues();
-  const double tolerance = std::max(kTolerance * moments.cwiseAbs().maxCoeff(), kPoint * inertia.mass);
+  const double tolerance =
+      std::max(kInertiaTolerance * moments.cwiseAbs().maxCoeff(), kPointInertia * inertia.mass);
   const std::string found =
       fmt::format("its principal moments are {:.6g}, {:.6g} and {:.6g}", moments[0], moments[1], moments[2]);
   if (moments[0] < -tolerance) return found + "; none can be negative";

@@ -8,20 +8,20 @@
 namespace alembert::test {
 namespace {
 
-constexpr double kTolerance = 1e-11;
-constexpr double kFirst = 0.75;  // of speed 0, a runtime parameter; more for each further one
+constexpr double kGearedTolerance = 1e-11;
+constexpr double kFirstRotor = 0.75;  // of speed 0, a runtime parameter; more for each further one
 
 /// A mechanism of the catalogue, and its copy with armatures.
 struct Geared {
   explicit Geared(const std::string& name)
       : plain(LoadedMechanism::file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/" + name + ".yaml")),
         geared(*plain.mechanism) {
-    geared.parameters.push_back({"rotor", kFirst, true, geared.where});
+    geared.parameters.push_back({"rotor", kFirstRotor, true, geared.where});
     const Expr first = plain.graph->symbol("rotor");
     for (Coordinate& coordinate : geared.coordinates) {
       const auto k = coordinate.first_speed;
       coordinate.armature = k == 0 ? first : plain.graph->rational(Rational(3 + k, 4));
-      inertias.insert(inertias.end(), static_cast<std::size_t>(coordinate.nv()), kFirst + k / 4.0);
+      inertias.insert(inertias.end(), static_cast<std::size_t>(coordinate.nv()), kFirstRotor + k / 4.0);
     }
   }
   std::vector<double> at(const std::vector<Expr>& values, unsigned seed) const {
@@ -45,7 +45,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
   double scale = 1;
   for (const double x : expected) scale = std::max(scale, std::abs(x));
   for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i], expected[i], kTolerance * scale) << what << ' ' << i;
+    EXPECT_NEAR(found[i], expected[i], kGearedTolerance * scale) << what << ' ' << i;
 }
 
 class Armature : public testing::TestWithParam<const char*> {};

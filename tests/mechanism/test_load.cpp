@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "catalogue.hpp"
 #include "mechanism/loaded.hpp"
 
 namespace alembert {
@@ -310,6 +311,13 @@ TEST(Load, AcceptsTheSeedsOfTheFuzzer) {
     ++count;
   }
   EXPECT_GE(count, 3);
+}
+
+TEST(Load, DoubtsNothingInTheCatalogue) {
+  for (const std::string& path : test::catalogue()) {
+    ExprGraph graph;
+    EXPECT_TRUE(load_mechanism(read_source(path), graph).warnings.empty()) << path;
+  }
 }
 
 TEST(Load, ChecksManyMatricesTogether) {
