@@ -11,13 +11,28 @@
 
 namespace alembert {
 
+namespace {
+
+/// What was doubtful may be why the rest cannot be read.
+UrdfRobot read_robot(const std::shared_ptr<const SourceText>& source, Warnings& warnings) {
+  try {
+    return read_urdf(source, warnings);
+  } catch (const InputError&) {
+    report_warnings(warnings, false);
+    throw;
+  }
+}
+
+}  // namespace
+
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   const std::shared_ptr<const SourceText> source = read_source(common.file);
-  const DescribedRobot described = describe_robot(read_urdf(source), source, options.describe);
+  Warnings warnings;
+  const DescribedRobot described = describe_robot(read_robot(source, warnings), source, options.describe);
   // What the language refuses is shown where it stands in the URDF.
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
-  Warnings warnings = described.warnings;
+  warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
   report_warnings(warnings, common.strict);
   const std::string text = yaml_text(described.document.root());

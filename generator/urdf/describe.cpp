@@ -19,7 +19,7 @@ namespace {
 class Describer {
  public:
   Describer(const UrdfRobot& robot, const DescribeOptions& options)
-      : robot_(robot), options_(options), massless_(massless_joints(robot)), warnings_(robot.warnings) {}
+      : robot_(robot), options_(options), massless_(massless_joints(robot)) {}
 
   DescribedRobot describe(std::shared_ptr<const SourceText> source) {
     const SourceLocation& top = robot_.where;

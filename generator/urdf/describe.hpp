@@ -16,7 +16,7 @@ struct DescribeOptions {
 
 struct DescribedRobot {
   Document document;
-  Warnings warnings;  ///< what is doubtful or left out, those of reading too
+  Warnings warnings;  ///< what is doubtful or left out
 };
 
 /// Links are bodies, joints factors of their transforms. A revolute, continuous or prismatic joint has one

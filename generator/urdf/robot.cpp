@@ -17,7 +17,8 @@ constexpr std::string_view kLoops[] = {"loop_joint", "loop", "constraint"};
 
 class RobotReader {
  public:
-  explicit RobotReader(std::shared_ptr<const SourceText> source) : xml_(std::move(source), warnings_) {}
+  RobotReader(std::shared_ptr<const SourceText> source, Warnings& warnings)
+      : xml_(std::move(source), warnings) {}
 
   UrdfRobot read() {
     const pugi::xml_node root = xml_.root();
@@ -50,7 +51,6 @@ class RobotReader {
     }
     check_tree();
     find_mimicked();
-    robot_.warnings = std::move(warnings_);
     return std::move(robot_);
   }
 
@@ -197,7 +197,6 @@ class RobotReader {
     xml_.warn({joint.mimic->where, message + "; it is independent", {}, "independent"});
   }
 
-  Warnings warnings_;
   XmlText xml_;
   UrdfRobot robot_;
   Indices links_, joints_;
@@ -215,8 +214,8 @@ void connect(UrdfRobot& robot) {
   }
 }
 
-UrdfRobot read_urdf(std::shared_ptr<const SourceText> source) {
-  return RobotReader(std::move(source)).read();
+UrdfRobot read_urdf(std::shared_ptr<const SourceText> source, Warnings& warnings) {
+  return RobotReader(std::move(source), warnings).read();
 }
 
 }  // namespace alembert

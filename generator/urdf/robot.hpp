@@ -75,14 +75,14 @@ struct UrdfRobot {
   std::size_t root = 0;               ///< index of the link that no joint moves
   std::vector<std::size_t> joint_of;  ///< by link: the joint that it is the child of; of the root: none
   std::vector<std::vector<std::size_t>> children;  ///< by link: the joints that it is the parent of
-  Warnings warnings;  ///< what is doubtful, left out or guessed, and does not change the equations
   SourceLocation where;
 };
 
 /// Fills in `joint_of` and `children`.
 void connect(UrdfRobot& robot);
 
-/// Reads a robot. Throws InputError at what is not URDF, cannot be understood or is no tree.
-UrdfRobot read_urdf(std::shared_ptr<const SourceText> source);
+/// Reads a robot. `warnings` gets what is doubtful, left out or guessed, and does not change the equations.
+/// Throws InputError at what is not URDF, cannot be understood or is no tree.
+UrdfRobot read_urdf(std::shared_ptr<const SourceText> source, Warnings& warnings);
 
 }  // namespace alembert

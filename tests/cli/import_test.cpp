@@ -131,9 +131,18 @@ TEST(Import, LeavesNothingOfWhatIsWrong) {
                     file = folder / "robot.yaml";
   const CommandResult result = alembert(folder, "import " + bad + " --out " + file);
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, testing::StartsWith(bad + ":7:16: error: "));
+  EXPECT_THAT(result.err, testing::HasSubstr(bad + ":7:16: error: "));
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(alembert(folder, "import " + bad).out, "");
+}
+
+TEST(Import, SaysWhatIsDoubtfulWhereTheRestIsWrong) {
+  const TemporaryFolder folder;
+  const std::string bad = ALEMBERT_SOURCE_DIR "/tests/urdf/errors/bad_only_xacro.urdf";
+  const CommandResult result = alembert(folder, "import " + bad);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::StartsWith(bad + ":2:3: warning: <xacro:macro> is of xacro"));
+  EXPECT_THAT(result.err, testing::HasSubstr(bad + ":1:1: error: no <link> in the robot"));
 }
 
 TEST(Import, IsDoneInSecondsWhateverIsNested) {

@@ -29,10 +29,11 @@ struct Imported {
 };
 
 Imported import(std::shared_ptr<const SourceText> source, const DescribeOptions& options = {}) {
-  const DescribedRobot described = describe_robot(read_urdf(source), source, options);
+  Warnings warnings;
+  const DescribedRobot described = describe_robot(read_urdf(source, warnings), source, options);
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
-  Warnings warnings = described.warnings;
+  warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
   Imported out{yaml_text(described.document.root()), {}};
   for (const Warning& w : one_of_each_kind(warnings))
@@ -69,7 +70,8 @@ TEST_P(UrdfFile, BecomesTheDescriptionBesideIt) {
 TEST_P(UrdfFile, IsReadBackFromItsText) {
   for (const bool floating : {false, true}) {
     const auto source = read_source(GetParam());
-    const DescribedRobot described = describe_robot(read_urdf(source), source, {floating, 1e-10});
+    Warnings warnings;
+    const DescribedRobot described = describe_robot(read_urdf(source, warnings), source, {floating, 1e-10});
     const Document again(source_of(yaml_text(described.document.root())));
     EXPECT_TRUE(same(described.document.root(), again.root()));
   }
