@@ -21,8 +21,11 @@
 
 namespace alembert {
 
-CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions) {
+CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
+                          SingularMass singular) {
   CompileOptions options;
+  options.singular = singular;
+  options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
   options.formulation = common.formulation;
   options.passes = common.passes;
   options.loop_operations = common.loop_operations;
@@ -140,6 +143,28 @@ CLI::App* add_compiler(CLI::App& app, const std::string& name, const std::string
   return command;
 }
 
+/// The value of --massless.
+void read_massless(const std::string& value, DescribeOptions& options) {
+  constexpr std::string_view kArmature = "armature=";
+  double armature = 0;
+  if (value == "keep") {
+    options.massless = Massless::keep;
+  } else if (value == "freeze") {
+    options.massless = Massless::freeze;
+  } else if (value == "drop") {
+    options.massless = Massless::drop;
+  } else if (value.starts_with(kArmature) &&
+             CLI::detail::lexical_cast(value.substr(kArmature.size()), armature) && armature > 0 &&
+             std::isfinite(armature)) {
+    options.massless = Massless::armature;
+    options.armature = armature;
+  } else {
+    throw CLI::ValidationError(
+        "--massless", "expected armature=VALUE with a positive value, freeze, drop or keep, found '" +
+                          printable(value) + "'");
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"alembert: straight-line C++ for the equations of motion of a mechanism", "alembert"};
   app.set_version_flag("--version", "alembert " ALEMBERT_VERSION);
@@ -235,7 +260,7 @@ int run(int argc, char** argv) {
 
   ImportOptions import;
   command = app.add_subcommand("import", "describe a robot that is given as URDF");
-  command->add_option("file", import.file, "URDF; - is standard input")->required();
+  command->add_option("file", common.file, "URDF; - is standard input")->required();
   command->add_option("--out", import.out, "description to write; - is standard output")
       ->capture_default_str();
   command
@@ -249,7 +274,16 @@ int run(int argc, char** argv) {
                    "angles of origins so near to a multiple of pi/12 are that multiple, rad")
       ->check(from_zero())
       ->capture_default_str();
-  command->callback([&] { result = run_import(import); });
+  command
+      ->add_option_function<std::string>(
+          "--massless", [&import](const std::string& value) { read_massless(value, import.describe); },
+          "joints that move no mass: armature=VALUE gives each a rotor's inertia (kg m^2, or kg), freeze "
+          "fixes "
+          "them at zero, drop leaves them out with what they move; keep warns of them")
+      ->default_str("keep");
+  command->callback([&] { result = run_import(common, import); });
+  for (CLI::App* each : app.get_subcommands({}))
+    each->add_flag("--strict", common.strict, "warnings are errors");
 
   try {
     app.parse(argc, argv);

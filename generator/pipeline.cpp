@@ -321,6 +321,21 @@ class FunctionWriter {
   const CompileOptions& options_;
 };
 
+/// What a singular mass matrix does to the functions asked for (SingularMass).
+void check_singular(const Kinematics& kinematics, const PlainEquations& plain,
+                    const CompileOptions& options, std::vector<FunctionKind>& kinds) {
+  try {
+    check_mass_matrix(kinematics, plain);
+  } catch (const SingularMassMatrix& error) {
+    const bool solved = std::ranges::find(kinds, FunctionKind::forward_dynamics) != kinds.end();
+    if (options.singular == SingularMass::refuse ||
+        (options.singular == SingularMass::refuse_where_solved && solved))
+      throw;
+    std::erase(kinds, FunctionKind::forward_dynamics);
+    if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
+  }
+}
+
 CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
   CompiledMechanism compiled;
   compiled.graph = std::make_unique<ExprGraph>();
@@ -332,6 +347,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
   compiled.mechanism = std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph));
   const Mechanism& mechanism = *compiled.mechanism;
+  if (options.warn) options.warn(mechanism.warnings);
   log.done("load", fmt::format("{} bodies, {} coordinates", mechanism.bodies.size(), mechanism.nq));
   if (dumping("load")) dump_mechanism(*options.dump, mechanism);
 
@@ -358,11 +374,11 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
   const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
   const Certificate certificate(kinematics, bindings);
-  check_mass_matrix(kinematics, certificate.plain());
-  log.done("certificate", "the plain equations, and M is not singular");
-  const FunctionWriter writer(kinematics, bindings, certificate, options);
-  const std::vector<FunctionKind> kinds =
+  std::vector<FunctionKind> kinds =
       options.functions.empty() ? default_functions(mechanism) : options.functions;
+  check_singular(kinematics, certificate.plain(), options, kinds);
+  log.done("certificate", "the plain equations, and whether M is singular");
+  const FunctionWriter writer(kinematics, bindings, certificate, options);
   for (const FunctionKind kind : kinds) {
     CompiledFunction written = writer.write(kind, candidates);
     log.done("program", fmt::format("{}: {}; relative error {:.1e} at {} states", to_string(kind),

@@ -2,6 +2,7 @@
 // description. Out: the checked mechanism and one straight-line program for each function asked for.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <optional>
@@ -25,15 +26,25 @@ inline constexpr std::size_t kLoopOperations = 2500;
 /// chain of 12 joints, loops are shorter than straight code and as fast.
 inline constexpr std::size_t kLoopResults = 30;
 
+/// What a mass matrix means that is singular at all states, as where a joint moves no mass: inverse dynamics
+/// has values all the same, forward dynamics has none.
+enum class SingularMass {
+  refuse_where_solved,  ///< an error if forward_dynamics is asked for, else a warning
+  refuse,               ///< an error: the caller solves with it
+  leave_out             ///< a warning, and forward_dynamics is left out
+};
+
 struct CompileOptions {
   std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
   Passes passes;                           ///< --without
   std::vector<FunctionKind> functions;     ///< in the order wanted
   std::size_t loop_operations = kLoopOperations;  ///< functions of more have loops over steps
   std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
-  std::ostream* talk = nullptr;                   ///< time, nodes and operations of each stage (--verbose)
-  std::ostream* dump = nullptr;                   ///< what a stage made (--dump)
-  std::string dump_stage;  ///< load, kinematics, equations, lower, optimise or schedule
+  SingularMass singular = SingularMass::refuse_where_solved;
+  std::function<void(const Warnings&)> warn;  ///< is told what is doubtful
+  std::ostream* talk = nullptr;               ///< time, nodes and operations of each stage (--verbose)
+  std::ostream* dump = nullptr;               ///< what a stage made (--dump)
+  std::string dump_stage;                     ///< load, kinematics, equations, lower, optimise or schedule
 };
 
 struct CompiledFunction {

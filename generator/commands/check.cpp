@@ -83,7 +83,7 @@ bool report_law(std::string_view name, std::optional<double> worst, double toler
 }
 
 /// Laws of the constraints; warnings where rows are redundant or the initial state is off.
-bool check_constraints(const Kinematics& kinematics) {
+bool check_constraints(const Kinematics& kinematics, Warnings& warnings) {
   const Mechanism& mechanism = kinematics.mechanism;
   const ConstraintEquations equations =
       constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, kinematics.graph);
@@ -98,9 +98,8 @@ bool check_constraints(const Kinematics& kinematics) {
   good = report_law("constraints: d/dt velocity = P qdd + gamma", laws.velocity_rate, kMeasured) && good;
 
   const auto warn = [&](std::size_t row, const std::string& message) {
-    tell(warning_text(mechanism.constraints[rows[row].constraint].where,
-                      "row '" + rows[row].name + "' " + message) +
-         "\n");
+    warnings.push_back(
+        {mechanism.constraints[rows[row].constraint].where, "row '" + rows[row].name + "' " + message});
   };
   const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations);
   fmt::print("constraints: rows {}, rank {} at the initial state, free speeds {}\n", rows.size(),
@@ -117,12 +116,17 @@ bool check_constraints(const Kinematics& kinematics) {
   return good;
 }
 
-int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& passes) {
+int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& passes, bool strict) {
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(source, graph);
+  Warnings warnings = mechanism.warnings;
   const Kinematics kinematics = symbolic_kinematics(mechanism, graph);
   const EquationsOfMotion reduced = equations_of_motion(kinematics, Formulation::reduced, passes);
-  check_mass_matrix(kinematics, PlainEquations(kinematics));
+  try {
+    check_mass_matrix(kinematics, PlainEquations(kinematics));
+  } catch (const SingularMassMatrix& error) {
+    warnings.push_back({error.where(), error.message(), error.note()});
+  }
   const EquationsOfMotion factored = equations_of_motion(kinematics, Formulation::factored);
 
   // Q = M ud + c
@@ -147,10 +151,11 @@ int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& pa
   law("reduced form = eq. (13): Q", reduced.Q, factored.Q);
   law("reduced form = eq. (13): M", reduced.M, factored.M);
   law("reduced form = eq. (13): c", reduced.c, factored.c);
-  if (!mechanism.constraints.empty()) good = check_constraints(kinematics) && good;
+  if (!mechanism.constraints.empty()) good = check_constraints(kinematics, warnings) && good;
   if (!good)
     throw InternalError(
         "the equations of this mechanism do not obey their laws; please report the description");
+  report_warnings(warnings, strict);
   return 0;
 }
 
@@ -159,7 +164,7 @@ int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& pa
 int run_check(const CommonOptions& common) {
   const std::shared_ptr<const SourceText> source = read_source(common.file);
   try {
-    return check_laws(source, common.passes);
+    return check_laws(source, common.passes, common.strict);
   } catch (const std::domain_error& error) {
     fail_without_value(source, error);
   }

@@ -21,10 +21,15 @@ struct CommonOptions {
   std::size_t loop_results = kLoopResults;        ///< --loop-results
   Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
+  bool strict = false;  ///< warnings are errors
   std::string dump_stage;
 };
 
-CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions);
+/// Shows warnings on standard error. If `strict`, they are errors: the last one is thrown.
+void report_warnings(const Warnings& warnings, bool strict);
+
+CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
+                          SingularMass singular = SingularMass::refuse_where_solved);
 
 /// The functions with these names, as `--functions` takes them; a name that is unknown or given twice is an
 /// InputError.
@@ -59,11 +64,10 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options);
 int run_check(const CommonOptions& common);
 
 struct ImportOptions {
-  std::string file;       ///< URDF; `-` is standard input
   std::string out = "-";  ///< file to be written; `-` is standard output
   DescribeOptions describe;
 };
-int run_import(const ImportOptions& options);
+int run_import(const CommonOptions& common, const ImportOptions& options);
 
 struct SimulateOptions {
   double duration = 10, step = 1e-3;

@@ -11,14 +11,31 @@
 
 namespace alembert {
 
-int run_import(const ImportOptions& options) {
-  const std::shared_ptr<const SourceText> source = read_source(options.file);
-  const DescribedRobot described = describe_robot(read_urdf(source), source, options.describe);
+namespace {
+
+/// What was doubtful may be why the rest cannot be read.
+UrdfRobot read_robot(const std::shared_ptr<const SourceText>& source, Warnings& warnings) {
+  try {
+    return read_urdf(source, warnings);
+  } catch (const InputError&) {
+    report_warnings(warnings, false);
+    throw;
+  }
+}
+
+}  // namespace
+
+int run_import(const CommonOptions& common, const ImportOptions& options) {
+  const std::shared_ptr<const SourceText> source = read_source(common.file);
+  Warnings warnings;
+  const DescribedRobot described = describe_robot(read_robot(source, warnings), source, options.describe);
   // What the language refuses is shown where it stands in the URDF.
   ExprGraph graph;
-  load_mechanism(described.document, graph);
+  const Mechanism mechanism = load_mechanism(described.document, graph);
+  warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
+  warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
+  report_warnings(warnings, common.strict);
   const std::string text = yaml_text(described.document.root());
-  for (const std::string& warning : described.warnings) tell(warning + "\n");
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

@@ -46,9 +46,11 @@ bool is_of_dynamics(FunctionKind kind) {
 
 int run_report(const CommonOptions& common, const ReportOptions& options) {
   std::vector<FunctionKind> functions = function_kinds(options.functions);
+  const SingularMass singular =
+      functions.empty() ? SingularMass::leave_out : SingularMass::refuse_where_solved;
   if (functions.empty())
     std::ranges::copy_if(all_function_kinds(), std::back_inserter(functions), is_of_dynamics);
-  CompiledMechanism compiled = compile(common, functions);
+  CompiledMechanism compiled = compile(common, functions, singular);
   const Mechanism& mechanism = *compiled.mechanism;
   const std::size_t rows = constraint_rows(mechanism).size();
   if (rows == 0) {

@@ -97,7 +97,7 @@ class Simulation {
     std::vector<FunctionKind> functions = trajectory_functions();
     if (seen_ && std::ranges::find(functions, FunctionKind::body_poses) == functions.end())
       functions.push_back(FunctionKind::body_poses);
-    const CompiledMechanism compiled = compile(common, functions);
+    const CompiledMechanism compiled = compile(common, functions, SingularMass::refuse);
     const Mechanism& mechanism = *compiled.mechanism;
     check_outputs(options_, mechanism.where);
     TrajectoryOptions trajectory = trajectory_options(mechanism);

@@ -11,6 +11,8 @@
 //
 //     I' = I - U U^T / D,     p' = p + U u / D;       its rate is  (u - U^T y') / D,     y = y' + s rate.
 //
+// An armature of the speed is added to D.
+//
 // Several speeds in one frame are taken one after another, as if frames without mass lay between them.
 #include <algorithm>
 #include <array>
@@ -248,16 +250,18 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
   for (const NodeMass& mass : tree.masses) inertias.push_back(rigid_body(mass, graph));
   std::vector<Pair> forces(count, zeros<6, 1>(graph));
   std::vector<std::vector<Solved>> solved(count);
+  const std::vector<Expr> armature = armatures(mechanism);
   for (std::size_t i = count; i-- > 0;) {
     ArticulatedInertia& I = inertias[i];
     Pair& p = forces[i];
     for (const Joint& joint : (*joints)[i]) {
       const Pair& s = joint.twist;
       const Pair U = I * s;
-      const Expr inverse_D = graph.one() / dot(s, U);
+      const Expr a = armature[static_cast<std::size_t>(joint.speed)];
+      const Expr inverse_D = graph.one() / (dot(s, U) + a);
       const Expr u = right_side[static_cast<std::size_t>(joint.speed)] - dot(s, p);
       const Pair U_over_D = inverse_D * U;
-      const std::size_t own = only_component(s);
+      const std::size_t own = a.is_zero() ? only_component(s) : 6;  // with armature, some of it stays
       I = without(I, U, U_over_D, own);
       for (std::size_t k = 0; k < 6; ++k) {
         // s^T p' = r, whatever p was.

@@ -128,7 +128,7 @@ std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const Sp
     wrench_of_body[static_cast<std::size_t>(wrench.body)] = wrench;
 
   std::vector<Mat4> phi(count, zeros<4, 4>(graph));
-  std::vector<Expr> Q(static_cast<std::size_t>(mechanism.nv), graph.zero());
+  std::vector<Expr> Q = armature_forces(mechanism);
   for (std::size_t b = count; b-- > 0;) {
     const Body& body = mechanism.bodies[b];
     const BodyMotion& s = motions[b];

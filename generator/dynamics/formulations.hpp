@@ -35,6 +35,10 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
 std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const SpeedDerivatives& derivatives,
                                             ExprGraph& graph);
 
+/// By speed: inertia of its own (armature.cpp), and the force that accelerates it.
+std::vector<Expr> armatures(const Mechanism& mechanism);
+std::vector<Expr> armature_forces(const Mechanism& mechanism);
+
 /// How the momentum of a unit motion comes to those far inward of it.
 enum class FarPairs {
   carry,       ///< from joint to joint

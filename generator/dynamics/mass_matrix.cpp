@@ -114,7 +114,9 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     Composite& up = composites[static_cast<std::size_t>(node.parent)];
     up = plus(up, moved);
   }
+  const std::vector<Expr> armature = armatures(mechanism);
   for (std::size_t i = 0; i < nv; ++i) {
+    M[i * nv + i] += armature[i];
     for (std::size_t j = 0; j < i; ++j) M[j * nv + i] = M[i * nv + j];
   }
   return M;

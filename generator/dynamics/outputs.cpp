@@ -70,6 +70,13 @@ std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, E
     }
     potential -= body.mass_properties.mass * dot(mechanism.gravity, center);
   }
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    if (coordinate.armature.is_zero()) continue;
+    for (const Expr u : coordinate.speed_symbols) {
+      const Expr square = u * u;
+      kinetic += half * (coordinate.armature * square);
+    }
+  }
   return {kinetic, potential};
 }
 

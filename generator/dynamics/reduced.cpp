@@ -95,7 +95,7 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
     moment[i] = moment[i] - scaled_by(scales[i], world_to_node * wrench.torque + cross(c, f));
   }
 
-  std::vector<Expr> Q(static_cast<std::size_t>(mechanism.nv), graph.zero());
+  std::vector<Expr> Q = armature_forces(mechanism);
   for (std::size_t i = count; i-- > 0;) {
     const MotionNode& node = tree.nodes[i];
     const bool linear = node.motion.kind == MotionKind::translation;

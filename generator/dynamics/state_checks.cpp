@@ -147,15 +147,18 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
   if (!culprit) {
     throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
   }
-  throw InputError(
+  const std::string& name = culprit->coordinate->name;
+  throw SingularMassMatrix(
       culprit->coordinate->where,
-      "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" +
-          culprit->coordinate->name + "' alone" +
+      "the mass matrix is singular: nothing with mass or inertia moves with coordinate '" + name + "' alone" +
           (culprit->fraction > 0
                ? fmt::format(" (what is left of its inertia while the others move is {:.1g} of it)",
                              culprit->fraction)
                : std::string()) +
-          "; give a mass or an inertia to what it moves");
+          "; give a mass or an inertia to what it moves",
+      "or give '" + name +
+          "' an `armature` (a rotor's inertia), put a constant in its place, or leave it out with what "
+          "it moves; `alembert import --massless` does each of these");
 }
 
 }  // namespace alembert

@@ -1,7 +1,6 @@
 // Sections `bodies` and `frames`: lists of mappings in, bodies ordered parents first and frames out.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 
@@ -12,39 +11,17 @@
 namespace alembert {
 namespace {
 
-constexpr double kInertiaTolerance = 1e-9;
-
-void check_inertia(const Eigen::Matrix3d& inertia, const SourceLocation& where, const std::string& body) {
-  const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  const double tolerance = kInertiaTolerance * moments.cwiseAbs().maxCoeff();
-  const std::string found =
-      fmt::format("its principal moments are {:.6g}, {:.6g} and {:.6g}", moments[0], moments[1], moments[2]);
-  if (moments[0] < -tolerance)
-    throw InputError(
-        where, fmt::format("no mass distribution has the inertia of body '{}': {}; none can be negative",
-                           body, found));
-  if (moments[0] + moments[1] < moments[2] - tolerance)
-    throw InputError(
-        where,
-        fmt::format(
-            "no mass distribution has the inertia of body '{}': {}; none can exceed the sum of the others",
-            body, found));
-}
-
 MassProperties read_mass_properties(Loading& loading, const Section& section, const std::string& name) {
   const Document& document = loading.document;
   ExprGraph& graph = loading.graph;
   MassProperties out{graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)};
-  double mass = 0;
   if (const YamlNode* node = section.find("mass")) {
     const Quantity value =
         loading.reader.read(*node, Allowed::parameters, fmt::format("the mass of body '{}'", name));
     out.mass = value.expr;
-    mass = value.initial;
-    if (mass < 0)
+    if (value.initial < 0)
       throw InputError(document.where(*node),
-                       fmt::format("the mass of body '{}' is negative: {:.6g}", name, mass));
+                       fmt::format("the mass of body '{}' is negative: {:.6g}", name, value.initial));
   }
   if (const YamlNode* node = section.find("com"))
     out.com = loading.reader.read_vector(*node, Allowed::parameters,
@@ -52,19 +29,14 @@ MassProperties read_mass_properties(Loading& loading, const Section& section, co
   if (const YamlNode* node = section.find("inertia")) {
     const std::string what = fmt::format("the inertia of body '{}'", name);
     const Section inertia(document, *node, what, {"xx", "yy", "zz", "xy", "xz", "yz"});
-    Eigen::Matrix3d values = Eigen::Matrix3d::Zero();
+    loading.inertia_places[name] = document.where(*node);
     for (const std::string_view key : {"xx", "yy", "zz", "xy", "xz", "yz"}) {
       const YamlNode* entry = key[0] == key[1] ? &inertia.require(key) : inertia.find(key);
       if (entry == nullptr) continue;
       const Quantity value = loading.reader.read(*entry, Allowed::parameters, what);
-      const int r = key[0] - 'x', c = key[1] - 'x';
-      values(r, c) = values(c, r) = value.initial;
-      out.inertia(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) = value.expr;
-      out.inertia(static_cast<std::size_t>(c), static_cast<std::size_t>(r)) = value.expr;
+      const auto r = static_cast<std::size_t>(key[0] - 'x'), c = static_cast<std::size_t>(key[1] - 'x');
+      out.inertia(r, c) = out.inertia(c, r) = value.expr;
     }
-    check_inertia(values, document.where(*node), name);
-    if (mass == 0 && !values.isZero(0))
-      throw InputError(document.where(*node), fmt::format("body '{}' has inertia but no mass", name));
   }
   return out;
 }

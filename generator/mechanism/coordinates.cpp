@@ -13,7 +13,8 @@ namespace {
 constexpr double kUnitTolerance = 1e-6;
 
 Section coordinate_section(const Document& document, const YamlNode& item) {
-  return Section(document, item, "a coordinate", {"name", "type", "initial", "initial_speed", "limits"});
+  return Section(document, item, "a coordinate",
+                 {"name", "type", "initial", "initial_speed", "limits", "armature"});
 }
 
 const YamlNode& name_node(const Document& document, const YamlNode& item) {
@@ -118,6 +119,17 @@ void read_initial_speed(Loading& loading, Coordinate& coordinate, const YamlNode
     coordinate.initial_speed[i] = loading.reader.read(*items[i], Allowed::constants, what).initial;
 }
 
+void read_armature(Loading& loading, Coordinate& coordinate, const YamlNode* armature) {
+  if (armature == nullptr) return;
+  const Quantity value = loading.reader.read(*armature, Allowed::parameters,
+                                             fmt::format("the armature of coordinate '{}'", coordinate.name));
+  if (value.initial < 0)
+    throw InputError(
+        loading.document.where(*armature),
+        fmt::format("the armature of coordinate '{}' is negative: {:.6g}", coordinate.name, value.initial));
+  coordinate.armature = value.expr;
+}
+
 }  // namespace
 
 void declare_coordinates(Loading& loading, const YamlNode& list) {
@@ -138,6 +150,7 @@ void declare_coordinates(Loading& loading, const YamlNode& list) {
     coordinate.where = document.where(name);
     coordinate.first_q = mechanism.nq;
     coordinate.first_speed = mechanism.nv;
+    coordinate.armature = loading.graph.zero();
     make_symbols(loading.graph, coordinate);
     mechanism.nq += coordinate.nq();
     mechanism.nv += coordinate.nv();
@@ -150,12 +163,13 @@ void read_coordinate_values(Loading& loading, const YamlNode& list) {
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlNode& item = *list.items[i];
     Coordinate& coordinate = loading.mechanism.coordinates[i];
-    const YamlNode *initial = nullptr, *speed = nullptr, *limits = nullptr;
+    const YamlNode *initial = nullptr, *speed = nullptr, *limits = nullptr, *armature = nullptr;
     if (item.kind == YamlNode::Kind::mapping) {
       const Section section = coordinate_section(loading.document, item);
       initial = section.find("initial");
       speed = section.find("initial_speed");
       limits = section.find("limits");
+      armature = section.find("armature");
     }
     switch (coordinate.type) {
       case CoordinateType::real:
@@ -166,6 +180,7 @@ void read_coordinate_values(Loading& loading, const YamlNode& list) {
         break;
     }
     read_initial_speed(loading, coordinate, speed);
+    read_armature(loading, coordinate, armature);
     for (std::size_t k = 0; k < coordinate.symbols.size(); ++k)
       loading.initial_state.emplace_back(coordinate.symbols[k], coordinate.initial[k]);
     NameEntry& entry = *loading.scope.find(coordinate.name);

@@ -196,19 +196,26 @@ SourceLocation place_in(const std::shared_ptr<const SourceText>& source,
           static_cast<int>(offset - starts[static_cast<std::size_t>(line - 1)]) + 1};
 }
 
-void check_characters(const std::shared_ptr<const SourceText>& source) {
-  const std::string_view text = source->text;
-  const auto fail = [&](std::size_t at, const std::string& message) {
-    return InputError(place_in(source, line_starts(text), at), message);
-  };
-  for (std::size_t i = 0; i < text.size();) {
+std::optional<std::size_t> strange_byte(std::string_view text, std::size_t from) {
+  for (std::size_t i = from; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const std::size_t length = utf8_length(text, i);
-    if (length == 0) throw fail(i, fmt::format("byte 0x{:02x} is not UTF-8 text", byte));
-    if ((byte < 0x20 && !is_space(text[i])) || byte == 0x7f)
-      throw fail(i, fmt::format("control character 0x{:02x}; expected text", byte));
+    if (length == 0 || (byte < 0x20 && !is_space(text[i])) || byte == 0x7f) return i;
     i += length;
   }
+  return std::nullopt;
+}
+
+std::string objection_to_byte(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(text[at]);
+  return utf8_length(text, at) == 0 ? fmt::format("byte 0x{:02x} is not UTF-8 text", byte)
+                                    : fmt::format("control character 0x{:02x}; expected text", byte);
+}
+
+void check_characters(const std::shared_ptr<const SourceText>& source) {
+  const std::string_view text = source->text;
+  if (const std::optional<std::size_t> at = strange_byte(text, 0))
+    throw InputError(place_in(source, line_starts(text), *at), objection_to_byte(text, *at));
 }
 
 Document::Document(std::shared_ptr<const SourceText> source, std::deque<YamlNode> nodes, const YamlNode& root)

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,10 @@ std::vector<std::size_t> line_starts(std::string_view text);
 /// The place of an offset in a text whose lines begin at `starts`.
 SourceLocation place_in(const std::shared_ptr<const SourceText>& source,
                         const std::vector<std::size_t>& starts, std::size_t offset);
+/// Offset, from `from` on, of the first byte that is not UTF-8 or a control character other than white space,
+/// and what is wrong with it.
+std::optional<std::size_t> strange_byte(std::string_view text, std::size_t from);
+std::string objection_to_byte(std::string_view text, std::size_t at);
 /// Throws InputError at the first byte that is not UTF-8 or a control character other than white space.
 void check_characters(const std::shared_ptr<const SourceText>& source);
 

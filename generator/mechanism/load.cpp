@@ -122,6 +122,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph) {
   if (const YamlNode* frames = root.find("frames")) read_frames(loading, *frames);
   if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
   check_matrices(loading);
+  check_inertias(loading);
   loading.scope.check_used();
   return std::move(loading.mechanism);
 }

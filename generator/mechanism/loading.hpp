@@ -33,6 +33,7 @@ struct Loading {
   std::vector<MatrixToCheck> matrices;
   /// By name: in the order of the file while bodies are read, then in Mechanism::bodies.
   std::map<std::string, int, std::less<>> body_indices;
+  std::map<std::string, SourceLocation> inertia_places;  ///< by body, of those that have an inertia
 };
 
 /// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
@@ -54,6 +55,9 @@ void read_bodies(Loading& loading, const YamlNode& list);
 void read_frames(Loading& loading, const YamlNode& list);
 /// Index of the body that a scalar names, -1 for the world.
 int expect_body(const Loading& loading, const YamlNode& node, const std::string& what);
+
+/// Warns of inertias that no body can have (inertia_checks.cpp).
+void check_inertias(Loading& loading);
 
 /// Reads the shapes of a body (geometry.cpp).
 std::vector<Shape> read_geometry(Loading& loading, const YamlNode& list, const std::string& body);

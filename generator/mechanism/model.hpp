@@ -38,6 +38,7 @@ struct Coordinate {
   std::vector<double> initial;        ///< size nq
   std::vector<double> initial_speed;  ///< size nv
   std::optional<std::pair<double, double>> limits;
+  Expr armature;                    ///< inertia of its own to every speed: constant, or of runtime parameters
   std::vector<Expr> symbols;        ///< size nq: q
   std::vector<Expr> speed_symbols;  ///< size nv: d(name), or d(name).x .y .z
   std::vector<Expr> rate_symbols;   ///< size nv: dd(name), or dd(name).x .y .z
@@ -182,6 +183,7 @@ struct Mechanism {
   std::vector<FramePosition> frame_positions;  ///< those that constraints use
   Expr time;                                   ///< the symbol t
   int nq = 0, nv = 0;
+  Warnings warnings;  ///< what is doubtful in the description
   SourceLocation where;
 };
 

@@ -139,6 +139,10 @@ std::string objection_to_name(std::string_view name) {
   return {};
 }
 
+bool is_taken_namespace(std::string_view name) {
+  return std::find(kTakenNamespaces.begin(), kTakenNamespaces.end(), name) != kTakenNamespaces.end();
+}
+
 const std::string& expect_name(const Document& document, const YamlNode& node, std::string_view what) {
   const std::string& name = expect_text(document, node, fmt::format("a name for {}", what));
   if (const std::string objection = objection_to_name(name); !objection.empty())
@@ -148,7 +152,7 @@ const std::string& expect_name(const Document& document, const YamlNode& node, s
 
 const std::string& expect_mechanism_name(const Document& document, const YamlNode& node) {
   const std::string& name = expect_name(document, node, "the mechanism");
-  if (std::find(kTakenNamespaces.begin(), kTakenNamespaces.end(), name) != kTakenNamespaces.end())
+  if (is_taken_namespace(name))
     throw InputError(document.where(node),
                      fmt::format("'{}' is taken; the mechanism's name becomes a C++ namespace", name));
   return name;

@@ -19,6 +19,9 @@ bool is_word_character(char c);
 /// as the rest of a sentence (`is a C++ keyword`), or nothing if it is fit.
 std::string objection_to_name(std::string_view name);
 
+/// Whether a mechanism cannot have this name, which becomes a C++ namespace.
+bool is_taken_namespace(std::string_view name);
+
 /// The text of a scalar that is to be a name. `what` says of what (`a body`). Throws InputError.
 const std::string& expect_name(const Document& document, const YamlNode& node, std::string_view what);
 

@@ -51,8 +51,10 @@ const std::string& expect_text(const Document& document, const YamlNode& node, s
 
 bool expect_boolean(const Document& document, const YamlNode& node, std::string_view what) {
   if (node.kind == YamlNode::Kind::scalar && node.plain) {
-    if (node.text == "true") return true;
-    if (node.text == "false") return false;
+    for (const char* text : {"true", "True", "TRUE"})
+      if (node.text == text) return true;
+    for (const char* text : {"false", "False", "FALSE"})
+      if (node.text == text) return false;
   }
   fail_expected(document, node, fmt::format("true or false as {}", what));
 }

@@ -2,9 +2,14 @@
 // sees.
 #include "support/error.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace alembert {
 namespace {
@@ -85,15 +90,61 @@ std::size_t edit_distance(std::string_view x, std::string_view y) {
   return last[y.size()];
 }
 
+/// `3 more like this one, in lines 8, 12`.
+std::string more_in_lines(std::vector<int> lines) {
+  constexpr std::size_t kListed = 8;
+  const std::size_t count = lines.size();
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  const std::size_t listed = std::min(lines.size(), kListed);
+  return fmt::format("{} more like this one, in line{} {}{}", count, lines.size() == 1 ? "" : "s",
+                     fmt::join(std::span(lines).first(listed), ", "), lines.size() > listed ? ", ..." : "");
+}
+
 }  // namespace
 
 InputError::InputError(SourceLocation where, std::string message, std::string note)
     : std::runtime_error(diagnostic(where, "error", message, note)),
       where_(std::move(where)),
-      message_(std::move(message)) {}
+      message_(std::move(message)),
+      note_(std::move(note)) {}
 
-std::string warning_text(const SourceLocation& where, const std::string& message) {
-  return diagnostic(where, "warning", message, {});
+std::string warning_text(const SourceLocation& where, const std::string& message, const std::string& note) {
+  return diagnostic(where, "warning", message, note);
+}
+
+Warnings one_of_each_kind(Warnings warnings) {
+  std::ranges::stable_sort(warnings, {},
+                           [](const Warning& w) { return std::pair(w.where.line, w.where.column); });
+  Warnings firsts;
+  std::vector<std::vector<int>> lines;          // of the others
+  std::map<std::string, std::size_t> place_of;  // of a kind
+  constexpr std::size_t kShown = 100;
+  std::size_t not_shown = 0;
+  for (Warning& warning : warnings) {
+    const std::size_t next = firsts.size();
+    const std::size_t place =
+        warning.kind.empty() ? next : place_of.try_emplace(warning.kind, next).first->second;
+    if (place < next) {
+      lines[place].push_back(warning.where.line);
+      continue;
+    }
+    if (next == kShown) {
+      ++not_shown;
+      continue;
+    }
+    firsts.push_back(std::move(warning));
+    lines.emplace_back();
+  }
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    if (lines[i].empty()) continue;
+    std::string& note = firsts[i].note;
+    note += (note.empty() ? "" : "\nnote: ") + more_in_lines(lines[i]);
+  }
+  if (not_shown > 0) {
+    std::string& note = firsts.back().note;
+    note += fmt::format("{}{} more are not shown", note.empty() ? "" : "\nnote: ", not_shown);
+  }
+  return firsts;
 }
 
 void tell(std::string_view text) {

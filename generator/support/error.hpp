@@ -32,15 +32,28 @@ class InputError : public std::runtime_error {
   InputError(SourceLocation where, std::string message, std::string note = {});
   const SourceLocation& where() const { return where_; }
   const std::string& message() const { return message_; }
+  const std::string& note() const { return note_; }
 
  private:
   SourceLocation where_;
-  std::string message_;
+  std::string message_, note_;
 };
 
-/// A diagnostic as that of InputError, for what is doubtful but not wrong: `FILE:LINE:COL: warning: MESSAGE`
-/// and so on.
-std::string warning_text(const SourceLocation& where, const std::string& message);
+/// What is doubtful but no reason to stop: it does not change the equations, or is used as it stands.
+struct Warning {
+  SourceLocation where;
+  std::string message;
+  std::string note = {};
+  std::string kind = {};  ///< the same for warnings that differ in their places only; empty: its own kind
+};
+using Warnings = std::vector<Warning>;
+
+/// A diagnostic as that of InputError: `FILE:LINE:COL: warning: MESSAGE` and so on.
+std::string warning_text(const SourceLocation& where, const std::string& message,
+                         const std::string& note = {});
+
+/// By place, the first of each kind, with a note of the lines of the others.
+Warnings one_of_each_kind(Warnings warnings);
 
 /// Writes a text to standard error. If that cannot be written, nothing happens: the exit code tells the
 /// result.

@@ -2,13 +2,14 @@
 #include "urdf/describe.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include "urdf/description_nodes.hpp"
 #include "urdf/joint_factors.hpp"
+#include "urdf/link_nodes.hpp"
 #include "urdf/names.hpp"
 #include "urdf/snapped_angle.hpp"
 
@@ -17,17 +18,16 @@ namespace {
 
 class Describer {
  public:
-  Describer(const UrdfRobot& robot, const DescribeOptions& options) : robot_(robot), options_(options) {}
+  Describer(const UrdfRobot& robot, const DescribeOptions& options)
+      : robot_(robot), options_(options), massless_(massless_joints(robot)) {}
 
   DescribedRobot describe(std::shared_ptr<const SourceText> source) {
     const SourceLocation& top = robot_.where;
     name_links();
     YamlNode& coordinates = nodes_.sequence(top);
     add_coordinates(coordinates);
-    if (coordinates.items.empty())
-      throw InputError(top, "no joint of the robot moves", "a robot without joints can have a floating root");
+    if (coordinates.items.empty()) fail_without_coordinates();
     const YamlNode& definitions = add_definitions();
-    check_masses();
     YamlNode& bodies = nodes_.sequence(top);
     YamlNode& frames = nodes_.sequence(top);
     for (std::size_t link = 0; link < robot_.links.size(); ++link) {
@@ -36,7 +36,7 @@ class Describer {
     }
     YamlNode& root = nodes_.mapping(top);
     nodes_.put(root, "alembert", nodes_.text("1", top));
-    nodes_.put(root, "name", nodes_.text(fit_name(robot_.name, "robot"), top));
+    nodes_.put(root, "name", nodes_.text(fit_mechanism_name(robot_.name), top));
     nodes_.put(root, "description", nodes_.text(fmt::format("URDF robot '{}'", printable(robot_.name)), top));
     nodes_.put(root, "coordinates", coordinates);
     if (!definitions.items.empty()) nodes_.put(root, "definitions", definitions);
@@ -48,12 +48,9 @@ class Describer {
 
  private:
   // Names and coordinates.
-  bool has_mass(std::size_t link) const {
-    const std::optional<UrdfInertial>& inertial = robot_.links[link].inertial;
-    return inertial &&
-           (inertial->mass != 0 || std::ranges::any_of(inertial->inertia, [](double i) { return i != 0; }));
+  bool is_bare(std::size_t link) const {
+    return !has_mass(robot_.links[link]) && robot_.links[link].shapes.empty();
   }
-  bool is_bare(std::size_t link) const { return !has_mass(link) && robot_.links[link].shapes.empty(); }
   bool is_frame(std::size_t link) const {
     return link != robot_.root && is_bare(link) && robot_.children[link].empty() &&
            robot_.joints[robot_.joint_of[link]].type == UrdfJointType::fixed;
@@ -61,7 +58,11 @@ class Describer {
 
   void name_links() {
     root_is_world_ = !options_.floating && robot_.links[robot_.root].name == "world" && is_bare(robot_.root);
-    FitNames bodies("link"), frames("link");
+    FitNames bodies("link", warnings_), frames("link", warnings_);
+    for (const UrdfLink& link : robot_.links) {
+      bodies.reserve(link.name);
+      frames.reserve(link.name);
+    }
     for (std::size_t link = 0; link < robot_.links.size(); ++link) {
       const UrdfLink& of = robot_.links[link];
       const bool world = link == robot_.root && root_is_world_;
@@ -69,54 +70,60 @@ class Describer {
     }
   }
 
-  void add_coordinate(YamlNode& list, const std::string& name, const SourceLocation& where,
-                      const std::optional<std::array<double, 2>>& limits = {}) {
-    if (!limits) {
+  void add_coordinate(YamlNode& list, const std::string& name, const SourceLocation& where, bool massless,
+                      const std::optional<std::array<double, 2>>& limits = {}, const char* type = nullptr) {
+    const bool armature = massless && options_.massless == Massless::armature;
+    if (!limits && !armature && type == nullptr) {
       list.items.push_back(&nodes_.text(name, where));
       return;
     }
     YamlNode& node = nodes_.mapping(where);
     nodes_.put(node, "name", nodes_.text(name, where));
-    const double initial = std::clamp(0.0, (*limits)[0], (*limits)[1]);
-    if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), where));
-    nodes_.put(node, "limits", nodes_.list({number_text((*limits)[0]), number_text((*limits)[1])}, where));
+    if (type != nullptr) nodes_.put(node, "type", nodes_.text(type, where));
+    if (limits) {
+      const double initial = std::clamp(0.0, (*limits)[0], (*limits)[1]);
+      if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), where));
+      nodes_.put(node, "limits", nodes_.list({number_text((*limits)[0]), number_text((*limits)[1])}, where));
+    }
+    if (armature) nodes_.put(node, "armature", nodes_.text(number_text(options_.armature), where));
     list.items.push_back(&node);
   }
   /// Position and rotation of what moves freely; their names.
-  std::vector<std::string> add_free(YamlNode& list, const std::string& name, const SourceLocation& where) {
+  std::vector<std::string> add_free(YamlNode& list, const std::string& name, const SourceLocation& where,
+                                    bool massless) {
     std::vector<std::string> names;
     for (const char* suffix : {"_x", "_y", "_z", "_rotation"})
       names.push_back(names_.add(name, where, suffix));
-    for (std::size_t i = 0; i < 3; ++i) add_coordinate(list, names[i], where);
-    YamlNode& rotation = nodes_.mapping(where);
-    nodes_.put(rotation, "name", nodes_.text(names[3], where));
-    nodes_.put(rotation, "type", nodes_.text("quaternion", where));
-    list.items.push_back(&rotation);
+    for (std::size_t i = 0; i < 3; ++i) add_coordinate(list, names[i], where, massless);
+    add_coordinate(list, names[3], where, massless, {}, "quaternion");
     return names;
   }
 
   void add_coordinates(YamlNode& list) {
     const UrdfLink& root = robot_.links[robot_.root];
-    if (options_.floating) root_names_ = add_free(list, root.name, root.where);
-    for (const UrdfJoint& joint : robot_.joints) {
+    for (const UrdfJoint& joint : robot_.joints)
+      if (has_position(joint)) names_.reserve(joint.name);
+    if (options_.floating) root_names_ = add_free(list, root.name, root.where, root_is_massless());
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      const UrdfJoint& joint = robot_.joints[j];
       std::vector<std::string>& names = joint_names_.emplace_back();
       switch (joint.type) {
         case UrdfJointType::fixed:
           break;
         case UrdfJointType::floating:
-          names = add_free(list, joint.name, joint.where);
+          names = add_free(list, joint.name, joint.where, massless_[j]);
           break;
         case UrdfJointType::planar:
           for (const char* suffix : {"_x", "_y", "_angle"}) {
             names.push_back(names_.add(joint.name, joint.where, suffix));
-            add_coordinate(list, names.back(), joint.where);
+            add_coordinate(list, names.back(), joint.where, massless_[j]);
           }
           break;
         case UrdfJointType::revolute:
         case UrdfJointType::continuous:
         case UrdfJointType::prismatic:
           names.push_back(names_.add(joint.name, joint.where));
-          if (!joint.mimic) add_coordinate(list, names.back(), joint.where, joint.limits);
+          if (!joint.mimic) add_coordinate(list, names.back(), joint.where, massless_[j], joint.limits);
           break;
       }
     }
@@ -125,52 +132,40 @@ class Describer {
   /// Positions of mimicking joints, those that others need first.
   const YamlNode& add_definitions() {
     YamlNode& out = nodes_.mapping(robot_.where);
-    driver_.resize(robot_.joints.size());
-    std::iota(driver_.begin(), driver_.end(), std::size_t{0});
     std::vector<bool> defined(robot_.joints.size(), false);
     std::vector<std::size_t> path;
     for (std::size_t first = 0; first < robot_.joints.size(); ++first) {
       for (std::size_t at = first; robot_.joints[at].mimic && !defined[at];
-           at = robot_.joints[at].mimic->of) {
+           at = *robot_.joints[at].mimic->of) {
         path.push_back(at);
         defined[at] = true;
+        if (!robot_.joints[at].mimic->of) break;
       }
       for (; !path.empty(); path.pop_back()) {
-        const std::size_t at = path.back();
-        const UrdfMimic& mimic = *robot_.joints[at].mimic;
-        driver_[at] = driver_[mimic.of];
-        std::string value = joint_names_[mimic.of][0];
-        if (mimic.multiplier != 1) value = fmt::format("{}*{}", number_text(mimic.multiplier), value);
-        if (mimic.offset != 0)
-          value += fmt::format(" {} {}", mimic.offset < 0 ? '-' : '+', number_text(std::abs(mimic.offset)));
-        nodes_.put(out, joint_names_[at][0], nodes_.text(std::move(value), mimic.where));
+        const UrdfMimic& mimic = *robot_.joints[path.back()].mimic;
+        nodes_.put(out, joint_names_[path.back()][0], nodes_.text(position_of(mimic), mimic.where));
       }
     }
     return out;
   }
+  std::string position_of(const UrdfMimic& mimic) const {
+    if (!mimic.of) return number_text(mimic.offset);
+    std::string value = joint_names_[*mimic.of][0];
+    if (mimic.multiplier != 1) value = fmt::format("{}*{}", number_text(mimic.multiplier), value);
+    if (mimic.offset != 0)
+      value += fmt::format(" {} {}", mimic.offset < 0 ? '-' : '+', number_text(std::abs(mimic.offset)));
+    return value;
+  }
 
-  /// Every coordinate must move mass.
-  void check_masses() const {
-    std::vector<std::size_t> order{robot_.root};
-    for (std::size_t i = 0; i < order.size(); ++i)
-      for (const std::size_t j : robot_.children[order[i]]) order.push_back(robot_.joints[j].child);
-    std::vector<bool> heavy(robot_.links.size(), false), moves_mass(robot_.joints.size(), false);
-    for (std::size_t i = order.size(); i-- > 0;) {
-      const std::size_t link = order[i];
-      if (has_mass(link)) heavy[link] = true;
-      if (link == robot_.root || !heavy[link]) continue;
-      const std::size_t joint = robot_.joint_of[link];
-      heavy[robot_.joints[joint].parent] = true;
-      moves_mass[driver_[joint]] = true;
-    }
-    const UrdfLink& root = robot_.links[robot_.root];
-    if (options_.floating && !heavy[robot_.root])
-      throw InputError(root.where, fmt::format("the floating root '{}' moves no mass", printable(root.name)));
-    for (std::size_t j = 0; j < robot_.joints.size(); ++j)
-      if (!joint_names_[j].empty() && driver_[j] == j && !moves_mass[j])
-        throw InputError(robot_.joints[j].where,
-                         fmt::format("joint '{}' moves no mass", printable(robot_.joints[j].name)),
-                         "give its link an <inertial>, or make it fixed");
+  [[noreturn]] void fail_without_coordinates() const {
+    if (options_.massless == Massless::freeze || options_.massless == Massless::drop)
+      throw InputError(robot_.where, "no joint of the robot moves mass: nothing that moves is left",
+                       "--massless armature=1e-4 leaves all joints as they are");
+    throw InputError(robot_.where, "no joint of the robot moves", "--root floating lets it move as one body");
+  }
+
+  bool root_is_massless() const {
+    return std::ranges::none_of(robot_.links, [](const UrdfLink& link) { return has_mass(link); });
   }
 
   // Links.
@@ -192,72 +187,9 @@ class Describer {
       factors_.add_free(factors, root_names_, of.where);
     }
     if (!factors.items.empty()) nodes_.put(node, "transform", factors);
-    if (has_mass(link)) add_inertial(node, *of.inertial);
-    if (!of.shapes.empty()) add_shapes(node, of);
+    if (has_mass(of)) link_nodes_.add_inertial(node, *of.inertial);
+    if (!of.shapes.empty()) link_nodes_.add_shapes(node, of);
     return node;
-  }
-
-  void add_inertial(YamlNode& node, const UrdfInertial& inertial) {
-    nodes_.put(node, "mass", nodes_.text(number_text(inertial.mass), inertial.mass_where));
-    if (inertial.origin.xyz != std::array<double, 3>{})
-      nodes_.put(node, "com", nodes_.numbers(inertial.origin.xyz, inertial.origin.where));
-    const auto& i = inertial.inertia;
-    if (std::ranges::all_of(i, [](double x) { return x == 0; })) return;
-    Eigen::Matrix3d inertia;
-    inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
-    for (const int about : {0, 1, 2}) {
-      const SnappedAngle angle(inertial.origin.rpy[static_cast<std::size_t>(about)], options_.snap_angles);
-      if (angle.is_zero()) continue;
-      const auto [c, s] = angle.cosine_and_sine();
-      const int u = (about + 1) % 3, v = (about + 2) % 3;
-      Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-      turn(u, u) = turn(v, v) = c;
-      turn(v, u) = s;
-      turn(u, v) = -s;
-      inertia = (turn * inertia * turn.transpose()).eval();
-    }
-    YamlNode& entries = nodes_.mapping(inertial.inertia_where);
-    constexpr std::string_view kKeys[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
-    for (const std::string_view key : kKeys) {
-      const double value = inertia(key[0] - 'x', key[1] - 'x');
-      if (key[0] == key[1] || value != 0)
-        nodes_.put(entries, std::string(key), nodes_.text(number_text(value), inertial.inertia_where));
-    }
-    nodes_.put(node, "inertia", entries);
-  }
-
-  void add_shapes(YamlNode& node, const UrdfLink& link) {
-    YamlNode& shapes = nodes_.sequence(link.where);
-    for (const UrdfShape& shape : link.shapes) {
-      const std::vector<double>& sizes = shape.sizes;
-      YamlNode& item = nodes_.mapping(shape.where);
-      const auto put_radius_and_length = [&](std::string key) {
-        YamlNode& size = nodes_.mapping(shape.where);
-        nodes_.put(size, "radius", nodes_.text(number_text(sizes[0]), shape.where));
-        nodes_.put(size, "length", nodes_.text(number_text(sizes[1]), shape.where));
-        nodes_.put(item, std::move(key), size);
-      };
-      switch (shape.kind) {
-        case UrdfShape::Kind::box:
-          nodes_.put(item, "box", nodes_.numbers({sizes[0], sizes[1], sizes[2]}, shape.where));
-          break;
-        case UrdfShape::Kind::sphere:
-          nodes_.put(item, "sphere", nodes_.text(number_text(sizes[0]), shape.where));
-          break;
-        case UrdfShape::Kind::cylinder:
-          put_radius_and_length("cylinder");
-          break;
-        case UrdfShape::Kind::capsule:
-          put_radius_and_length("capsule");
-          break;
-      }
-      YamlNode& factors = nodes_.sequence(shape.where);
-      factors_.add_origin(factors, shape.origin);
-      if (!factors.items.empty()) nodes_.put(item, "transform", factors);
-      if (shape.color) nodes_.put(item, "color", nodes_.numbers(*shape.color, shape.where));
-      shapes.items.push_back(&item);
-    }
-    nodes_.put(node, "geometry", shapes);
   }
 
   void count_nearly_right(const UrdfPose& pose) {
@@ -268,39 +200,71 @@ class Describer {
 
   void warn() {
     if (nearly_right_ > 0)
-      warnings_.push_back(warning_text(
-          nearly_right_at_,
-          fmt::format(
-              "{} angle{} nearly a right angle but not one, as here: such axes are not parallel, and the "
-              "code is longer; --snap-angles 1e-3 takes them for right angles",
-              nearly_right_, nearly_right_ == 1 ? " is" : "s are")));
+      warnings_.push_back(
+          {nearly_right_at_,
+           fmt::format(
+               "{} angle{} nearly a right angle but not one, as here: such axes are not parallel, and the "
+               "code is longer; --snap-angles 1e-3 takes them for right angles",
+               nearly_right_, nearly_right_ == 1 ? " is" : "s are")});
     const auto resists = std::ranges::find(robot_.joints, true, &UrdfJoint::resists);
     if (resists != robot_.joints.end())
       warnings_.push_back(
-          warning_text(resists->where,
-                       "damping and friction are no part of the equations: subtract them from the forces"));
+          {resists->where,
+           "damping and friction are no part of the equations: subtract them from the forces"});
+    if (options_.massless == Massless::keep) warn_of_massless();
+  }
+
+  void warn_of_massless() {
+    constexpr std::size_t kListed = 8;
+    std::vector<std::string> names;
+    std::optional<SourceLocation> where;
+    const auto add = [&](const std::string& name, const SourceLocation& at) {
+      if (!where) where = at;
+      names.push_back(printable(name));
+    };
+    const UrdfLink& root = robot_.links[robot_.root];
+    if (options_.floating && root_is_massless()) add(root.name, root.where);
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j)
+      if (massless_[j]) add(robot_.joints[j].name, robot_.joints[j].where);
+    if (!where) return;
+    const std::size_t count = names.size(), listed = std::min(count, kListed);
+    names.resize(listed);
+    warnings_.push_back({*where,
+                         fmt::format("{} joint{} no mass ({}{}): forward dynamics has no solution with {}",
+                                     count, count == 1 ? " moves" : "s move", fmt::join(names, ", "),
+                                     count > listed ? ", ..." : "", count == 1 ? "it" : "them"),
+                         "--massless armature=1e-4 gives each the inertia of a rotor, kg m^2; --massless "
+                         "freeze fixes it at zero; "
+                         "--massless drop leaves it out, with what it moves"});
   }
 
   const UrdfRobot& robot_;
   const DescribeOptions& options_;
   DescriptionNodes nodes_;
   JointFactors factors_{nodes_, options_.snap_angles};
-  FitNames names_{"joint"};
+  LinkNodes link_nodes_{nodes_, factors_, options_.snap_angles};
+  std::vector<bool> massless_;  ///< by joint
+  Warnings warnings_;
+  FitNames names_{"joint", warnings_};
   bool root_is_world_ = false;
   std::vector<std::string> link_names_;                ///< by link
   std::vector<std::string> root_names_;                ///< coordinates of a floating root
   std::vector<std::vector<std::string>> joint_names_;  ///< by joint: coordinates, or a definition
-  std::vector<std::size_t> driver_;  ///< by joint: itself, or that which it mimics in the end
   int nearly_right_ = 0;
   SourceLocation nearly_right_at_;
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace
 
 DescribedRobot describe_robot(const UrdfRobot& robot, std::shared_ptr<const SourceText> source,
                               const DescribeOptions& options) {
-  return Describer(robot, options).describe(std::move(source));
+  if (options.massless != Massless::freeze && options.massless != Massless::drop)
+    return Describer(robot, options).describe(std::move(source));
+  DescribeOptions rest = options;  // a floating root is a massless joint, too, if nothing has mass
+  rest.floating = options.floating && std::ranges::any_of(robot.links, has_mass);
+  const UrdfRobot changed =
+      options.massless == Massless::freeze ? with_massless_frozen(robot) : without_massless(robot);
+  return Describer(changed, rest).describe(std::move(source));
 }
 
 }  // namespace alembert

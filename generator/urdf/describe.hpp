@@ -1,10 +1,8 @@
 // A robot in; its description in the language of mechanisms out, every value with its place in the URDF.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "mechanism/document.hpp"
+#include "urdf/massless.hpp"
 #include "urdf/robot.hpp"
 
 namespace alembert {
@@ -12,12 +10,13 @@ namespace alembert {
 struct DescribeOptions {
   bool floating = false;       ///< the root moves freely, by a position and a quaternion
   double snap_angles = 1e-10;  ///< angles of origins so near to a multiple of pi/12 are that multiple, rad
+  Massless massless = Massless::keep;  ///< what becomes of joints that move no mass
+  double armature = 1e-4;              ///< kg m^2 or kg, of their coordinates, if they get one
 };
 
 struct DescribedRobot {
   Document document;
-  /// What is doubtful or left out, each with its place.
-  std::vector<std::string> warnings;
+  Warnings warnings;  ///< what is doubtful or left out
 };
 
 /// Links are bodies, joints factors of their transforms. A revolute, continuous or prismatic joint has one
@@ -28,7 +27,7 @@ struct DescribedRobot {
 ///
 /// Coordinates stand in the order of the joints in the file, those of a floating root first. A link without
 /// mass and shapes at the end of a fixed joint is a frame. A massless root called world is the world.
-/// Throws InputError where nothing with mass is moved, or names clash.
+/// Throws InputError where nothing moves.
 DescribedRobot describe_robot(const UrdfRobot& robot, std::shared_ptr<const SourceText> source,
                               const DescribeOptions& options);
 

@@ -19,9 +19,9 @@ struct UrdfPose {
 };
 
 struct UrdfInertial {
-  UrdfPose origin;                ///< of the centre of mass and the axes of the inertia, in the link's frame
-  double mass = 0;                ///< kg
-  std::array<double, 6> inertia;  ///< xx yy zz xy xz yz about the centre of mass
+  UrdfPose origin;  ///< of the centre of mass and the axes of the inertia, in the link's frame
+  double mass = 0;  ///< kg
+  std::array<double, 6> inertia{};  ///< xx yy zz xy xz yz about the centre of mass
   SourceLocation mass_where, inertia_where;
 };
 
@@ -44,8 +44,8 @@ struct UrdfLink {
 
 /// The joint's position is multiplier times that of another, plus offset.
 struct UrdfMimic {
-  std::string joint;   ///< its name
-  std::size_t of = 0;  ///< its index
+  std::string joint;              ///< its name
+  std::optional<std::size_t> of;  ///< its index; none if it is fixed, its position 0
   double multiplier = 1, offset = 0;
   SourceLocation where;
 };
@@ -64,6 +64,9 @@ struct UrdfJoint {
   SourceLocation where, type_where;
 };
 
+/// Revolute, continuous and prismatic joints: they mimic and are mimicked.
+bool has_position(const UrdfJoint& joint);
+
 /// Links make a tree: every one but the root is the child of one joint.
 struct UrdfRobot {
   std::string name;
@@ -75,7 +78,11 @@ struct UrdfRobot {
   SourceLocation where;
 };
 
-/// Reads a robot. Throws InputError at what is not URDF, misspelt, missing or no tree.
-UrdfRobot read_urdf(std::shared_ptr<const SourceText> source);
+/// Fills in `joint_of` and `children`.
+void connect(UrdfRobot& robot);
+
+/// Reads a robot. `warnings` gets what is doubtful, left out or guessed, and does not change the equations.
+/// Throws InputError at what is not URDF, cannot be understood or is no tree.
+UrdfRobot read_urdf(std::shared_ptr<const SourceText> source, Warnings& warnings);
 
 }  // namespace alembert

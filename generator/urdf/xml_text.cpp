@@ -7,26 +7,53 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <iterator>
+#include <map>
+#include <optional>
 
 #include "mechanism/document.hpp"
 
 namespace alembert {
 namespace {
 
-constexpr std::string_view kXacro = "xacro:";
+/// Elements and attributes that the equations are made of.
+constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
+                                       "parent", "child", "axis",       "mimic",  "value", "ixx",
+                                       "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
+                                       "rpy",    "type",  "multiplier", "offset"};
 
-std::string slip(std::string_view name, std::initializer_list<std::string_view> known) {
+bool is_among(std::string_view name, std::initializer_list<std::string_view> known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+std::string nearest(std::string_view name, std::initializer_list<std::string_view> known) {
   const std::vector<std::string> names(known.begin(), known.end());
-  if (std::ranges::find(names, name) != names.end()) return {};
   return nearest_name(name, names);
+}
+
+bool is_vital(std::string_view name) {
+  return std::ranges::find(kVital, name) != std::end(kVital);
+}
+
+/// A message without what it quotes: alike for warnings that say the same of different names.
+std::string without_quotes(std::string_view message) {
+  std::string out;
+  bool inside = false;
+  for (const char c : message) {
+    if (c == '\'') inside = !inside;
+    if (!inside) out += c;
+  }
+  return out;
 }
 
 }  // namespace
 
-XmlText::XmlText(std::shared_ptr<const SourceText> source)
-    : source_(std::move(source)), line_starts_(line_starts(source_->text)), buffer_(source_->text) {
-  check_characters(source_);
+XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings)
+    : source_(std::move(source)),
+      line_starts_(line_starts(source_->text)),
+      buffer_(source_->text),
+      warnings_(&warnings) {
+  blank_strange_bytes();
   const pugi::xml_parse_result result =
       document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result)
@@ -37,17 +64,28 @@ XmlText::XmlText(std::shared_ptr<const SourceText> source)
   for (pugi::xml_node other = first.next_sibling(); other; other = other.next_sibling())
     if (other.type() == pugi::node_element)
       throw InputError(where(other), "a second root element; a file holds one robot");
-  refuse_duplicate_attributes();
+  check_duplicate_attributes();
 }
 
-void XmlText::refuse_duplicate_attributes() const {
+void XmlText::blank_strange_bytes() {
+  for (std::optional<std::size_t> at = strange_byte(buffer_, 0); at; at = strange_byte(buffer_, *at)) {
+    warn({place(*at), objection_to_byte(buffer_, *at) + "; it is taken for a question mark", {}, "byte"});
+    buffer_[*at] = '?';
+  }
+}
+
+void XmlText::check_duplicate_attributes() const {
   pugi::xml_node at = root();
   while (at) {
-    std::set<std::string_view> names;
-    for (const pugi::xml_attribute attribute : at.attributes())
-      if (!names.insert(attribute.name()).second)
-        throw InputError(where(attribute), fmt::format("a second attribute '{}' of <{}>",
-                                                       printable(attribute.name()), printable(at.name())));
+    std::map<std::string_view, std::string_view> values;
+    for (const pugi::xml_attribute attribute : at.attributes()) {
+      const auto [first, inserted] = values.emplace(attribute.name(), attribute.value());
+      if (inserted) continue;
+      const std::string message =
+          fmt::format("a second attribute '{}' of <{}>", printable(attribute.name()), printable(at.name()));
+      if (first->second != attribute.value()) throw InputError(where(attribute), message);
+      warn({where(attribute), message + ", which says the same", {}, "attribute twice"});
+    }
     // The next node of the tree: no recursion, since anyone may nest elements.
     pugi::xml_node next = at.first_child();
     for (; !next && at; at = at.parent()) {
@@ -56,6 +94,10 @@ void XmlText::refuse_duplicate_attributes() const {
     }
     at = next;
   }
+}
+
+void XmlText::warn_instead(const InputError& error, const std::string& consequence) const {
+  warn({error.where(), error.message() + "; " + consequence, error.note(), without_quotes(error.message())});
 }
 
 SourceLocation XmlText::place(std::size_t offset) const {
@@ -78,27 +120,43 @@ SourceLocation XmlText::where(pugi::xml_attribute attribute) const {
   return place_of(attribute.value()[0] == '\0' ? attribute.name() : attribute.value(), 0);
 }
 
+/// Whether a name is of xacro, of which a warning tells, or has another prefix.
+bool XmlText::passed_over(std::string_view name, SourceLocation where) const {
+  if (name.starts_with(kXacroPrefix))
+    warn({std::move(where), fmt::format("<{}> is of xacro, not of URDF; it is passed over", printable(name)),
+          kExpandXacro, std::string(name)});
+  return name.find(':') != std::string_view::npos;
+}
+
 void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
                              std::initializer_list<std::string_view> children,
                              std::initializer_list<std::string_view> attributes) const {
+  const auto unknown = [&](SourceLocation place, std::string_view name, bool is_element,
+                           std::initializer_list<std::string_view> known) {
+    const std::string near = nearest(name, known);
+    const std::string shown = printable(name);
+    std::string message = is_element ? fmt::format("unknown element <{}> in {}", shown, what)
+                                     : fmt::format("unknown attribute '{}' of {}", shown, what);
+    if (!near.empty())
+      message += is_element ? fmt::format(" (did you mean <{}>?)", near)
+                            : fmt::format(" (did you mean '{}'?)", near);
+    if (is_vital(near)) throw InputError(std::move(place), message);
+    warn({std::move(place),
+          message + "; it is passed over",
+          {},
+          (is_element ? "element " : "attribute ") + shown});
+  };
   for (const pugi::xml_node child : element.children()) {
-    if (child.type() != pugi::node_element) continue;
     const std::string_view name = child.name();
-    if (name.starts_with(kXacro))
-      throw InputError(where(child), fmt::format("<{}> is of xacro, not of URDF", printable(name)),
-                       "expand it first: xacro FILE > robot.urdf");
-    if (const std::string near = slip(name, children); !near.empty())
-      throw InputError(where(child), fmt::format("unknown element <{}> in {} (did you mean <{}>?)",
-                                                 printable(name), what, near));
+    if (child.type() != pugi::node_element || is_among(name, children) || passed_over(name, where(child)))
+      continue;
+    unknown(where(child), name, true, children);
   }
   for (const pugi::xml_attribute attribute : element.attributes()) {
-    if (const std::string near = slip(attribute.name(), attributes); !near.empty())
-      throw InputError(where(attribute), fmt::format("unknown attribute '{}' of {} (did you mean '{}'?)",
-                                                     printable(attribute.name()), what, near));
-    if (std::string_view(attribute.value()).find("${") != std::string_view::npos)
-      throw InputError(where(attribute),
-                       fmt::format("'{}' is of xacro, not of URDF", printable(attribute.value())),
-                       "expand it first: xacro FILE > robot.urdf");
+    const std::string_view name = attribute.name();
+    if (is_among(name, attributes) || name.starts_with("xmlns") || name.find(':') != std::string_view::npos)
+      continue;
+    unknown(where(attribute), name, false, attributes);
   }
 }
 
@@ -128,26 +186,38 @@ void XmlText::read_numbers(pugi::xml_attribute attribute, std::string_view what,
                            std::size_t count) const {
   const std::string_view text = attribute.value();
   const auto fail = [&] {
+    if (text.find("${") != std::string_view::npos)
+      return InputError(where(attribute), fmt::format("'{}' is of xacro, not of URDF", printable(text)),
+                        kExpandXacro);
     return InputError(
         where(attribute),
         fmt::format("expected {} as {}, found '{}'",
                     count == 1 ? "a number" : fmt::format("{} numbers", count), what, printable(text)));
   };
-  std::size_t found = 0, i = 0;
-  for (;;) {
-    while (i < text.size() && is_space(text[i])) ++i;
-    if (i == text.size()) break;
-    std::size_t end = i;
+  const auto skip_space = [&](std::size_t at) {
+    while (at < text.size() && is_space(text[at])) ++at;
+    return at;
+  };
+  std::size_t found = 0;
+  bool split = false;  // a sign and its number
+  for (std::size_t i = skip_space(0); i < text.size(); i = skip_space(i)) {
+    const bool minus = text[i] == '-';
+    std::size_t begin = i;
+    if (minus || text[i] == '+') {
+      begin = skip_space(i + 1);
+      split = split || begin > i + 1;
+    }
+    std::size_t end = begin;
     while (end < text.size() && !is_space(text[end])) ++end;
-    const std::size_t begin = text[i] == '+' && end > i + 1 && text[i + 1] != '-' ? i + 1 : i;
+    if (found == count || begin == end || text[begin] == '-' || text[begin] == '+') throw fail();
     double value = 0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
-    if (found == count || error != std::errc() || stop != text.data() + end || !std::isfinite(value))
-      throw fail();
-    out[found++] = value;
+    if (error != std::errc() || stop != text.data() + end || !std::isfinite(value)) throw fail();
+    out[found++] = minus ? -value : value;
     i = end;
   }
   if (found != count) throw fail();
+  if (split) warn({where(attribute), fmt::format("a blank after a sign in {}", what), {}, "split sign"});
 }
 
 }  // namespace alembert

@@ -1,31 +1,55 @@
-// Text in; XML out, every element and attribute with its place, and errors at what is misspelt.
+// Text in; XML out, every element and attribute with its place. What is misspelt is an error where it would
+// change the equations, and a warning elsewhere.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "support/error.hpp"
 
 namespace alembert {
 
+/// Names that xacro expands, which URDF does not know, and what to do about them.
+inline constexpr std::string_view kXacroPrefix = "xacro:";
+inline constexpr const char* kExpandXacro = "expand it first: xacro FILE > robot.urdf";
+
 /// A parsed XML text.
 class XmlText {
  public:
-  /// Throws InputError at what is not UTF-8 or not one well-formed element.
-  explicit XmlText(std::shared_ptr<const SourceText> source);
+  /// Throws InputError at what is not one well-formed element. Bytes that are no text count as question
+  /// marks.
+  XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings);
 
   pugi::xml_node root() const { return document_.document_element(); }
+  static constexpr std::size_t kMaximumWarnings = 20000;
   SourceLocation where(pugi::xml_node element) const;         ///< of its `<`
   SourceLocation where(pugi::xml_attribute attribute) const;  ///< of its value
   const std::shared_ptr<const SourceText>& source() const { return source_; }
 
-  /// Throws at an element among the children, or an attribute, that is nearly one of those known; what is
-  /// unlike all of them belongs to others and is passed over. `what` is the element in messages.
+  /// Further ones than a great many are not kept.
+  void warn(Warning warning) const {
+    if (warnings_->size() < kMaximumWarnings) warnings_->push_back(std::move(warning));
+  }
+  /// What `read` throws is a warning, with this consequence.
+  template <class Read>
+  void tolerate(const std::string& consequence, Read read) const {
+    try {
+      read();
+    } catch (const InputError& error) {
+      warn_instead(error, consequence);
+    }
+  }
+
+  /// Warns of elements among the children, and of attributes, other than those known; throws at one that is
+  /// nearly one of those that make the equations. Names with a prefix belong to others and are passed over.
+  /// `what` is the element in messages.
   void check_spelling(pugi::xml_node element, std::string_view what,
                       std::initializer_list<std::string_view> children,
                       std::initializer_list<std::string_view> attributes) const;
@@ -50,7 +74,10 @@ class XmlText {
   }
 
  private:
-  void refuse_duplicate_attributes() const;
+  void blank_strange_bytes();
+  void check_duplicate_attributes() const;
+  void warn_instead(const InputError& error, const std::string& consequence) const;
+  bool passed_over(std::string_view name, SourceLocation where) const;
   void read_numbers(pugi::xml_attribute attribute, std::string_view what, double* out,
                     std::size_t count) const;
   SourceLocation place(std::size_t offset) const;
@@ -60,6 +87,7 @@ class XmlText {
   std::vector<std::size_t> line_starts_;
   std::string buffer_;  // parsed in place, so that names and values stay where they are in the text
   pugi::xml_document document_;
+  Warnings* warnings_;
 };
 
 }  // namespace alembert

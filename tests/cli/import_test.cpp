@@ -43,15 +43,106 @@ TEST(Import, SaysWhatIsDoubtful) {
   EXPECT_THAT(result.err, testing::HasSubstr("names.urdf:16:5: warning: 1 angle is nearly a right angle"));
 }
 
+const std::string kDoubtful = ALEMBERT_SOURCE_DIR "/tests/urdf/doubtful/";
+
+TEST(Import, TakesWarningsForErrorsIfItIsStrict) {
+  const TemporaryFolder folder;
+  const std::string bad = kDoubtful + "zero_sizes.urdf", file = folder / "robot.yaml";
+  EXPECT_EQ(alembert(folder, "import " + bad + " --out " + file).exit_code, 0);
+  std::filesystem::remove(file);
+  const CommandResult result = alembert(folder, "import " + bad + " --strict --out " + file);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::StartsWith(bad + ":5:39: error: expected a positive number"));
+  EXPECT_THAT(result.err, testing::HasSubstr(bad + ":7:34: error: expected 3 numbers"));
+  EXPECT_THAT(result.err, testing::Not(testing::HasSubstr("warning:")));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(alembert(folder, "import " + kRobot + " --strict").exit_code, 1);  // an axis of length 3
+  EXPECT_EQ(alembert(folder, "import " + std::string(ALEMBERT_SOURCE_DIR) +
+                                 "/tests/urdf/robots/headers.urdf --strict")
+                .exit_code,
+            0);
+}
+
+TEST(Import, ItsWarningsOfInertiasComeBackWithTheDescription) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "robot.yaml", out = " --out-dir " + folder / "out";
+  ASSERT_EQ(alembert(folder, "import " + kDoubtful + "impossible_inertia.urdf --out " + file).exit_code, 0);
+  for (const std::string& command :
+       {"check " + file, "report " + file + " --functions mass_matrix", "generate " + file + out,
+        "simulate " + file + " --duration 0.01", "evaluate " + file}) {
+    const CommandResult result = alembert(folder, command);
+    EXPECT_EQ(result.exit_code, 0) << command << result.err;
+    EXPECT_THAT(result.err, testing::StartsWith(file)) << command;
+    EXPECT_THAT(result.err,
+                testing::HasSubstr(": warning: no mass distribution has the inertia of body 'b'"));
+    const CommandResult strict = alembert(folder, command + " --strict");
+    EXPECT_EQ(strict.exit_code, 1) << command;
+    EXPECT_THAT(strict.err, testing::HasSubstr(": error: no mass distribution has the inertia of body 'b'"));
+  }
+}
+
+TEST(Import, OffersThreeWaysOutWhereJointsMoveNoMass) {
+  const TemporaryFolder folder;
+  const std::string robot = kDoubtful + "massless_tip.urdf", file = folder / "robot.yaml";
+  const CommandResult kept = alembert(folder, "import " + robot + " --out " + file);
+  EXPECT_EQ(kept.exit_code, 0);
+  EXPECT_THAT(kept.err, testing::HasSubstr("2 joints move no mass (wheel, ball)"));
+  for (const char* way : {"armature=1e-4", "freeze", "drop"}) {
+    EXPECT_THAT(kept.err, testing::HasSubstr(way));
+    const CommandResult other = alembert(folder, "import " + robot + " --massless " + way);
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_EQ(other.err, "");
+    const std::string changed = folder.write("changed.yaml", other.out);
+    EXPECT_EQ(alembert(folder, "simulate " + changed + " --duration 0.01 --strict").exit_code, 0);
+    EXPECT_EQ(alembert(folder, "check " + changed + " --strict").exit_code, 0);
+  }
+  for (const char* bad : {"armature=0", "armature=-1", "armature=x", "armature", "no"})
+    EXPECT_EQ(alembert(folder, "import " + robot + " --massless " + bad).exit_code, 1) << bad;
+}
+
+TEST(Import, JointsThatMoveNoMassMatterOnlyWhereAccelerationsAreSolvedFor) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "robot.yaml";
+  ASSERT_EQ(alembert(folder, "import " + kDoubtful + "moves_no_mass.urdf --out " + file).exit_code, 0);
+  const std::string out = " --out-dir " + folder / "out";
+  for (const std::string& command : {"generate " + file + out, "check " + file, "report " + file}) {
+    const CommandResult result = alembert(folder, command);
+    EXPECT_EQ(result.exit_code, 0) << command << result.err;
+    EXPECT_THAT(result.err, testing::HasSubstr("warning: the mass matrix is singular"));
+  }
+  EXPECT_THAT(alembert(folder, "report " + file).out, testing::Not(testing::HasSubstr("forward_dynamics")));
+  const CommandResult evaluated = alembert(folder, "evaluate " + file + " --json", "{\"qdd\": [1]}\n");
+  EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
+  EXPECT_THAT(evaluated.out, testing::HasSubstr("\"tau\": [0], \"M\": [[0]], \"c\": [0], \"qdd\": null"));
+  for (const std::string& command :
+       {"simulate " + file, "report " + file + " --functions forward_dynamics"}) {
+    const CommandResult result = alembert(folder, command);
+    EXPECT_EQ(result.exit_code, 1) << command;
+    EXPECT_THAT(result.err, testing::HasSubstr("error: the mass matrix is singular"));
+    EXPECT_THAT(result.err, testing::HasSubstr("coordinate 'j'"));
+    for (const char* way : {"armature", "constant", "leave it out", "--massless"})
+      EXPECT_THAT(result.err, testing::HasSubstr(way));
+  }
+}
+
 TEST(Import, LeavesNothingOfWhatIsWrong) {
   const TemporaryFolder folder;
   const std::string bad = ALEMBERT_SOURCE_DIR "/tests/urdf/errors/bad_cycle.urdf",
                     file = folder / "robot.yaml";
   const CommandResult result = alembert(folder, "import " + bad + " --out " + file);
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, testing::StartsWith(bad + ":7:16: error: "));
+  EXPECT_THAT(result.err, testing::HasSubstr(bad + ":7:16: error: "));
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(alembert(folder, "import " + bad).out, "");
+}
+
+TEST(Import, SaysWhatIsDoubtfulWhereTheRestIsWrong) {
+  const TemporaryFolder folder;
+  const std::string bad = ALEMBERT_SOURCE_DIR "/tests/urdf/errors/bad_only_xacro.urdf";
+  const CommandResult result = alembert(folder, "import " + bad);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::StartsWith(bad + ":2:3: warning: <xacro:macro> is of xacro"));
+  EXPECT_THAT(result.err, testing::HasSubstr(bad + ":1:1: error: no <link> in the robot"));
 }
 
 TEST(Import, IsDoneInSecondsWhateverIsNested) {
@@ -65,11 +156,10 @@ TEST(Import, IsDoneInSecondsWhateverIsNested) {
       wide += "<joint name='j" + n + "' type='revolute'><parent link='l" + std::to_string(i - 1) +
               "'/><child link='l" + n + "'/><mimic joint='j" + std::to_string(i - 1) + "'/></joint>";
   }
-  for (const std::string& text : {deep, wide + "</robot>"}) {
-    const CommandResult result = alembert(folder, "import " + folder.write("deep.urdf", text));
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_THAT(result.err, testing::HasSubstr(": error: "));
-  }
+  EXPECT_EQ(alembert(folder, "import " + folder.write("wide.urdf", wide + "</robot>")).exit_code, 0);
+  const CommandResult result = alembert(folder, "import " + folder.write("deep.urdf", deep));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::HasSubstr(": error: "));
 }
 
 }  // namespace

@@ -18,9 +18,13 @@ namespace {
 alembert::Mechanism load(const std::shared_ptr<const alembert::SourceText>& source,
                          alembert::ExprGraph& graph) {
   if (!source->text.starts_with('<')) return alembert::load_mechanism(source, graph);
-  const alembert::UrdfRobot robot = alembert::read_urdf(source);
+  alembert::Warnings warnings;
+  const alembert::UrdfRobot robot = alembert::read_urdf(source, warnings);
+  // All options, by the length of the text.
+  const std::size_t length = source->text.size();
+  const auto massless = static_cast<alembert::Massless>(length / 2 % 4);
   const alembert::DescribedRobot described =
-      alembert::describe_robot(robot, source, {source->text.size() % 2 == 0, 1e-10});
+      alembert::describe_robot(robot, source, {length % 2 == 0, 1e-10, massless});
   alembert::Mechanism mechanism = alembert::load_mechanism(described.document, graph);
   // What was understood once is understood from its text.
   alembert::ExprGraph again;

@@ -1,4 +1,5 @@
-// Every tests/golden/errors/bad_X.yaml must fail with the diagnostic in bad_X.err, to the letter.
+// Every tests/golden/errors/bad_X.yaml must fail with the diagnostic in bad_X.err, to the letter, and every
+// tests/golden/doubtful/X.yaml load with the warnings in X.err.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -37,6 +38,24 @@ TEST_P(GoldenError, IsUnchanged) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenError, testing::ValuesIn(bad_descriptions()),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+/// Warnings of a description that loads.
+class GoldenWarning : public testing::TestWithParam<fs::path> {};
+
+TEST_P(GoldenWarning, IsUnchanged) {
+  const fs::path& path = GetParam();
+  ExprGraph graph;
+  const Mechanism mechanism = load_mechanism(read_source(path), graph);
+  std::string found;
+  for (const Warning& warning : one_of_each_kind(mechanism.warnings))
+    found += test::without_folder(warning_text(warning.where, warning.message, warning.note), path) + "\n";
+  EXPECT_NE(found, "");
+  test::expect_golden(found, fs::path(path).replace_extension(".err"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenWarning,
+                         testing::ValuesIn(test::files_in("tests/golden/doubtful", ".yaml")),
                          [](const auto& test) { return test.param.stem().string(); });
 
 TEST(GoldenErrors, CoverTheLanguage) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <stdexcept>
 #include <vector>
 
@@ -24,7 +25,11 @@ class Writer : private RandomExpressions {
     if (chance(0.3)) std::reverse(bodies_.begin(), bodies_.end());  // children before parents
     const std::string constraints = chance(0.6) ? random_constraints(*this, bodies, rolling_) : "";
     std::string text = "gravity: " + list({gravity(), decimal(between(-3, 3)), gravity()}) + "\n";
-    text += "coordinates:\n" + coordinates();
+    // Engines have no words for armatures of most joints. Nothing is drawn for them: a seed means what it
+    // meant.
+    const std::string armatures = joints_only_ ? "$1," : "$1, armature: 0.3,";
+    text +=
+        "coordinates:\n" + std::regex_replace(coordinates(), std::regex("(name: (?:q[147]|r0)),"), armatures);
     if (!definitions().empty()) text += "definitions:\n" + definitions();
     text += "bodies:\n";
     for (const std::string& body : bodies_) text += body;

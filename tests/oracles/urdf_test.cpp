@@ -185,12 +185,22 @@ TEST_P(Urdf, GivesTheDynamicsThatDartReads) {
 }
 
 const std::string kEveryJoint = ALEMBERT_SOURCE_DIR "/tests/urdf/robots/every_joint.urdf";
+const std::string kDoubtful =
+    ALEMBERT_SOURCE_DIR "/tests/urdf/doubtful/";  // with warnings, but as it is written
 const std::map<std::string, Follows> kFollows = {{"right", {"left", -1.5, 0.01}},
                                                  {"curl", {"left", -30, 0.2}}};
 
 INSTANTIATE_TEST_SUITE_P(Robots, Urdf,
                          testing::Values(Case{kEveryJoint, false, kFollows},
                                          Case{kEveryJoint, true, kFollows},
+                                         Case{kDoubtful + "impossible_inertia.urdf", false, {}},
+                                         Case{kDoubtful + "inertia_of_fixed.urdf", false, {}},
+                                         Case{kDoubtful + "inertia_without_mass.urdf", false, {}},
+                                         Case{kDoubtful + "axis_length.urdf", false, {}},
+                                         Case{kDoubtful + "inertia_negative.urdf", false, {}},
+                                         Case{kDoubtful + "zero_sizes.urdf", false, {}},
+                                         Case{kDoubtful + "mimic_fixed.urdf", false, {}},
+                                         Case{kDoubtful + "xacro_left.urdf", false, {}},
                                          Case{kPackage + "urdf/KR5/KR5 sixx R650.urdf", false, {}},
                                          Case{kPackage + "urdf/wam/wam.urdf", false, {}},
                                          Case{kPackage + "urdf/drchubo/drchubo.urdf", true, {}},

@@ -18,6 +18,22 @@ TEST(InputError, ShowsPlaceLineAndCaret) {
   EXPECT_EQ(error.where().line, 2);
 }
 
+TEST(Warnings, OfOneKindAreToldOnce) {
+  const auto file = source("a\nb\nc\nd\n");
+  const Warnings found = one_of_each_kind({{{file, 4, 1}, "of d", "look", "k"},
+                                           {{file, 2, 1}, "of b", "look", "k"},
+                                           {{file, 1, 1}, "alone"},
+                                           {{file, 3, 1}, "of c", "look", "k"},
+                                           {{file, 1, 1}, "alone, too"}});
+  std::vector<std::string> texts;
+  for (const Warning& w : found) texts.push_back(warning_text(w.where, w.message, w.note));
+  EXPECT_THAT(texts,
+              testing::ElementsAre("arm.yaml:1:1: warning: alone\n  a\n  ^",
+                                   "arm.yaml:1:1: warning: alone, too\n  a\n  ^",
+                                   "arm.yaml:2:1: warning: of b\n  b\n  ^\nnote: look\nnote: 2 more like "
+                                   "this one, in lines 3, 4"));
+}
+
 TEST(InputError, AddsNote) {
   const InputError error({source("a\n"), 1, 1}, "bad", "write b");
   EXPECT_STREQ(error.what(), "arm.yaml:1:1: error: bad\n  a\n  ^\nnote: write b");

@@ -99,6 +99,7 @@ class Reader {
     }
     if (node.IsMap() && node["limits"])
       c.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
+    if (node.IsMap() && node["armature"]) c.armature = constant(node["armature"]);
     if (!c.quaternion) names_[c.name] = variable(c.first_q);
     coordinates_[c.name] = result_.coordinates.size();
     result_.nq += c.quaternion ? 4 : 1;
@@ -291,6 +292,12 @@ class Reader {
 };
 
 }  // namespace
+
+std::vector<double> Description::armatures() const {
+  std::vector<double> result;
+  for (const Coordinate& c : coordinates) result.insert(result.end(), c.quaternion ? 3 : 1, c.armature);
+  return result;
+}
 
 std::size_t Description::constraint_rows() const {
   std::size_t rows = 0;

@@ -21,6 +21,7 @@ struct Coordinate {
   int first_q = 0, first_speed = 0;
   std::vector<double> initial;
   std::optional<std::pair<double, double>> limits;
+  double armature = 0;  ///< inertia of its own to each of its speeds
 };
 
 struct Factor;
@@ -99,6 +100,7 @@ struct Description {
   std::vector<Constraint> constraints;
   int nq = 0, nv = 0;
 
+  std::vector<double> armatures() const;  ///< by speed
   std::size_t constraint_rows() const;
   double parameter(const std::string& name) const;  ///< throws if there is none
 };

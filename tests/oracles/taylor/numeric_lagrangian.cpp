@@ -103,6 +103,12 @@ Dynamics numeric_lagrangian(const Description& description, const State& state) 
       }
     }
   }
+  const std::vector<double> armatures = description.armatures();
+  for (int k = 0; k < description.nv; ++k) {
+    const double a = armatures[static_cast<std::size_t>(k)];
+    result.tau[k] += a * state.rates[static_cast<std::size_t>(k)];
+    result.mass_matrix(k, k) += a;
+  }
   return result;
 }
 
@@ -118,6 +124,9 @@ std::pair<double, double> energy(const Description& description, const State& st
     result.first += 0.5 * (body.mass * m.velocity.squaredNorm() + m.omega.dot(inertia_of(body) * m.omega));
     result.second -= body.mass * gravity.dot(m.com);
   }
+  const std::vector<double> armatures = description.armatures();
+  for (std::size_t k = 0; k < armatures.size(); ++k)
+    result.first += 0.5 * armatures[k] * state.speeds[k] * state.speeds[k];
   return result;
 }
 

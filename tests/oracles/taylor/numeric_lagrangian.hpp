@@ -8,7 +8,8 @@
 namespace alembert::oracles {
 
 /// tau_k = sum over bodies of  (m (a - g) - f) . dv/du_k + (I al + om x I om - R^T tau_ext) . dom/du_k;
-/// M_kl = sum of  m dv/du_k . dv/du_l + dom/du_k . I dom/du_l;  c = tau at zero rates.
+/// M_kl = sum of  m dv/du_k . dv/du_l + dom/du_k . I dom/du_l;  c = tau at zero rates. An armature a adds a
+/// du_k/dt to tau_k and a to M_kk, and a u_k^2/2 to the kinetic energy.
 Dynamics numeric_lagrangian(const Description& description, const State& state);
 
 /// Kinetic and potential energy (potential zero at the world's origin).
