@@ -28,9 +28,9 @@ namespace alembert {
 template <class S, int N, int K>
 class ConstraintFactorization {
  public:
-  using SpeedMatrix = Eigen::Matrix<S, N, N>;
+  using SpeedMatrix = SizedMatrix<S, N, N>;
   using SpeedVector = Eigen::Matrix<S, N, 1>;
-  using ConstraintMatrix = Eigen::Matrix<S, K, N>;
+  using ConstraintMatrix = SizedMatrix<S, K, N>;
   using ConstraintVector = Eigen::Matrix<S, K, 1>;
   using Flags = Eigen::Array<bool, K, 1>;
 
@@ -190,9 +190,9 @@ class ConstraintFactorization {
   }
 
   SpeedMatrix mass_;                // L and D of M
-  Eigen::Matrix<S, N, K> Y_;        // L^-1 P^T
-  Eigen::Matrix<S, K, K> rest_;     // what is left of S while it is factored
-  Eigen::Matrix<S, K, K> factor_;   // G: rows as in P, columns in the order of the pivots
+  SizedMatrix<S, N, K> Y_;          // L^-1 P^T
+  SizedMatrix<S, K, K> rest_;       // what is left of S while it is factored
+  SizedMatrix<S, K, K> factor_;     // G: rows as in P, columns in the order of the pivots
   ConstraintVector diagonal_;       // of S
   ConstraintVector pivots_;         // E
   Eigen::Matrix<int, K, 1> order_;  // row of each pivot
