@@ -1,8 +1,13 @@
-# Compiles PROGRAM.cpp with flags as users may have them and runs it: for SETS of instructions, or each that this machine has.
-#   cmake -DCXX=compiler -DPROGRAM=name -DFLAGS=flags -DINCLUDES=folders -DWORK=folder -P run.cmake
+# Compiles a program with flags as users may have them and runs it: for SETS of instructions, or each that this machine has.
+# REFERENCE are the sources that are compiled without them. If REFUSED is given, the program must not compile, and the
+# compiler must say this.
+#   cmake -DCXX=compiler -DSOURCES=files -DREFERENCE=files -DFLAGS=flags -DINCLUDES=folders -DSYSTEM=folders -DWORK=folder
+#         -P run.cmake
 cmake_minimum_required(VERSION 3.25)
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
-list(TRANSFORM INCLUDES PREPEND -isystem)
+list(TRANSFORM SYSTEM PREPEND -isystem)
+list(TRANSFORM INCLUDES PREPEND -I)
+list(APPEND INCLUDES "-I${CMAKE_CURRENT_LIST_DIR}/../../../src" "-I${CMAKE_CURRENT_LIST_DIR}/../..")
 set(sets "baseline")
 if(EXISTS /proc/cpuinfo)
   file(READ /proc/cpuinfo machine)
@@ -21,18 +26,33 @@ set(avx2 -mavx2 -mfma)
 set(avx512 -mavx512f -mavx512dq -mavx512vl -mavx2 -mfma)
 
 file(MAKE_DIRECTORY "${WORK}")
-set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
-set(here "${CMAKE_CURRENT_LIST_DIR}")
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wunused-but-set-variable -Wno-sign-conversion -Werror)
+# compile(arguments ...)
+function(compile)
+  execute_process(COMMAND ${CXX} -std=c++17 ${INCLUDES} ${SYSTEM} ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "it does not compile:\n${output}")
+  endif()
+endfunction()
+
+if(REFUSED)
+  execute_process(COMMAND ${CXX} -std=c++17 ${INCLUDES} ${SYSTEM} ${flags} -fsyntax-only ${SOURCES}
+                  OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+  if(result EQUAL 0 OR NOT output MATCHES "${REFUSED}")
+    message(FATAL_ERROR "expected that it does not compile and says '${REFUSED}'; it ended with ${result}:\n${output}")
+  endif()
+  file(REMOVE_RECURSE "${WORK}")
+  return()
+endif()
+set(objects)
+foreach(source ${REFERENCE})
+  get_filename_component(name "${source}" NAME_WE)
+  compile(-O1 -c "${source}" -o "${WORK}/${name}.o")
+  list(APPEND objects "${WORK}/${name}.o")
+endforeach()
 foreach(set ${sets})
-  # The reference is compiled with none of them, in the language of the oldest users.
-  foreach(command "-O1;-std=c++17;-c;${here}/reference.cpp;-o;${WORK}/reference.o"
-                  "${flags};${${set}};-std=c++17;${warnings};-I${here}/../../../src;-I${here}/../..;${INCLUDES};${here}/${PROGRAM}.cpp;${WORK}/reference.o;-o;${WORK}/${PROGRAM}")
-    execute_process(COMMAND ${CXX} ${command} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-    if(NOT result EQUAL 0)
-      message(FATAL_ERROR "${set}: it does not compile:\n${output}")
-    endif()
-  endforeach()
-  execute_process(COMMAND "${WORK}/${PROGRAM}" OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+  compile(${flags} ${${set}} ${warnings} ${SOURCES} ${objects} -pthread -o "${WORK}/program")
+  execute_process(COMMAND "${WORK}/program" OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
   message(STATUS "${set}: ${output}")
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${CXX} ${FLAGS} ${${set}}: ended with ${result}")
