@@ -320,13 +320,14 @@ template <int kPacks, class Body>
   return failed + body(Window{last - kLanes, 1, Pack::kLanes, static_cast<int>(at - (last - kLanes))});
 }
 
-/// 0 in lanes where all n numbers are finite, NaN in the others.
+/// 0 in lanes where all n numbers are finite, NaN in the others. Under -ffast-math, numbers whose sum
+/// overflows may count as not finite too.
 inline Pack zero_if_finite(int n, const Pack* x) {
   const Pack zero = Pack::as_rounded(Pack(0.0));
   Pack even = zero, odd = zero;
   for (int i = 0; i + 1 < n; i += 2) {
-    even = Pack::as_rounded(even + x[i] * zero);
-    odd = Pack::as_rounded(odd + x[i + 1] * zero);
+    even = even + x[i] * zero;
+    odd = odd + x[i + 1] * zero;
   }
   return n % 2 == 0 ? even + odd : even + odd + x[n - 1] * zero;
 }
