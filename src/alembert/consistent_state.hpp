@@ -1,6 +1,6 @@
 // States that keep the constraints. In: a state nearby. Out: the state that keeps them, by the least change
 // of the coordinates and then of the speeds in the metric of the kinetic energy; or a status. No heap where
-// sizes are fixed, no exceptions.
+// sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
 // Speeds:       u -= M^-1 P^T S^-1 velocity,  S = P M^-1 P^T. Of all speeds that keep the constraints this
 // has the

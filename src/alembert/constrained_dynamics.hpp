@@ -1,6 +1,7 @@
 // Forward dynamics under constraints. In: a mechanism with rows of constraints, a state, generalized forces.
 // Out: the rates of the speeds that keep the constraints, the reactions, which rows are redundant, or a
-// status that says why there are none. No heap where sizes are fixed, no exceptions.
+// status that says why there are none. No heap where sizes are fixed and matrices fit the stack (matrix.hpp),
+// no exceptions.
 //
 //   [M -P^T] [qdd   ]   [tau - c]
 //   [P   0 ] [lambda] = [-gamma*]      gamma* = gamma + 2 a velocity + b^2 position

@@ -1,6 +1,7 @@
 // Linear equations of a mass matrix bordered by constraints, with rows that may depend on each other. In: M
 // and P. Out: x and lambda with M x = b + P^T lambda and P x = r, the rank of P, which of its rows are
-// redundant and which row contradicts the others. Sizes are fixed or dynamic; fixed ones take no heap.
+// redundant and which row contradicts the others. Sizes are fixed or dynamic; fixed ones take no heap unless
+// a matrix is too large for the stack (matrix.hpp).
 #pragma once
 
 #include <cmath>
@@ -76,7 +77,7 @@ class ConstraintFactorization {
   /// from the
   ///                others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
   ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units.
-  ///                x and lambda then solve the other rows.
+  ///                x and lambda then solve the other rows. Where such a length overflows, x is NaN.
   int solve(const SpeedVector& b, const ConstraintVector& r, SpeedVector& x, ConstraintVector& lambda,
             S motion = S(0)) const {
     using std::abs;
@@ -109,6 +110,10 @@ class ConstraintFactorization {
       squares = S(0);
       for (int i = 0; i < n; ++i) squares += reaction(i) * reaction(i) * mass_(i, i);
       const S length = free_length + sqrt(squares) + motion;
+      if (!detail::is_finite(length)) {  // no row can be told from another then
+        x.setConstant(n, std::numeric_limits<S>::quiet_NaN());
+        return -1;
+      }
       const S relative = sqrt(threshold(n, k)), floor = S(1024) * std::numeric_limits<S>::epsilon();
       S worst(1);
       for (int i = 0; i < k; ++i) {

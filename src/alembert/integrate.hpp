@@ -1,6 +1,6 @@
 // Fixed-step integration of a mechanism in time. In: a state, forces as a function of time and state, a step.
 // Out: the state one step later with unit quaternions and constraints kept, or a status and the state as it
-// was. No heap where sizes are fixed, no exceptions.
+// was. No heap where sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
 // A mechanism with constraints takes its accelerations from constrained_dynamics.hpp, and its state is
 // projected on the constraints after each step (consistent_state.hpp). The projections are of the size of the

@@ -1,5 +1,6 @@
 // Forward dynamics to first order. In: a state, forces and a mechanism's derivatives of inverse dynamics.
-// Out: the accelerations and what they become as state and forces change. No heap, no exceptions.
+// Out: the accelerations and what they become as state and forces change. No heap where matrices fit the
+// stack (matrix.hpp), no exceptions.
 #pragma once
 
 #include <initializer_list>

@@ -1,6 +1,6 @@
 // Changes of topology: a chain that breaks in two, a foot that leaves the ground, a hand that grasps. In: the
 // state of one mechanism, and another one of which some bodies are the same. Out: the state of the other that
-// is closest, or a status. No heap, no exceptions.
+// is closest, or a status. No heap where matrices fit the stack (matrix.hpp), no exceptions.
 //
 //   std::array<BodyMotion<double>, After::kNbodies> bodies;                            // nothing known yet
 //   take_bodies(body_motions<Before>(q, qd, in), same_names(before::kBodyNames, after::kBodyNames), bodies);

@@ -262,6 +262,10 @@ void check_matrices() {
   R::Vector p(0.5, 0), v(0, 1);
   alembert::ConstraintReport<2> report;
   expect(alembert::consistent_state<R>(p, v, {}, report), Status::inconsistent_constraints, "two rods");
+  // Contradictions are told by lengths, which overflow here.
+  alembert::ConstrainedMotionOf<R> motion;
+  expect(alembert::constrained_forward_dynamics<R>(p, v, R::Vector(0, 1e200), {}, motion), Status::not_finite,
+         "a force whose square overflows");
   using B = models::SpinningBody<>;
   for (const double bad : {0.0, not_a_number(), infinity()}) {
     Eigen::Vector4d quaternion(0, 0, 0, bad);
