@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "alembert/batch.hpp"
 #include "alembert/floating_point.hpp"
@@ -290,6 +291,9 @@ struct Window {
     return static_cast<::std::size_t>(sum.count_not_zero(known, count));
   }
 };
+
+/// An array that is too large for the stack.
+using HeapArray = ::std::vector<Pack>;
 
 /// The most packs that are done together.
 constexpr int kMostPacks = 16;

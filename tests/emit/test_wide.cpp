@@ -1,9 +1,12 @@
 // A mechanism whose matrices Eigen does not hold on the stack: its wrappers, and all that the runtime does
 // with it, are those of each of its 130 pendulums, m l^2 qdd + m g l sin q = tau with m = 2 kg and l = 0.5 m.
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <cmath>
+#include <vector>
 #include <wide_row/wide_row.hpp>
+#include <wide_row/wide_row_batch.hpp>
 
 #include "alembert/body_motion.hpp"
 #include "alembert/consistent_state.hpp"
@@ -62,6 +65,31 @@ TEST(Wide, TheRuntimeTakesThem) {
     EXPECT_NEAR(linear.qdd_q(i, i), -kG / kL * std::cos(q(i)), 1e-12);
     EXPECT_NEAR(linear.qdd_tau(i, i), 1 / (kM * kL * kL), 1e-12);
   }
+}
+
+/// Accelerations of 20 states, where a thread has little memory for variables: the matrices of a pack are
+/// larger.
+void* accelerations_of_many(void* failures) {
+  constexpr std::size_t kN = 20, kV = M::kNv;
+  std::vector<double> q(kN * kV), u(kN * kV, 0.0), qdd(kN * kV, 7.0);
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = 0.001 * static_cast<double>(i) - 1;
+  std::size_t& failed = *static_cast<std::size_t*>(failures);
+  failed = wide::wide_row::forward_dynamics_batch(kN, kN, q.data(), u.data(), u.data(), {}, qdd.data());
+  for (std::size_t i = 0; i < q.size(); ++i)
+    failed += std::fabs(qdd[i] + kG / kL * std::sin(q[i])) < 1e-12 ? 0 : 1;
+  return nullptr;
+}
+
+TEST(Wide, ManyStatesInAThreadWithASmallStack) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 1 << 19), 0);
+  pthread_t thread;
+  std::size_t failures = 1;
+  ASSERT_EQ(pthread_create(&thread, &attributes, accelerations_of_many, &failures), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  EXPECT_EQ(failures, 0U);
 }
 
 TEST(Wide, StepsKeepConstraintsAndEnergy) {
