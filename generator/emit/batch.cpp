@@ -151,6 +151,15 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
       crossing, of_all};
 }
 
+/// Larger arrays, in packs of up to 64 bytes, are no longer on the stack: a thread has a few MiB of it.
+constexpr std::size_t kLargestOnStack = 4096;
+
+std::string array_of_packs(std::string_view name, const std::string& count, std::size_t size) {
+  if (size <= kLargestOnStack) return fmt::format("Pack {}[{}];\n", name, count);
+  return fmt::format("pack::HeapArray {0}_on_heap({1});\nPack* const {0} = {0}_on_heap.data();\n", name,
+                     count);
+}
+
 /// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
 /// program of M and c. `packs`: the function that is called.
 std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& signature, bool solved,
@@ -159,7 +168,7 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
   std::string arrays, loads, stores, call = "window.packs", finite;
   std::size_t size = 0, argument = 0, result = 0;
   const auto add = [&](const PackArray& array) {
-    arrays += fmt::format("Pack {}[kPacks * {}];\n", array.name, array.size);
+    arrays += array_of_packs(array.name, fmt::format("kPacks * {}", array.size), array.size);
     size += array.size;
   };
   for (const PackArray& array : pack_arrays(mechanism, signature)) {
@@ -185,7 +194,7 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
     call += ", inputs";
   }
   if (packs.of_all) {
-    arrays += fmt::format("Pack w[{}];\n", packs.crossing);
+    arrays += array_of_packs("w", std::to_string(packs.crossing), packs.crossing);
   } else {
     add({"w", packs.crossing, true});
   }

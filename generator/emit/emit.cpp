@@ -13,6 +13,7 @@
 #include "emit/register_order.hpp"
 #include "emit/statements.hpp"
 #include "emit/text_template.hpp"
+#include "mechanism/names.hpp"
 #include "program/passes.hpp"
 #include "support/error.hpp"
 
@@ -76,12 +77,13 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
   if (!options.expected_name.empty() && mechanism.name != options.expected_name)
     fail(fmt::format("the mechanism is called '{}' where the build expects '{}': configure the build again",
                      printable(mechanism.name), printable(options.expected_name)));
-  check_mechanism_name(mechanism);
+  if (const std::string objection = objection_to_mechanism_name(mechanism.name); !objection.empty())
+    fail(fmt::format("'{}' cannot name a mechanism: it {}", printable(mechanism.name), objection));
   if (mechanism.nq < 1 || mechanism.nv < 1)
     fail("a mechanism without coordinates has no equations of motion");
-  if (!is_namespace(options.outer_namespace))
-    fail(fmt::format("'{}' is no namespace: expected identifiers joined by ::",
-                     printable(options.outer_namespace)));
+  if (const std::string objection = objection_to_outer_namespace(options.outer_namespace); !objection.empty())
+    fail(fmt::format("'{}' is no namespace: {}; expected identifiers joined by ::",
+                     printable(options.outer_namespace), objection));
   if (options.scalars.empty()) fail("no scalar type: expected double, float or both");
   for (const std::string& scalar : options.scalars) {
     if (scalar != "double" && scalar != "float")

@@ -4,15 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "emit/literals.hpp"
 #include "mechanism/constraint_rows.hpp"
-#include "mechanism/names.hpp"
-#include "support/error.hpp"
 
 namespace alembert {
 namespace {
@@ -110,33 +107,6 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
   return out;
 }
 
-constexpr std::array<std::string_view, 92> kKeywords = {
-    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
-    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
-    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
-    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
-    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
-    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
-    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
-    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
-    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
-    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
-    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
-    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq"};
-
-// Names that common headers or GNU modes of compilers define as macros.
-constexpr std::array<std::string_view, 14> kMacros = {"NULL",  "EOF",    "NAN",   "INFINITY", "HUGE_VAL",
-                                                      "errno", "assert", "stdin", "stdout",   "stderr",
-                                                      "linux", "unix",   "i386",  "offsetof"};
-
-bool is_identifier(std::string_view text) {
-  return !text.empty() && !is_digit(text[0]) && std::ranges::all_of(text, is_word_character) &&
-         std::ranges::find(kKeywords, text) == kKeywords.end() &&
-         std::ranges::find(kMacros, text) == kMacros.end();
-}
-
 }  // namespace
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
@@ -199,24 +169,6 @@ Slots c_constant_slots(const Mechanism& mechanism) {
       {"initial_speeds", c_array(initial_speeds(mechanism), "")},
       {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
   };
-}
-
-void check_mechanism_name(const Mechanism& mechanism) {
-  if (!is_identifier(mechanism.name))
-    throw InputError(mechanism.where,
-                     fmt::format("'{}' cannot name a mechanism: it names files, a namespace and functions, "
-                                 "so it must be an identifier that is no keyword and no usual macro",
-                                 printable(mechanism.name)));
-}
-
-bool is_namespace(const std::string& text) {
-  std::string_view rest = text;
-  while (true) {
-    const std::size_t end = rest.find("::");
-    if (!is_identifier(rest.substr(0, end))) return false;
-    if (end == std::string_view::npos) return true;
-    rest.remove_prefix(end + 2);
-  }
 }
 
 }  // namespace alembert

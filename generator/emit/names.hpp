@@ -15,10 +15,4 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
 Slots cpp_constant_slots(const Mechanism& mechanism);
 Slots c_constant_slots(const Mechanism& mechanism);
 
-/// InputError unless `name` can name files, a namespace and C functions: no macro of the usual headers.
-void check_mechanism_name(const Mechanism& mechanism);
-
-/// True for `a`, `a::b`, ... of identifiers that are no keywords.
-bool is_namespace(const std::string& text);
-
 }  // namespace alembert

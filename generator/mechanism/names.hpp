@@ -19,8 +19,13 @@ bool is_word_character(char c);
 /// as the rest of a sentence (`is a C++ keyword`), or nothing if it is fit.
 std::string objection_to_name(std::string_view name);
 
-/// Whether a mechanism cannot have this name, which becomes a C++ namespace.
-bool is_taken_namespace(std::string_view name);
+/// The same for a mechanism's name, which names a namespace, files and functions of C: no macro of the C
+/// library.
+std::string objection_to_mechanism_name(std::string_view name);
+
+/// What forbids `text`, identifiers joined by `::`, as the namespace of generated C++, as a sentence that
+/// names the identifier at fault (`'std' is a namespace of others`), or nothing if it is fit.
+std::string objection_to_outer_namespace(std::string_view text);
 
 /// The text of a scalar that is to be a name. `what` says of what (`a body`). Throws InputError.
 const std::string& expect_name(const Document& document, const YamlNode& node, std::string_view what);

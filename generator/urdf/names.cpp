@@ -29,7 +29,7 @@ std::string fit_name(const std::string& name, const std::string& noun) {
 
 std::string fit_mechanism_name(const std::string& name) {
   const std::string fit = fit_name(name, "robot").substr(0, kMaximumName);
-  return is_taken_namespace(fit) ? fit + "_robot" : fit;
+  return objection_to_mechanism_name(fit).empty() ? fit : fit + "_robot";
 }
 
 void FitNames::reserve(const std::string& name) {

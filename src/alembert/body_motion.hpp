@@ -44,6 +44,7 @@ inline constexpr bool has_bodies_v = is_mechanism_v<M>&& detail::HasBodies<M>::v
 
 /// Where the bodies of a mechanism are and how they move.
 /// \param q, qd, in  state and inputs
+/// \return           not finite where these are not; what takes bodies (topology.hpp) says so by its status
 template <class M>
 std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)> body_motions(
     const CoordinateVector<M>& q, const SpeedVector<M>& qd, const typename M::Inputs& in) {
@@ -77,8 +78,10 @@ constexpr std::array<int, m> same_names(const std::array<std::string_view, n>& f
 }
 
 /// Copies bodies of one mechanism to their places in another; to be called for each mechanism that the other
-/// takes bodies from. \param from     bodies of the one \param indices  for each body of the other its index
-/// in `from`, or -1: that one is left as it was \param to       bodies of the other
+/// takes bodies from.
+/// \param from     bodies of the one
+/// \param indices  for each body of the other its index in `from`, or -1: that one is left as it was
+/// \param to       bodies of the other
 template <class S, std::size_t n, std::size_t m>
 constexpr void take_bodies(const std::array<BodyMotion<S>, n>& from, const std::array<int, m>& indices,
                            std::array<BodyMotion<S>, m>& to) {

@@ -1,6 +1,6 @@
 // States that keep the constraints. In: a state nearby. Out: the state that keeps them, by the least change
 // of the coordinates and then of the speeds in the metric of the kinetic energy; or a status. No heap where
-// sizes are fixed, no exceptions.
+// sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
 // Speeds:       u -= M^-1 P^T S^-1 velocity,  S = P M^-1 P^T. Of all speeds that keep the constraints this
 // has the
@@ -27,7 +27,8 @@ struct ProjectionOptions {
   /// thousand times as much will do.
   S tolerance = S(1024) * std::numeric_limits<S>::epsilon();
   int iterations = 100;
-  S longest_step = S(0.5);  ///< no coordinate's change in one iteration is larger, in rad or m
+  S longest_step =
+      S(0.5);  ///< no coordinate's change in one iteration is larger, in rad or m; may be infinite
   /// Speeds held: neither they nor the coordinates that they move are changed. Empty or n_v flags.
   Eigen::Array<bool, Eigen::Dynamic, 1, 0, Nv, 1> held;
 };
@@ -41,13 +42,12 @@ namespace detail {
 /// Scales the quaternions in q to unit length; not_finite if there is none, q being left as it was.
 template <class System, class Vector>
 [[nodiscard]] Status normalize(const System& system, Vector& q) {
-  using std::isfinite;
   using std::sqrt;
   using S = typename System::Scalar;
   for (const auto first : system.quaternion_offsets()) {
     const S norm = sqrt(q(first) * q(first) + q(first + 1) * q(first + 1) + q(first + 2) * q(first + 2) +
                         q(first + 3) * q(first + 3));
-    if (!isfinite(norm) || !(norm > S(0))) return Status::not_finite;
+    if (!is_finite(norm) || !(norm > S(0))) return Status::not_finite;
   }
   for (const auto first : system.quaternion_offsets()) {
     const S norm = sqrt(q(first) * q(first) + q(first + 1) * q(first + 1) + q(first + 2) * q(first + 2) +
@@ -55,6 +55,12 @@ template <class System, class Vector>
     for (auto i = first; i < first + 4; ++i) q(i) /= norm;
   }
   return Status::ok;
+}
+
+/// Whether bounds bound anything.
+template <class S, int Nv>
+bool are_bounds(const ProjectionOptions<S, Nv>& options) {
+  return is_finite(options.tolerance) && is_bound(options.longest_step);
 }
 
 /// Takes the held speeds out of the metric and of the rows, so that they cannot change.
@@ -87,12 +93,14 @@ template <class System, class Vector>
   typename Factorization::ConstraintMatrix P;
   typename Factorization::ConstraintVector gamma, velocity, position, lambda;
   report.inconsistent_row = -1;
+  if (!detail::is_finite_state(system.time(), q, u)) return Status::not_finite;
   system.mass_matrix_and_bias(q, u, mass, c);
   system.constraints(q, u, P, gamma, velocity, position);
   if (!detail::all_finite(mass) || !detail::all_finite(velocity)) return Status::not_finite;
   S squares(0);
   for (Eigen::Index i = 0; i < u.rows(); ++i)
     for (Eigen::Index j = 0; j < u.rows(); ++j) squares += u(i) * mass(i, j) * u(j);
+  if (!detail::is_finite(squares)) return Status::not_finite;
   detail::hold(options.held, mass, P);
   Factorization factorization;
   if (const Status status = factorization.factor(mass, P); status != Status::ok) return status;
@@ -112,7 +120,7 @@ template <class System, class Vector>
 /// none. \return ok; not_finite; not_positive_definite; no_convergence; inconsistent_constraints if the
 /// iteration stops
 ///         where a row depends on the others and is not kept: it contradicts them, or the mechanism is
-///         singular there. q is left as it was unless ok.
+///         singular there. q is left as it was unless ok. The report is that of the last iteration.
 template <class System, class Vector>
 [[nodiscard]] Status project_coordinates(const System& system, Vector& q,
                                          const ProjectionOptionsOf<System>& options,
@@ -130,6 +138,8 @@ template <class System, class Vector>
   report.inconsistent_row = -1;
   report.rank = 0;
   report.redundant.setConstant(nc, false);
+  if (!detail::is_finite_state(system.time(), q, zero) || !detail::are_bounds(options))
+    return Status::not_finite;
 
   const auto largest = [](const auto& values) {
     S most(0);
@@ -147,7 +157,7 @@ template <class System, class Vector>
   };
   if (!evaluate(now)) return Status::not_finite;
   for (int iteration = 0; !(largest(position) <= options.tolerance); ++iteration) {
-    if (iteration == options.iterations) return Status::no_convergence;
+    if (iteration >= options.iterations) return Status::no_convergence;
     const S before = position.squaredNorm(), before_largest = largest(position);
     system.mass_matrix_and_bias(now, zero, mass, c);
     if (!detail::all_finite(mass)) return Status::not_finite;

@@ -1,6 +1,7 @@
 // Forward dynamics under constraints. In: a mechanism with rows of constraints, a state, generalized forces.
 // Out: the rates of the speeds that keep the constraints, the reactions, which rows are redundant, or a
-// status that says why there are none. No heap where sizes are fixed, no exceptions.
+// status that says why there are none. No heap where sizes are fixed and matrices fit the stack (matrix.hpp),
+// no exceptions.
 //
 //   [M -P^T] [qdd   ]   [tau - c]
 //   [P   0 ] [lambda] = [-gamma*]      gamma* = gamma + 2 a velocity + b^2 position
@@ -51,8 +52,8 @@ using ConstrainedMotionOf = ConstrainedMotion<typename M::Scalar, M::kNv, detail
 
 /// Rates of the speeds and reactions of any System (bound_mechanism.hpp) with constraints.
 /// \return ok; not_finite; not_positive_definite (of M); inconsistent_constraints: the row in the result asks
-/// for
-///         another acceleration than those it depends on. qdd and lambda are left as they were unless ok.
+///         for another acceleration than those it depends on. qdd and lambda are left as they were unless ok;
+///         rank and redundant are left as they were unless M and P could be factored.
 template <class System, class Vector>
 [[nodiscard]] Status constrained_accelerations(
     const System& system, const Eigen::Matrix<typename System::Scalar, System::kNq, 1>& q, const Vector& u,
@@ -64,6 +65,9 @@ template <class System, class Vector>
   typename Factorization::ConstraintMatrix P;
   typename Factorization::ConstraintVector gamma, velocity, position, lambda;
   result.inconsistent_row = -1;
+  if (!detail::is_finite_state(system.time(), q, u) || !detail::is_finite(gains.velocity) ||
+      !detail::is_finite(gains.position))
+    return Status::not_finite;
   system.mass_matrix_and_bias(q, u, mass, force);
   system.constraints(q, u, P, gamma, velocity, position);
   force = tau - force;

@@ -1,6 +1,7 @@
 // Linear equations of a mass matrix bordered by constraints, with rows that may depend on each other. In: M
 // and P. Out: x and lambda with M x = b + P^T lambda and P x = r, the rank of P, which of its rows are
-// redundant and which row contradicts the others. Sizes are fixed or dynamic; fixed ones take no heap.
+// redundant and which row contradicts the others. Sizes are fixed or dynamic; fixed ones take no heap unless
+// a matrix is too large for the stack (matrix.hpp).
 #pragma once
 
 #include <cmath>
@@ -28,9 +29,9 @@ namespace alembert {
 template <class S, int N, int K>
 class ConstraintFactorization {
  public:
-  using SpeedMatrix = Eigen::Matrix<S, N, N>;
+  using SpeedMatrix = SizedMatrix<S, N, N>;
   using SpeedVector = Eigen::Matrix<S, N, 1>;
-  using ConstraintMatrix = Eigen::Matrix<S, K, N>;
+  using ConstraintMatrix = SizedMatrix<S, K, N>;
   using ConstraintVector = Eigen::Matrix<S, K, 1>;
   using Flags = Eigen::Array<bool, K, 1>;
 
@@ -76,7 +77,7 @@ class ConstraintFactorization {
   /// from the
   ///                others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
   ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units.
-  ///                x and lambda then solve the other rows.
+  ///                x and lambda then solve the other rows. Where such a length overflows, x is NaN.
   int solve(const SpeedVector& b, const ConstraintVector& r, SpeedVector& x, ConstraintVector& lambda,
             S motion = S(0)) const {
     using std::abs;
@@ -109,6 +110,10 @@ class ConstraintFactorization {
       squares = S(0);
       for (int i = 0; i < n; ++i) squares += reaction(i) * reaction(i) * mass_(i, i);
       const S length = free_length + sqrt(squares) + motion;
+      if (!detail::is_finite(length)) {  // no row can be told from another then
+        x.setConstant(n, std::numeric_limits<S>::quiet_NaN());
+        return -1;
+      }
       const S relative = sqrt(threshold(n, k)), floor = S(1024) * std::numeric_limits<S>::epsilon();
       S worst(1);
       for (int i = 0; i < k; ++i) {
@@ -190,9 +195,9 @@ class ConstraintFactorization {
   }
 
   SpeedMatrix mass_;                // L and D of M
-  Eigen::Matrix<S, N, K> Y_;        // L^-1 P^T
-  Eigen::Matrix<S, K, K> rest_;     // what is left of S while it is factored
-  Eigen::Matrix<S, K, K> factor_;   // G: rows as in P, columns in the order of the pivots
+  SizedMatrix<S, N, K> Y_;          // L^-1 P^T
+  SizedMatrix<S, K, K> rest_;       // what is left of S while it is factored
+  SizedMatrix<S, K, K> factor_;     // G: rows as in P, columns in the order of the pivots
   ConstraintVector diagonal_;       // of S
   ConstraintVector pivots_;         // E
   Eigen::Matrix<int, K, 1> order_;  // row of each pivot

@@ -1,7 +1,8 @@
-// Energy of a mechanism. In: a state. Out: kinetic and potential energy in joules.
+// Energy of a mechanism. In: a state. Out: kinetic and potential energy in joules, and if asked for a status.
 #pragma once
 
 #include "alembert/mechanism.hpp"
+#include "alembert/status.hpp"
 
 namespace alembert {
 
@@ -19,6 +20,7 @@ struct Energy {
 /// \param q   coordinates, n_q x 1
 /// \param qd  speeds, n_v x 1
 /// \param in  time, runtime parameters (external wrenches have no energy)
+/// \return    not finite where an argument is not or a product overflows; the function with a status tells
 template <class M>
 Energy<typename M::Scalar> energy(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                   const typename M::Inputs& in) {
@@ -27,7 +29,19 @@ Energy<typename M::Scalar> energy(const CoordinateVector<M>& q, const SpeedVecto
   return {e[0], e[1]};
 }
 
+/// The same with a status: ok, or not_finite, and then `out` is left as it was.
+template <class M>
+[[nodiscard]] Status energy(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
+                            const typename M::Inputs& in, Energy<typename M::Scalar>& out) {
+  if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
+  const Energy<typename M::Scalar> e = energy<M>(q, qd, in);
+  if (!detail::is_finite(e.kinetic) || !detail::is_finite(e.potential)) return Status::not_finite;
+  out = e;
+  return Status::ok;
+}
+
 /// Kinetic energy by the mass matrix, 1/2 u^T M(q) u: the whole of it where no motion is prescribed in time.
+/// Not finite where an argument is not or a product overflows.
 template <class M>
 typename M::Scalar kinetic_energy(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                   const typename M::Inputs& in) {
@@ -40,6 +54,17 @@ typename M::Scalar kinetic_energy(const CoordinateVector<M>& q, const SpeedVecto
   for (int i = 0; i < M::kNv; ++i)
     for (int j = 0; j < M::kNv; ++j) sum += qd(i) * mass(i, j) * qd(j);
   return S(0.5) * sum;
+}
+
+/// The same with a status: ok, or not_finite, and then `out` is left as it was.
+template <class M>
+[[nodiscard]] Status kinetic_energy(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
+                                    const typename M::Inputs& in, typename M::Scalar& out) {
+  if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
+  const typename M::Scalar e = kinetic_energy<M>(q, qd, in);
+  if (!detail::is_finite(e)) return Status::not_finite;
+  out = e;
+  return Status::ok;
 }
 
 }  // namespace alembert

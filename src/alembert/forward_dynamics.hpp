@@ -1,55 +1,16 @@
 // Forward dynamics: accelerations from forces. In: a mechanism's M and c, and generalized forces. Out: the
-// rates of the speeds, or a status that says why there are none; never a NaN passed off as a result. No heap,
-// no exceptions.
+// rates of the speeds, or a status that says why there are none; never a NaN passed off as a result, not even
+// under -ffast-math. No heap unless M is a HeapMatrix (matrix.hpp), no exceptions.
 #pragma once
 
-#include <cmath>
 #include <limits>
 
 #include "alembert/mechanism.hpp"
+#include "alembert/status.hpp"
 
 namespace alembert {
 
-/// What came of a call.
-enum class Status {
-  ok = 0,
-  not_finite = 1,  ///< an argument, M or c, or the result holds a NaN or an infinity
-  not_positive_definite =
-      2,  ///< M has a pivot that is not positive beyond rounding: the mechanism is singular here
-  inconsistent_constraints = 3,  ///< a row of the constraints contradicts the others
-  no_convergence = 4,            ///< an iteration came to no solution
-  residual_too_large = 5,        ///< the closest state is further away than was allowed
-};
-
-/// The status in words, for messages.
-constexpr const char* to_string(Status status) noexcept {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::not_finite:
-      return "a value is not finite";
-    case Status::not_positive_definite:
-      return "the mass matrix is not positive definite";
-    case Status::inconsistent_constraints:
-      return "the constraints contradict each other";
-    case Status::no_convergence:
-      return "the iteration found no solution";
-    case Status::residual_too_large:
-      return "the closest state is too far away";
-  }
-  return "unknown status";
-}
-
 namespace detail {
-
-template <class Derived>
-bool all_finite(const Eigen::MatrixBase<Derived>& x) {
-  using std::isfinite;
-  for (Eigen::Index j = 0; j < x.cols(); ++j)
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
-      if (!isfinite(x(i, j))) return false;
-  return true;
-}
 
 inline constexpr int kLargestByRows = 12;  // measured: from here on columns are faster
 
@@ -69,7 +30,6 @@ inline constexpr int kLargestByRows = 12;  // measured: from here on columns are
 /// down columns and vectorize. Golub and Van Loan, Matrix Computations, sections 4.1 and 4.2.
 template <class S, int N>
 [[nodiscard]] Status factor_ldlt(Eigen::Matrix<S, N, N>& A) {
-  using std::isfinite;
   static_assert(N > 0 || N == Eigen::Dynamic, "the size must be positive");
   constexpr bool by_rows = N != Eigen::Dynamic && N <= detail::kLargestByRows;
   const int n = static_cast<int>(A.rows());  // N, unless that is Eigen::Dynamic
@@ -85,7 +45,7 @@ template <class S, int N>
       }
       A(j, j) = pivot;
     }
-    if (!isfinite(pivot)) return Status::not_finite;
+    if (!detail::is_finite(pivot)) return Status::not_finite;
     if (!(pivot > S(0)) || !(pivot > rounding * diagonal(j))) return Status::not_positive_definite;
     S* const column = &A(0, j);
     if constexpr (by_rows) {
@@ -111,8 +71,8 @@ template <class S, int N>
 }
 
 /// Solves A x = b in place, with A as factor_ldlt leaves it.
-template <class S, int N>
-void solve_ldlt(const Eigen::Matrix<S, N, N>& A, Eigen::Matrix<S, N, 1>& x) {
+template <class S, int N, int K>
+void solve_ldlt(const Eigen::Matrix<S, N, N>& A, Eigen::Matrix<S, K, 1>& x) {
   const int n = static_cast<int>(A.rows());
   for (int j = 0; j < n; ++j)
     for (int i = j + 1; i < n; ++i) x(i) -= A(i, j) * x(j);
@@ -125,9 +85,9 @@ namespace detail {
 
 /// x = M^-1 (tau - x), given x = c; M is left as factor_ldlt leaves it. Both are spoilt unless the status is
 /// ok.
-template <class S, int N>
-[[nodiscard]] Status solve_for_rates(const Eigen::Matrix<S, N, 1>& tau, Eigen::Matrix<S, N, N>& mass,
-                                     Eigen::Matrix<S, N, 1>& x) {
+template <class S, int N, int K>
+[[nodiscard]] Status solve_for_rates(const Eigen::Matrix<S, K, 1>& tau, Eigen::Matrix<S, N, N>& mass,
+                                     Eigen::Matrix<S, K, 1>& x) {
   x = tau - x;
   if (!all_finite(mass) || !all_finite(x)) return Status::not_finite;
   if (const Status status = factor_ldlt(mass); status != Status::ok) return status;
@@ -151,6 +111,7 @@ template <class M>
                                       const SpeedVector<M>& tau, const typename M::Inputs& in,
                                       SpeedVector<M>& qdd) {
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
   SpeedMatrix<M> mass;
   SpeedVector<M> x;
   M::mass_matrix_and_bias(q, qd, in, mass, x);

@@ -1,12 +1,14 @@
 // Fixed-step integration of a mechanism in time. In: a state, forces as a function of time and state, a step.
 // Out: the state one step later with unit quaternions and constraints kept, or a status and the state as it
-// was. No heap where sizes are fixed, no exceptions.
+// was. No heap where sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
 // A mechanism with constraints takes its accelerations from constrained_dynamics.hpp, and its state is
 // projected on the constraints after each step (consistent_state.hpp). The projections are of the size of the
 // method's error of one step. That of the speeds takes away kinetic energy of second order in it, and that of
 // the coordinates changes the potential energy by no more than the step itself does.
 #pragma once
+
+#include <type_traits>
 
 #include "alembert/bound_mechanism.hpp"
 #include "alembert/consistent_state.hpp"
@@ -24,6 +26,25 @@ template <class M>
   return detail::normalize(BoundMechanism<M>(unused), q);
 }
 
+/// Calls step() `count` times, each of which is to advance t by h, and counts time instead of adding it up:
+/// after k steps t is t_0 + k h, rounded once. Added up, a million steps of 1e-3 s end 1.7e-8 s late.
+///
+///   repeat_step(in.t, h, n, [&] { return rk4_step<M>(q, qd, in, h, force); });
+///
+/// \param t  time, where the steps find it: `t` of their inputs
+/// \return   ok, or the status of the first step that failed, which is the last one called: t and what the
+/// steps
+///           advance are as it left them
+template <class S, class Step>
+[[nodiscard]] Status repeat_step(S& t, S h, long long count, Step&& step) {
+  const S start = t;
+  for (long long k = 1; k <= count; ++k) {
+    if (const Status status = step(); status != Status::ok) return status;
+    t = start + static_cast<S>(k) * h;
+  }
+  return Status::ok;
+}
+
 /// How constraints are kept during a step; of no effect on a mechanism without them.
 template <class S>
 struct StepOptions {
@@ -32,6 +53,27 @@ struct StepOptions {
 };
 
 namespace detail {
+
+/// Whether what a callable returns holds its own numbers, or stands for those of another object that stays.
+/// An expression of Eigen refers to variables of the callable, which are gone when it is evaluated.
+template <class Result, class = void>
+struct OutlivesCall : std::bool_constant<!std::is_rvalue_reference_v<Result>> {};
+template <class Result>
+struct OutlivesCall<Result, std::void_t<typename std::decay_t<Result>::PlainObject>>
+    : std::bool_constant<
+          !std::is_rvalue_reference_v<Result> &&
+          std::is_base_of_v<typename std::decay_t<Result>::PlainObject, std::decay_t<Result>>> {};
+
+/// Generalized forces by the caller's callable.
+template <class System, class Coordinates, class Speeds, class Force>
+Speeds forces_of(const System& system, const Coordinates& q, const Speeds& u, Force&& force) {
+  using Result = decltype(force(system.time(), q, u));
+  static_assert(OutlivesCall<Result>::value,
+                "force must return a vector by value, not an expression of Eigen: give the lambda its return "
+                "type, as in "
+                "[](double t, const auto& q, const auto& qd) -> M::SpeedVector { return ...; }");
+  return force(system.time(), q, u);
+}
 
 /// Rates of the speeds, under constraints if there are any.
 template <class System, class Speeds>
@@ -49,7 +91,8 @@ template <class System, class Speeds>
       return status;
     }
   }
-  Eigen::Matrix<typename System::Scalar, System::kNv, System::kNv> mass;
+  if (!is_finite_state(system.time(), q, u)) return Status::not_finite;
+  SizedMatrix<typename System::Scalar, System::kNv, System::kNv> mass;
   Speeds x;
   system.mass_matrix_and_bias(q, u, mass, x);
   if (const Status status = solve_for_rates(tau, mass, x); status != Status::ok) return status;
@@ -62,7 +105,7 @@ template <class System, class Coordinates, class Speeds>
 [[nodiscard]] Status settle(const System& system, Coordinates& q, Speeds& u,
                             const StepOptions<typename System::Scalar>& options,
                             ConstraintReport<System::kNc>& report) {
-  if (!all_finite(q) || !all_finite(u)) return Status::not_finite;
+  if (!is_finite_state(system.time(), q, u)) return Status::not_finite;
   if (const Status status = normalize(system, q); status != Status::ok) return status;
   if constexpr (System::kNc != 0) {
     if (options.project && system.nc() != 0) return project_state(system, q, u, {}, report);
@@ -78,6 +121,7 @@ template <class System, class Coordinates, class Speeds, class Force>
                                     Force&& force, const StepOptions<typename System::Scalar>& options,
                                     ConstraintReport<System::kNc>& report) {
   using S = typename System::Scalar;
+  if (!detail::is_finite(h)) return Status::not_finite;
   const S half = h * S(0.5);
   const S offsets[4] = {S(0), half, half, h};
   const S weights[4] = {h / S(6), h / S(3), h / S(3), h / S(6)};
@@ -96,7 +140,7 @@ template <class System, class Coordinates, class Speeds, class Force>
       // functions off the unit sphere too, and the method keeps its order.
       unit_q = stage_q;
       if (const Status status = detail::normalize(system, unit_q); status != Status::ok) return status;
-      const Speeds tau = force(system.time(), unit_q, stage_u);
+      const Speeds tau = detail::forces_of(system, unit_q, stage_u, force);
       if (const Status status = detail::accelerations(system, unit_q, stage_u, tau, options, u_rate, report);
           status != Status::ok)
         return status;
@@ -123,7 +167,8 @@ template <class System, class Coordinates, class Speeds, class Force>
                                                     const StepOptions<typename System::Scalar>& options,
                                                     ConstraintReport<System::kNc>& report) {
   Speeds rate;
-  const Speeds tau = force(system.time(), q, u);
+  if (!detail::is_finite(h)) return Status::not_finite;
+  const Speeds tau = detail::forces_of(system, q, u, force);
   if (const Status status = detail::accelerations(system, q, u, tau, options, rate, report);
       status != Status::ok)
     return status;
@@ -146,13 +191,12 @@ template <class System, class Coordinates, class Speeds, class Force>
 /// \param q        coordinates, n_q x 1; advanced by h
 /// \param qd       speeds, n_v x 1; advanced by h
 /// \param in       inputs at the start of the step; in.t advanced by h
-/// \param h        step, s
-/// \param force    callable (t, q, qd) -> generalized forces, n_v x 1
-/// \param options  how constraints are kept
-/// \param report   if given, what is known of the constraints after the call
-/// \return         ok, or what went wrong at one of the four stages or in the projection; q, qd and in are
-/// left as
-///                 they were then
+/// \param h        step, s; negative steps lead back in time, and one of zero advances nothing
+/// \param force    callable (t, q, qd) -> generalized forces, n_v x 1, by value or by reference to a vector
+/// that stays \param options  how constraints are kept \param report   if given, what is known of the
+/// constraints after the call \return         ok; not_finite, also of h and t; or what else went wrong at one
+/// of the four stages or in the
+///                 projection; q, qd and in are left as they were then
 template <class M, class Force>
 [[nodiscard]] Status rk4_step(CoordinateVector<M>& q, SpeedVector<M>& qd, typename M::Inputs& in,
                               typename M::Scalar h, Force&& force,

@@ -1,5 +1,6 @@
 // Forward dynamics to first order. In: a state, forces and a mechanism's derivatives of inverse dynamics.
-// Out: the accelerations and what they become as state and forces change. No heap, no exceptions.
+// Out: the accelerations and what they become as state and forces change. No heap where matrices fit the
+// stack (matrix.hpp), no exceptions.
 #pragma once
 
 #include <initializer_list>
@@ -53,6 +54,7 @@ template <class M>
                                Linearization<M>& out) {
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
   static_assert(has_derivatives_v<M>, "generate M with inverse_dynamics_derivatives");
+  if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
   SpeedMatrix<M> mass;
   Linearization<M> result;
   M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);

@@ -16,11 +16,16 @@
 //                                            velocity = P u + (part from time) and position must be zero; the
 //                                            rate of velocity is P du/dt + gamma
 // and then tau + P^T lambda = M du/dt + c, with lambda the reactions.
+//
+// Matrices are SizedMatrix of matrix.hpp: those of Eigen with fixed sizes, unless they are too large for the
+// stack.
 #pragma once
 
 #include <Eigen/Core>
 #include <type_traits>
 #include <utility>
+
+#include "alembert/matrix.hpp"
 
 namespace alembert {
 
@@ -34,7 +39,7 @@ using SpeedVector = Eigen::Matrix<typename M::Scalar, M::kNv, 1>;
 
 /// Mass matrix of M: n_v x n_v.
 template <class M>
-using SpeedMatrix = Eigen::Matrix<typename M::Scalar, M::kNv, M::kNv>;
+using SpeedMatrix = SizedMatrix<typename M::Scalar, M::kNv, M::kNv>;
 
 namespace detail {
 
@@ -95,7 +100,7 @@ Vector cleared() {
 template <class M>
 using ConstraintVector = Eigen::Matrix<typename M::Scalar, detail::ConstraintCount<M>::value, 1>;
 template <class M>
-using ConstraintMatrix = Eigen::Matrix<typename M::Scalar, detail::ConstraintCount<M>::value, M::kNv>;
+using ConstraintMatrix = SizedMatrix<typename M::Scalar, detail::ConstraintCount<M>::value, M::kNv>;
 
 /// True if M has all that is listed at the top of this file.
 template <class M>

@@ -16,9 +16,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 #include "alembert/batch.hpp"
+#include "alembert/floating_point.hpp"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define ALEMBERT_PACK_LANES 8
@@ -99,11 +102,33 @@ struct Pack {
   /// 0 in lanes where a > b, NaN in the others.
   static Pack nan_unless_greater(const Pack& a, const Pack& b) {
 #if defined(__GNUC__)
-    return of(reinterpret_cast<Vector>(~(a.v > b.v)));
+    Vector out = reinterpret_cast<Vector>(~(a.v > b.v));
+    ALEMBERT_AS_ROUNDED(out);
+    return of(out);
 #else
     constexpr double kNan = ::std::numeric_limits<double>::quiet_NaN();
     return of(a.v > b.v ? 0.0 : kNan);
 #endif
+  }
+
+  /// What -ffast-math must not combine with other sums.
+  static Pack as_rounded(Pack a) {
+    ALEMBERT_AS_ROUNDED(a.v);
+    return a;
+  }
+
+  /// Lanes i with i >= first and i < last that are neither 0 nor -0; a NaN is not either, whatever the
+  /// compiler takes for granted of comparisons.
+  int count_not_zero(int first, int last) const {
+    double x[kLanes];
+    store(x);
+    int n = 0;
+    for (int i = first; i < last; ++i) {
+      unsigned long long bits;
+      ::std::memcpy(&bits, x + i, sizeof bits);
+      n += bits << 1 == 0 ? 0 : 1;
+    }
+    return n;
   }
 
   Vector v;
@@ -263,13 +288,12 @@ struct Window {
 
   /// New states of a pack whose lane of `sum` is not zero.
   ::std::size_t count_not_finite(const Pack& sum) const {
-    double x[Pack::kLanes];
-    sum.store(x);
-    ::std::size_t failed = 0;
-    for (int i = known; i < count; ++i) failed += x[i] == 0 ? 0U : 1U;
-    return failed;
+    return static_cast<::std::size_t>(sum.count_not_zero(known, count));
   }
 };
+
+/// An array that is too large for the stack.
+using HeapArray = ::std::vector<Pack>;
 
 /// The most packs that are done together.
 constexpr int kMostPacks = 16;
@@ -300,9 +324,10 @@ template <int kPacks, class Body>
   return failed + body(Window{last - kLanes, 1, Pack::kLanes, static_cast<int>(at - (last - kLanes))});
 }
 
-/// 0 in lanes where all n numbers are finite, NaN in the others.
+/// 0 in lanes where all n numbers are finite, NaN in the others. Under -ffast-math, numbers whose sum
+/// overflows may count as not finite too.
 inline Pack zero_if_finite(int n, const Pack* x) {
-  const Pack zero(0.0);
+  const Pack zero = Pack::as_rounded(Pack(0.0));
   Pack even = zero, odd = zero;
   for (int i = 0; i + 1 < n; i += 2) {
     even = even + x[i] * zero;
@@ -313,11 +338,7 @@ inline Pack zero_if_finite(int n, const Pack* x) {
 
 /// Whether all lanes are 0.
 inline bool is_zero(const Pack& a) {
-  double x[Pack::kLanes];
-  a.store(x);
-  bool zero = true;
-  for (int i = 0; i < Pack::kLanes; ++i) zero = zero && x[i] == 0;
-  return zero;
+  return a.count_not_zero(0, Pack::kLanes) == 0;
 }
 
 /// x = M^-1 b by L D L^T without a branch; M and b are spoilt. In lanes where M has a pivot that is not
@@ -325,11 +346,13 @@ inline bool is_zero(const Pack& a) {
 template <::std::size_t N>
 void solve_positive_definite(Pack* M, Pack* x) {
   constexpr double kRounding = static_cast<double>(N) * ::std::numeric_limits<double>::epsilon();
-  Pack diagonal[N], bad = x[0] - x[0];
+  const Pack zero = Pack::as_rounded(Pack(0.0));
+  Pack diagonal[N], bad = zero;
   for (::std::size_t k = 0; k < N; ++k) diagonal[k] = M[k * N + k];
   for (::std::size_t k = 0; k < N; ++k) {
     const Pack pivot = M[k * N + k];
-    bad = bad + Pack::nan_unless_greater(pivot, Pack(0.0)) +
+    // The product says whether the pivot is finite, which comparisons need not under -ffast-math.
+    bad = Pack::as_rounded(bad + pivot * zero) + Pack::nan_unless_greater(pivot, zero) +
           Pack::nan_unless_greater(pivot, diagonal[k] * Pack(kRounding));
     const Pack inverse = Pack(1.0) / pivot;
     for (::std::size_t i = k + 1; i < N; ++i) {

@@ -3,12 +3,17 @@
 //
 // On x86 the instructions (AVX-512, AVX2 with FMA, or those that the compiler may assume) are chosen at run
 // time, so that nothing needs to be compiled for one machine. Angles above 1e5 and what is no number are left
-// to the C library, one by one; so is everything where a compiler has no vector extensions.
+// to the C library, one by one; so is everything where a compiler has no vector extensions. -ffast-math
+// changes none of this.
 #pragma once
 
 #include <cmath>
 
-#if defined(__GNUC__)
+#include "alembert/floating_point.hpp"
+
+// Where doubles are computed with more digits than they have (x87), the vectors' arithmetic is not that of
+// doubles.
+#if defined(__GNUC__) && !(defined(__i386__) && !defined(__SSE2_MATH__))
 #define ALEMBERT_TRIG_VECTORS 1
 #if defined(__x86_64__) || defined(__i386__)
 #define ALEMBERT_TRIG_X86 1
@@ -49,7 +54,7 @@ namespace detail {
 /// Those that vectors do not do: beyond the range of the polynomials.
 inline void large_sines_and_cosines(int n, const double* x, double* sine, double* cosine) {
   for (int i = 0; i < n; ++i) {
-    if (std::fabs(x[i]) <= 1e5) continue;
+    if (is_finite(x[i]) && std::fabs(x[i]) <= 1e5) continue;
     sine[i] = std::sin(x[i]);
     cosine[i] = std::cos(x[i]);
   }

@@ -7,13 +7,14 @@
 //
 // Out: bool NAME(int n, const double* x, double* sine, double* cosine) for n >= LANES, which is false if some
 // |x| is above 1e5 or no number: those results are then wrong and the others right. No `#pragma once`: it is
-// included several times. Needs vector extensions of gcc or clang.
+// included several times. Needs vector extensions of gcc or clang, and floating_point.hpp.
 //
 // x = n pi/2 + (hi + lo), |hi| <= pi/4, with pi/2 in four parts, of which the first three have 34 bits so
 // that n times them is exact; then polynomials with minimax coefficients for (sin r - r) / r^3 and (cos r - 1
 // + r^2/2) / r^4, relative error of the results below 2^-57 before rounding. All products whose rounding
-// matters are exact, so that contraction to fused operations changes last digits only. After W. Cody and W.
-// Waite, Software Manual for the Elementary Functions, 1980.
+// matters are exact, so that contraction to fused operations changes last digits only; sums whose rounding
+// matters are kept as they are under -ffast-math too. After W. Cody and W. Waite, Software Manual for the
+// Elementary Functions, 1980.
 
 #ifdef ALEMBERT_TRIG_MULTIPLY_ADD
 #define ALEMBERT_TRIG_AXPY ALEMBERT_TRIG_MULTIPLY_ADD
@@ -29,8 +30,9 @@ ALEMBERT_TRIG_TARGET inline bool ALEMBERT_TRIG_NAME(int n, const double* x, doub
   const Vector zero = {};
   const Integers no_bits = {};
   const Integers sign_bit = no_bits + static_cast<long long>(1ULL << 63);
-  Integers small = ~no_bits;
-  const int last = n - kLanes;  // the last vector may overlap the one before
+  const Integers largest = no_bits + 0x40f86a0000000000LL;  // 1e5
+  Integers too_large = no_bits;                             // the sign bit, where a result is wrong
+  const int last = n - kLanes;                              // the last vector may overlap the one before
   for (int first = 0; first < n; first += kTogether * kLanes) {
     // Two loops, so that each is a short chain of operations and a processor has many vectors in flight.
     Vector his[kTogether], los[kTogether], shifts[kTogether];
@@ -39,17 +41,29 @@ ALEMBERT_TRIG_TARGET inline bool ALEMBERT_TRIG_NAME(int n, const double* x, doub
       Vector v;
       __builtin_memcpy(&v, x + (at < last ? at : last), sizeof v);
       // Adding 1.5 * 2^52 leaves the nearest integer in the last bits.
-      const Vector shifted = ALEMBERT_TRIG_AXPY(v, zero + 0.63661977236758134308, zero + 6755399441055744.0);
-      const Vector k = shifted - 6755399441055744.0;
-      const Vector r0 = ALEMBERT_TRIG_AXPY(k, zero - 0x1.921fb54440000p+0, v);
+      Vector shifted = ALEMBERT_TRIG_AXPY(v, zero + 0.63661977236758134308, zero + 6755399441055744.0);
+      ALEMBERT_AS_ROUNDED(shifted);
+      Vector k = shifted - 6755399441055744.0;
+      ALEMBERT_AS_ROUNDED(k);
+      Vector r0 = ALEMBERT_TRIG_AXPY(k, zero - 0x1.921fb54440000p+0, v);
+      ALEMBERT_AS_ROUNDED(r0);
       const Vector t1 = k * 0x1.68c234c4c0000p-39;
-      const Vector r1 = r0 - t1;
+      Vector r1 = r0 - t1;
+      ALEMBERT_AS_ROUNDED(r1);
       const Vector t2 = k * 0x1.98a2e03700000p-77;
-      const Vector hi = r1 - t2;
+      Vector hi = r1 - t2;
+      ALEMBERT_AS_ROUNDED(hi);
+      Vector lost1 = r0 - r1, lost2 = r1 - hi;
+      ALEMBERT_AS_ROUNDED(lost1);
+      ALEMBERT_AS_ROUNDED(lost2);
+      lost1 = lost1 - t1;
+      lost2 = lost2 - t2;
+      ALEMBERT_AS_ROUNDED(lost1);
+      ALEMBERT_AS_ROUNDED(lost2);
       his[count] = hi;
-      los[count] = ((r0 - r1) - t1) + ALEMBERT_TRIG_AXPY(k, zero - 0x1.cd129024e088ap-115, (r1 - hi) - t2);
+      los[count] = lost1 + ALEMBERT_TRIG_AXPY(k, zero - 0x1.cd129024e088ap-115, lost2);
       shifts[count] = shifted;
-      small &= reinterpret_cast<Vector>(reinterpret_cast<Integers>(v) & ~sign_bit) <= 1e5;
+      too_large |= largest - (reinterpret_cast<Integers>(v) & ~sign_bit);
     }
     for (int i = 0; i < count; ++i) {
       const Vector hi = his[i], lo = los[i];
@@ -64,10 +78,18 @@ ALEMBERT_TRIG_TARGET inline bool ALEMBERT_TRIG_NAME(int n, const double* x, doub
       const Vector pc2 = ALEMBERT_TRIG_AXPY(z, zero - 1.135851393858682e-11, zero + 2.087570041558362e-09);
       const Vector pc = ALEMBERT_TRIG_AXPY(ALEMBERT_TRIG_AXPY(pc2, z2, pc1), z2, pc0);
       const Vector half = z * 0.5;
-      const Vector rest = 1.0 - half;
-      // A difference: -0 keeps its sign.
-      const Vector s = hi - ALEMBERT_TRIG_AXPY(hi * z, ps, ALEMBERT_TRIG_AXPY(lo, half, -lo));
-      const Vector c = rest + (((1.0 - rest) - half) + ALEMBERT_TRIG_AXPY(z2, pc, -(hi * lo)));
+      Vector rest = 1.0 - half;
+      ALEMBERT_AS_ROUNDED(rest);
+      Vector lost = 1.0 - rest;
+      ALEMBERT_AS_ROUNDED(lost);
+      lost = lost - half;
+      ALEMBERT_AS_ROUNDED(lost);
+      Vector less = ALEMBERT_TRIG_AXPY(hi * z, ps, ALEMBERT_TRIG_AXPY(lo, half, -lo));
+      ALEMBERT_AS_ROUNDED(less);
+      Vector more = lost + ALEMBERT_TRIG_AXPY(z2, pc, -(hi * lo));
+      ALEMBERT_AS_ROUNDED(more);
+      const Vector s = hi - less;  // a difference: -0 keeps its sign
+      const Vector c = rest + more;
 
       // Quarter turns: odd ones exchange the two, and two of four change the sign.
       const Integers turns = reinterpret_cast<Integers>(shifts[i]);
@@ -81,9 +103,9 @@ ALEMBERT_TRIG_TARGET inline bool ALEMBERT_TRIG_NAME(int n, const double* x, doub
       __builtin_memcpy(cosine + at, &c_bits, sizeof c_bits);
     }
   }
-  long long all = -1;
-  for (int i = 0; i < kLanes; ++i) all &= small[i];
-  return all != 0;
+  long long any = 0;
+  for (int i = 0; i < kLanes; ++i) any |= too_large[i];
+  return any >= 0;
 }
 
 #undef ALEMBERT_TRIG_AXPY

@@ -1,6 +1,6 @@
 // Changes of topology: a chain that breaks in two, a foot that leaves the ground, a hand that grasps. In: the
 // state of one mechanism, and another one of which some bodies are the same. Out: the state of the other that
-// is closest, or a status. No heap, no exceptions.
+// is closest, or a status. No heap where matrices fit the stack (matrix.hpp), no exceptions.
 //
 //   std::array<BodyMotion<double>, After::kNbodies> bodies;                            // nothing known yet
 //   take_bodies(body_motions<Before>(q, qd, in), same_names(before::kBodyNames, after::kBodyNames), bodies);
@@ -45,8 +45,9 @@ namespace alembert {
 /// Bounds of the search for coordinates, and how far bodies may jump.
 template <class S>
 struct TopologyOptions {
-  S largest_distance = S(1e-3);  ///< m, between a centre of mass before and after
-  S largest_angle = S(1e-3);     ///< rad, likewise of a body's axes
+  S largest_distance =
+      S(1e-3);  ///< m, between a centre of mass before and after; this and the others may be infinite
+  S largest_angle = S(1e-3);  ///< rad, likewise of a body's axes
   int iterations = 100;
   S longest_step = S(0.5);  ///< no coordinate's change in one iteration is larger, in rad or m
 };
@@ -99,6 +100,21 @@ Eigen::Matrix<S, 3, 1> rotation_vector(const Eigen::Matrix<S, 3, 4>& from, const
   if (!(sine > S(0))) return Eigen::Matrix<S, 3, 1>::Zero();
   const S half = p.w() < S(0) ? atan2(-sine, -p.w()) : atan2(sine, p.w());
   return (S(2) * half / sine) * v;
+}
+
+/// Whether the bodies that are known have finite poses and velocities.
+template <class Bodies>
+bool are_finite(const Bodies& bodies) {
+  for (const auto& body : bodies)
+    if (body.known && !(all_finite(body.pose) && all_finite(body.angular) && all_finite(body.linear)))
+      return false;
+  return true;
+}
+
+template <class S>
+bool are_bounds(const TopologyOptions<S>& options) {
+  return is_bound(options.largest_distance) && is_bound(options.largest_angle) &&
+         is_bound(options.longest_step);
 }
 
 /// Bodies of a mechanism against those that they are to be: H = sum J^T I J and g = sum J^T (moment, force).
@@ -171,7 +187,8 @@ void fit_poses(const CoordinateVector<M>& q, const typename M::Inputs& in, const
 /// \param change   distance, angle and body at the result
 /// \return         ok; not_finite; not_positive_definite: some coordinate moves no body that is known and has
 /// inertia;
-///                 no_convergence; residual_too_large: a body would jump. q is left as it was unless ok.
+///                 no_convergence; residual_too_large: a body would jump. q is left as it was unless ok, and
+///                 change unless ok or residual_too_large.
 template <class M>
 [[nodiscard]] Status coordinates_of_bodies(
     const std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)>& bodies,
@@ -183,14 +200,18 @@ template <class M>
   const S tolerance = S(64) * pow(std::numeric_limits<S>::epsilon(), S(0.75));
   typename M::Inputs inputs = in;
   const BoundMechanism<M> system(inputs);
+  if (!detail::is_finite(in.t) || !detail::all_finite(q) || !detail::are_finite(bodies) ||
+      !detail::are_bounds(options))
+    return Status::not_finite;
   CoordinateVector<M> now = q, next;
   if (const Status status = detail::normalize(system, now); status != Status::ok) return status;
   detail::BodyFit<M> fit, trial;
   detail::fit_poses<M>(now, in, bodies, fit);
   bool done = false;
   for (int iteration = 0; !done; ++iteration) {
-    if (iteration == options.iterations) return Status::no_convergence;
-    if (!detail::all_finite(fit.H) || !detail::all_finite(fit.g)) return Status::not_finite;
+    if (iteration >= options.iterations) return Status::no_convergence;
+    if (!detail::all_finite(fit.H) || !detail::all_finite(fit.g) || !detail::is_finite(fit.squares))
+      return Status::not_finite;
     if (const Status status = factor_ldlt(fit.H); status != Status::ok) return status;
     SpeedVector<M> x = fit.g;
     solve_ldlt(fit.H, x);
@@ -203,7 +224,8 @@ template <class M>
       next = now + a * CoordinateVector<M>(M::coordinate_rates(now, x));
       if (detail::normalize(system, next) != Status::ok) continue;
       detail::fit_poses<M>(next, in, bodies, trial);
-      better = trial.squares < fit.squares || (done && trial.squares == fit.squares);
+      better = detail::is_finite(trial.squares) &&
+               (trial.squares < fit.squares || (done && trial.squares == fit.squares));
     }
     if (better) {
       now = next;
@@ -242,8 +264,9 @@ template <class M>
 /// \param in, q   inputs and coordinates of M
 /// \param qd      result, n_v x 1
 /// \param change  kinetic energies before and after
-/// \return        ok; not_finite; not_positive_definite as for coordinates_of_bodies. qd is left as it was
-/// unless ok.
+/// \return        ok; not_finite; not_positive_definite as for coordinates_of_bodies. qd and change are left
+/// as they
+///                were unless ok.
 template <class M>
 [[nodiscard]] Status speeds_of_bodies(
     const std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)>& bodies,
@@ -251,6 +274,8 @@ template <class M>
     TopologyChange<typename M::Scalar>& change) {
   static_assert(has_bodies_v<M>, "generate M with body_poses, body_jacobians and body_inertias");
   using S = typename M::Scalar;
+  if (!detail::is_finite(in.t) || !detail::all_finite(q) || !detail::are_finite(bodies))
+    return Status::not_finite;
   detail::BodyFit<M> fit;
   fit.sum(bodies, M::body_jacobians(q, in), M::body_inertias(in), M::body_poses(q, in),
           [&](std::size_t b, const detail::WorldInertia<S>& body, auto& moment, auto& force) {
@@ -264,9 +289,11 @@ template <class M>
   SpeedVector<M> u = fit.g;
   solve_ldlt(H, u);
   if (!detail::all_finite(u)) return Status::not_finite;
+  S after(0);
+  for (int i = 0; i < M::kNv; ++i) after += S(0.5) * u(i) * fit.g(i);
+  if (!detail::is_finite(fit.squares) || !detail::is_finite(after)) return Status::not_finite;
   change.kinetic_before = S(0.5) * fit.squares;
-  change.kinetic_after = S(0);
-  for (int i = 0; i < M::kNv; ++i) change.kinetic_after += S(0.5) * u(i) * fit.g(i);
+  change.kinetic_after = after;
   qd = u;
   return Status::ok;
 }
@@ -280,7 +307,9 @@ template <class M>
 /// \param qd       n_v x 1: the speeds after the change
 /// \param change   how far bodies jumped and what energy was lost, if wanted
 /// \param options  bounds
-/// \return         ok, or the status of the step that failed; q and qd are left as they were then
+/// \return         ok, or the status of the step that failed; q and qd are left as they were then, and
+/// `change` holds
+///                 what was known before it
 template <class M>
 [[nodiscard]] Status change_topology(
     const std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)>& bodies,
@@ -303,7 +332,8 @@ template <class M>
     if (status == Status::ok) status = project_velocities<M>(next_q, next_qd, in, report);
     result.inconsistent_row = report.inconsistent_row;
     if (status != Status::ok) return status;
-    result.kinetic_after = kinetic_energy<M>(next_q, next_qd, in);
+    if (status = kinetic_energy<M>(next_q, next_qd, in, result.kinetic_after); status != Status::ok)
+      return status;
   } else {
     if (const Status status = speeds_of_bodies<M>(bodies, in, next_q, next_qd, result); status != Status::ok)
       return status;

@@ -252,6 +252,34 @@ TEST(Integrate, ForceSeesTimeOfTheStage) {
   EXPECT_NEAR(qd(0), 0.5, 1e-14);
 }
 
+TEST(Integrate, RepeatedStepsCountTime) {
+  using M = Pendulum<>;
+  M::Vector q(0.1), qd(0.0), by_one(0.1), speed(0.0);
+  M::Inputs in, summed;
+  const int n = 100000;
+  ASSERT_EQ(alembert::repeat_step(in.t, 1e-3, n,
+                                  [&] { return alembert::rk4_step<M>(q, qd, in, 1e-3, no_force<M>); }),
+            Status::ok);
+  EXPECT_EQ(in.t, n * 1e-3);
+  for (int i = 0; i < n; ++i)
+    ASSERT_EQ(alembert::rk4_step<M>(by_one, speed, summed, 1e-3, no_force<M>), Status::ok);
+  EXPECT_NE(summed.t, in.t) << "no test at all";
+  EXPECT_EQ(q(0), by_one(0));
+  EXPECT_EQ(qd(0), speed(0));
+  // The first step that fails is the last.
+  int calls = 0;
+  in.t = 2;
+  const auto until = [&] {
+    in.t += 0.5;
+    return ++calls == 3 ? Status::no_convergence : Status::ok;
+  };
+  EXPECT_EQ(alembert::repeat_step(in.t, 0.5, 10, until), Status::no_convergence);
+  EXPECT_EQ(calls, 3);
+  EXPECT_EQ(alembert::repeat_step(in.t, 0.5, 0, until), Status::ok);
+  EXPECT_EQ(alembert::repeat_step(in.t, 0.5, -1, until), Status::ok);
+  EXPECT_EQ(calls, 3);
+}
+
 TEST(Integrate, FailureLeavesTheStateAlone) {
   using M = Pendulum<>;
   const auto bad_later = [](double t, const M::Vector&, const M::Vector&) {

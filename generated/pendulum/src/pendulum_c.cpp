@@ -14,9 +14,9 @@ using Inputs = ::alembert::mechanisms::pendulum::Inputs<double>;
   Inputs in;
   in.t = t;
   if (parameters != nullptr)
-    for (unsigned i = 0; i < in.parameters.size(); ++i) in.parameters[i] = parameters[i];
+    for (double& x : in.parameters) x = *parameters++;
   if (wrenches != nullptr)
-    for (unsigned i = 0; i < in.wrenches.size(); ++i) in.wrenches[i] = wrenches[i];
+    for (double& x : in.wrenches) x = *wrenches++;
   return in;
 }
 

@@ -88,7 +88,7 @@ int puma560_inverse_dynamics_batch(size_t n, size_t stride, const double* q, con
   ::alembert::mechanisms::puma560::BatchInputs in;
   in.common.t = t;
   if (parameters != nullptr)
-    for (unsigned i = 0; i < in.common.parameters.size(); ++i) in.common.parameters[i] = parameters[i];
+    for (double& x : in.common.parameters) x = *parameters++;
   in.wrenches = wrenches;
   ::alembert::BatchOptions options;
   options.threads = threads;
@@ -102,7 +102,7 @@ int puma560_mass_matrix_and_bias_batch(size_t n, size_t stride, const double* q,
   ::alembert::mechanisms::puma560::BatchInputs in;
   in.common.t = t;
   if (parameters != nullptr)
-    for (unsigned i = 0; i < in.common.parameters.size(); ++i) in.common.parameters[i] = parameters[i];
+    for (double& x : in.common.parameters) x = *parameters++;
   in.wrenches = wrenches;
   ::alembert::BatchOptions options;
   options.threads = threads;
@@ -116,7 +116,7 @@ int puma560_forward_dynamics_batch(size_t n, size_t stride, const double* q, con
   ::alembert::mechanisms::puma560::BatchInputs in;
   in.common.t = t;
   if (parameters != nullptr)
-    for (unsigned i = 0; i < in.common.parameters.size(); ++i) in.common.parameters[i] = parameters[i];
+    for (double& x : in.common.parameters) x = *parameters++;
   in.wrenches = wrenches;
   ::alembert::BatchOptions options;
   options.threads = threads;

@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef bead_on_helix
+#error "bead_on_helix names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::bead_on_helix {
 
 inline constexpr std::string_view kName = "bead_on_helix";

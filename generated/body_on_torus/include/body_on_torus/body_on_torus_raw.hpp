@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef body_on_torus
+#error "body_on_torus names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::body_on_torus {
 
 inline constexpr std::string_view kName = "body_on_torus";

@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef cart_pole
+#error "cart_pole names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::cart_pole {
 
 inline constexpr std::string_view kName = "cart_pole";

@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef chain6r_90
+#error "chain6r_90 names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::chain6r_90 {
 
 inline constexpr std::string_view kName = "chain6r_90";

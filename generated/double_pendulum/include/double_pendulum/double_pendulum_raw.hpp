@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef double_pendulum
+#error "double_pendulum names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::double_pendulum {
 
 inline constexpr std::string_view kName = "double_pendulum";

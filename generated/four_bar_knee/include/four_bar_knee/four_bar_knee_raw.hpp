@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef four_bar_knee
+#error "four_bar_knee names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::four_bar_knee {
 
 inline constexpr std::string_view kName = "four_bar_knee";

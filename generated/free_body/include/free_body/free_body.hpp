@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <alembert/matrix.hpp>
 #include <alembert/version.hpp>
 #include <array>
 
@@ -18,7 +19,8 @@
 namespace alembert::mechanisms::free_body {
 
 /// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
-/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of free_body_raw.hpp.
+/// Vectors and matrices have fixed sizes; no call takes memory from the heap or throws, unless a matrix is too large for
+/// the stack (alembert::SizedMatrix in <alembert/matrix.hpp>). Arguments are those of free_body_raw.hpp.
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
@@ -32,8 +34,8 @@ struct Mechanism {
   static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
-  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
-  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::alembert::SizedMatrix<S, kNc, kNv>;
   using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 
@@ -115,12 +117,12 @@ struct Mechanism {
   /// Jacobians of the frames of kFrameNames in the world: rows 0-2 give the angular velocity, rows 3-5 that of the origin.
   static ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::free_body::kFrameCount> frame_jacobians(
       const CoordinateVector& q, const Inputs& in = Inputs()) {
-    ::std::array<S, 6 * kNv * ::alembert::mechanisms::free_body::kFrameCount> entries;
+    ::alembert::SizedMatrix<S, 6 * kNv * ::alembert::mechanisms::free_body::kFrameCount, 1> entries;
     ::std::array<::Eigen::Matrix<S, 6, kNv>, ::alembert::mechanisms::free_body::kFrameCount> jacobians;
     ::alembert::mechanisms::free_body::frame_jacobians<S>(q.data(), in, entries.data());
     for (unsigned f = 0; f < jacobians.size(); ++f)
       for (int r = 0; r < 6; ++r)
-        for (int k = 0; k < kNv; ++k) jacobians[f](r, k) = entries[static_cast<unsigned>((6 * static_cast<int>(f) + r) * kNv + k)];
+        for (int k = 0; k < kNv; ++k) jacobians[f](r, k) = entries((6 * static_cast<int>(f) + r) * kNv + k);
     return jacobians;
   }
 };

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <alembert/matrix.hpp>
 #include <alembert/version.hpp>
 #include <array>
 
@@ -18,7 +19,8 @@
 namespace alembert::mechanisms::moving_base {
 
 /// The mechanism as a type without state, for the templates of the alembert runtime and for direct use.
-/// Vectors have fixed sizes; no call takes memory from the heap or throws. Arguments are those of moving_base_raw.hpp.
+/// Vectors and matrices have fixed sizes; no call takes memory from the heap or throws, unless a matrix is too large for
+/// the stack (alembert::SizedMatrix in <alembert/matrix.hpp>). Arguments are those of moving_base_raw.hpp.
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
@@ -32,8 +34,8 @@ struct Mechanism {
   static constexpr auto kHolonomic = ::alembert::mechanisms::moving_base::kHolonomic;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
-  using SpeedMatrix = ::Eigen::Matrix<S, kNv, kNv>;
-  using ConstraintMatrix = ::Eigen::Matrix<S, kNc, kNv>;
+  using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;
+  using ConstraintMatrix = ::alembert::SizedMatrix<S, kNc, kNv>;
   using ConstraintVector = ::Eigen::Matrix<S, kNc, 1>;
   using Pose = ::Eigen::Matrix<S, 3, 4>;  ///< [R p]: columns are the axes and the origin, in world coordinates
 

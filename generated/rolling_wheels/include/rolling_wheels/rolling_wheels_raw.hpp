@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef rolling_wheels
+#error "rolling_wheels names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::rolling_wheels {
 
 inline constexpr std::string_view kName = "rolling_wheels";

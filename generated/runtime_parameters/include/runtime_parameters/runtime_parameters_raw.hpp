@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef runtime_parameters
+#error "runtime_parameters names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::runtime_parameters {
 
 inline constexpr std::string_view kName = "runtime_parameters";

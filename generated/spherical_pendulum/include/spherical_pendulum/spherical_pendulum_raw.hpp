@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef spherical_pendulum
+#error "spherical_pendulum names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::spherical_pendulum {
 
 inline constexpr std::string_view kName = "spherical_pendulum";

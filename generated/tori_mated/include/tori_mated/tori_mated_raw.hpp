@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef tori_mated
+#error "tori_mated names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::tori_mated {
 
 inline constexpr std::string_view kName = "tori_mated";

@@ -17,6 +17,10 @@
 #include <alembert/sines_and_cosines.hpp>
 #endif
 
+#ifdef tree_every_joint
+#error "tree_every_joint names this mechanism's namespace and is a macro here: undefine the macro before, or rename the mechanism"
+#endif
+
 namespace alembert::mechanisms::tree_every_joint {
 
 inline constexpr std::string_view kName = "tree_every_joint";

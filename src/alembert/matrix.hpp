@@ -1,0 +1,43 @@
+// Matrices with the sizes of a mechanism. In: scalar type, rows, columns. Out: Eigen's matrix of that fixed
+// size where Eigen lets it stand on the stack, otherwise one that keeps its numbers on the heap and has its
+// size from the start.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <type_traits>
+
+namespace alembert {
+
+/// A matrix of R x C numbers on the heap. To Eigen it is a dynamic one; copying and making one allocates, and
+/// throws std::bad_alloc if there is no memory.
+template <class S, int R, int C>
+class HeapMatrix : public Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> {
+ public:
+  using Base = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  HeapMatrix() : Base(R, C) {}
+  template <class Other>
+  HeapMatrix(const Eigen::MatrixBase<Other>& other) : Base(other) {}
+  using Base::operator=;
+  static auto Zero() { return Base::Zero(R, C); }
+  static auto Identity() { return Base::Identity(R, C); }
+};
+
+namespace detail {
+
+/// Whether Eigen allows R x C numbers of type S on the stack: up to EIGEN_STACK_ALLOCATION_LIMIT bytes, 128
+/// KiB unless defined otherwise, without a limit if that is 0.
+template <class S, int R, int C>
+inline constexpr bool fits_stack_v =
+    R == Eigen::Dynamic || C == Eigen::Dynamic || EIGEN_STACK_ALLOCATION_LIMIT == 0 ||
+    sizeof(S) * static_cast<std::size_t>(R) * static_cast<std::size_t>(C) <= EIGEN_STACK_ALLOCATION_LIMIT;
+
+}  // namespace detail
+
+/// R x C numbers: Eigen::Matrix<S, R, C>, or HeapMatrix if that is too large for the stack (in double from
+/// 129 x 129 on). Only calls that use a HeapMatrix take memory from the heap.
+template <class S, int R, int C>
+using SizedMatrix =
+    std::conditional_t<detail::fits_stack_v<S, R, C>, Eigen::Matrix<S, R, C>, HeapMatrix<S, R, C>>;
+
+}  // namespace alembert

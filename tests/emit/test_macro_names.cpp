@@ -1,0 +1,35 @@
+// Names that are macros: what generated code makes of them compiles after all headers of the C library.
+#include <errno.h>
+#include <fenv.h>
+#include <float.h>
+#include <gtest/gtest.h>
+#include <inttypes.h>
+#include <limits.h>
+#include <locale.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <wchar.h>
+
+// After them.
+#include <macro_names/macro_names.h>
+
+#include <macro_names/macro_names.hpp>
+#include <macro_names/macro_names_batch.hpp>
+#include <macro_names/macro_names_impl.hpp>
+
+namespace {
+
+namespace m = alembert::mechanisms::macro_names;
+
+TEST(MacroNames, AreTextInGeneratedCode) {
+  EXPECT_EQ(m::kCoordinateNames[0], "M_PI");
+  EXPECT_EQ(m::kBodyNames[1], "BUFSIZ");
+  EXPECT_EQ(m::kParameterNames[0], "SIGINT");
+  EXPECT_STREQ(macro_names_frame_names[0], "RAND_MAX");
+  const auto mass = m::Mechanism<double>::mass_matrix(m::Mechanism<double>::initial_coordinates());
+  EXPECT_NEAR(mass(0, 0), 2 * 3 + 3, 1e-14);
+}
+
+}  // namespace

@@ -1,0 +1,316 @@
+// Every function of the runtime with arguments that are not finite, one after the other, and with matrices
+// that are singular, as compiled with the flags under test: the status says so and results stay as they were.
+// Out: nothing and 0, or what is wrong and 1.
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "alembert/consistent_state.hpp"
+#include "alembert/energy.hpp"
+#include "alembert/integrate.hpp"
+#include "alembert/linearize.hpp"
+#include "alembert/topology.hpp"
+#include "reference.hpp"
+#include "runtime/constrained_models.hpp"
+#include "runtime/plane_models.hpp"
+
+namespace {
+
+using alembert::Status;
+int failures = 0;
+
+void expect(bool right, const std::string& what) {
+  if (right) return;
+  std::printf("wrong: %s\n", what.c_str());
+  ++failures;
+}
+void expect(Status found, Status expected, const std::string& what) {
+  if (found == expected) return;
+  std::printf("wrong: %s: '%s', expected '%s'\n", what.c_str(), to_string(found), to_string(expected));
+  ++failures;
+}
+
+const double kBad[] = {not_a_number(), infinity(), -infinity()};
+
+/// A state of M, which any entry can be spoilt of.
+template <class M>
+struct State {
+  using S = typename M::Scalar;
+  alembert::CoordinateVector<M> q;
+  alembert::SpeedVector<M> u, tau;
+  typename M::Inputs in;
+  S h;
+
+  static constexpr int kEntries = M::kNq + 2 * M::kNv + 2;
+  S& entry(int i) {
+    if (i < M::kNq) return q(i);
+    if (i < M::kNq + M::kNv) return u(i - M::kNq);
+    if (i < M::kNq + 2 * M::kNv) return tau(i - M::kNq - M::kNv);
+    return i == kEntries - 2 ? in.t : h;
+  }
+  bool keeps(const State& other, int but) {
+    State copy = other;
+    for (int i = 0; i < kEntries; ++i)
+      if (i != but && entry(i) != copy.entry(i)) return false;
+    return true;
+  }
+};
+
+template <class M>
+State<M> state_of(const alembert::CoordinateVector<M>& q) {
+  State<M> out{q, alembert::SpeedVector<M>::Zero(), alembert::SpeedVector<M>::Zero(), {}, {}};
+  out.in.t = 1;
+  out.h = typename M::Scalar(0.01);
+  return out;
+}
+
+/// What a call is given, of the entries of a State.
+enum Arguments : unsigned { of_q = 1, of_u = 2, of_tau = 4, of_t = 8, of_h = 16 };
+
+template <class M>
+unsigned kind(int entry) {
+  if (entry < M::kNq) return of_q;
+  if (entry < M::kNq + M::kNv) return of_u;
+  if (entry < M::kNq + 2 * M::kNv) return of_tau;
+  return entry == State<M>::kEntries - 2 ? of_t : of_h;
+}
+
+/// call(state) -> status, with nothing bad, and with each of its arguments bad in turn.
+template <class M, class Call>
+void check(const char* name, const State<M>& good, unsigned arguments, Call&& call) {
+  State<M> state = good;
+  expect(call(state), Status::ok, name);
+  for (int i = 0; i < State<M>::kEntries; ++i) {
+    if (!(arguments & kind<M>(i))) continue;
+    for (const double bad : kBad) {
+      state = good;
+      state.entry(i) = static_cast<typename M::Scalar>(bad);
+      const std::string what = std::string(name) + ", entry " + std::to_string(i) + " is bad";
+      expect(call(state), Status::not_finite, what);
+      expect(state.keeps(good, i), what + ": arguments stay");
+    }
+  }
+}
+
+template <class M>
+void check_free(const char* model, const State<M>& good) {
+  using S = typename M::Scalar;
+  const std::string name(model);
+  check<M>((name + " forward_dynamics").c_str(), good, of_q | of_u | of_tau | of_t, [](State<M>& s) {
+    alembert::SpeedVector<M> qdd = alembert::SpeedVector<M>::Constant(7);
+    const Status status = alembert::forward_dynamics<M>(s.q, s.u, s.tau, s.in, qdd);
+    expect((qdd(0) == S(7)) == (status != Status::ok), "forward_dynamics leaves its result unless ok");
+    return status;
+  });
+  check<M>((name + " linearize").c_str(), good, of_q | of_u | of_tau | of_t, [](State<M>& s) {
+    alembert::Linearization<M> out;
+    out.qdd.setConstant(7);
+    const Status status = alembert::linearize<M>(s.q, s.u, s.tau, s.in, out);
+    expect((out.qdd(0) == S(7)) == (status != Status::ok), "linearize leaves its result unless ok");
+    return status;
+  });
+  check<M>((name + " energy").c_str(), good, of_q | of_u | of_t, [](State<M>& s) {
+    alembert::Energy<S> out{7, 7};
+    const Status status = alembert::energy<M>(s.q, s.u, s.in, out);
+    expect((out.kinetic == S(7)) == (status != Status::ok), "energy leaves its result unless ok");
+    return status;
+  });
+  check<M>((name + " kinetic_energy").c_str(), good, of_q | of_u | of_t, [](State<M>& s) {
+    S out(7);
+    const Status status = alembert::kinetic_energy<M>(s.q, s.u, s.in, out);
+    expect((out == S(7)) == (status != Status::ok), "kinetic_energy leaves its result unless ok");
+    return status;
+  });
+}
+
+template <class M>
+void check_steps(const char* model, const State<M>& good) {
+  const auto force_of = [](State<M>& s) {
+    return [tau = s.tau](auto, const auto&, const auto&) -> alembert::SpeedVector<M> { return tau; };
+  };
+  check<M>((std::string(model) + " rk4_step").c_str(), good, of_q | of_u | of_tau | of_t | of_h,
+           [&](State<M>& s) { return alembert::rk4_step<M>(s.q, s.u, s.in, s.h, force_of(s)); });
+  check<M>(
+      (std::string(model) + " semi_implicit_euler_step").c_str(), good, of_q | of_u | of_tau | of_t | of_h,
+      [&](State<M>& s) { return alembert::semi_implicit_euler_step<M>(s.q, s.u, s.in, s.h, force_of(s)); });
+  // A step of zero advances nothing, and a negative one leads back.
+  State<M> s = good;
+  expect(alembert::rk4_step<M>(s.q, s.u, s.in, 0, force_of(s)), Status::ok, "a step of zero");
+  expect(s.keeps(good, -1), "a step of zero advances nothing");
+  expect(alembert::rk4_step<M>(s.q, s.u, s.in, s.h, force_of(s)), Status::ok, "a step");
+  expect(alembert::rk4_step<M>(s.q, s.u, s.in, -s.h, force_of(s)), Status::ok, "a step back");
+  expect((s.q - good.q).norm() + (s.u - good.u).norm() < 1e-5, "a step back leads back");
+  // Steps so long that the state overflows.
+  s = good;
+  s.tau.setOnes();
+  expect(alembert::rk4_step<M>(s.q, s.u, s.in, std::numeric_limits<typename M::Scalar>::max(), force_of(s)),
+         Status::not_finite, "a step too long");
+}
+
+template <class M>
+void check_constrained(const char* model, const State<M>& good) {
+  using S = typename M::Scalar;
+  using Report = alembert::ConstraintReport<M::kNc>;
+  const std::string name(model);
+  check<M>((name + " constrained_forward_dynamics").c_str(), good, of_q | of_u | of_tau | of_t,
+           [](State<M>& s) {
+             alembert::ConstrainedMotionOf<M> out;
+             out.qdd.setConstant(7);
+             out.lambda.setConstant(7);
+             const Status status = alembert::constrained_forward_dynamics<M>(s.q, s.u, s.tau, s.in, out);
+             expect((out.lambda(0) == S(7) && out.qdd(0) == S(7)) == (status != Status::ok),
+                    "it leaves its result");
+             return status;
+           });
+  check<M>((name + " consistent_state").c_str(), good, of_q | of_u | of_t, [](State<M>& s) {
+    Report report;
+    return alembert::consistent_state<M>(s.q, s.u, s.in, report);
+  });
+  check<M>((name + " project_velocities").c_str(), good, of_q | of_u | of_t, [](State<M>& s) {
+    Report report;
+    return alembert::project_velocities<M>(s.q, s.u, s.in, report);
+  });
+  check<M>((name + " project_positions").c_str(), good, of_q | of_t, [](State<M>& s) {
+    Report report;
+    return alembert::project_positions<M>(s.q, s.in, report);
+  });
+  for (const double bad : {not_a_number(), infinity()}) {
+    State<M> s = good;
+    s.q(0) += S(0.01);
+    const State<M> before = s;
+    Report report;
+    alembert::ProjectionOptionsOf<M> options;
+    options.tolerance = static_cast<S>(bad);
+    expect(alembert::project_positions<M>(s.q, s.in, report, options), Status::not_finite, "tolerance");
+    options = {};
+    options.longest_step = static_cast<S>(bad);
+    // Without a bound is fine.
+    expect(alembert::project_positions<M>(s.q, s.in, report, options),
+           is_a_nan(bad) ? Status::not_finite : Status::ok, "longest_step");
+    options = {};
+    options.iterations = -1;
+    s = before;
+    expect(alembert::project_positions<M>(s.q, s.in, report, options), Status::no_convergence, "iterations");
+    expect(s.keeps(before, -1), "failed projections change nothing");
+    alembert::ConstrainedMotionOf<M> out;
+    expect(alembert::constrained_forward_dynamics<M>(s.q, s.u, s.tau, s.in, out, {static_cast<S>(bad), S(0)}),
+           Status::not_finite, "gain");
+  }
+}
+
+void check_topology() {
+  using M = models::HingedByRows;
+  using Bodies = std::array<alembert::BodyMotion<double>, 2>;
+  State<M> good = state_of<M>(M::Vector::Zero());
+  good.q << -0.3, 0, 0, 0.3, 0, 0;
+  const Bodies bodies = alembert::body_motions<M>(good.q, good.u, good.in);
+  check<M>("change_topology", good, of_q | of_t,
+           [&](State<M>& s) { return alembert::change_topology<M>(bodies, s.in, s.q, s.u); });
+  check<M>("speeds_of_bodies", good, of_q | of_t, [&](State<M>& s) {
+    alembert::TopologyChange<double> change;
+    return alembert::speeds_of_bodies<M>(bodies, s.in, s.q, s.u, change);
+  });
+  for (int which = 0; which < 3; ++which) {
+    const double bad = kBad[which];
+    for (int k = 0; k < 3; ++k) {
+      Bodies spoilt = bodies;
+      (k == 0 ? spoilt[1].pose(0, 3) : k == 1 ? spoilt[1].angular(2) : spoilt[0].linear(0)) = bad;
+      State<M> s = good;
+      expect(alembert::change_topology<M>(spoilt, s.in, s.q, s.u), Status::not_finite, "a body");
+      expect(s.keeps(good, -1), "change_topology leaves the state");
+    }
+    alembert::TopologyOptions<double> options;
+    options.largest_distance = bad;
+    State<M> s = good;
+    expect(alembert::change_topology<M>(bodies, s.in, s.q, s.u, nullptr, options),
+           which == 1 ? Status::ok : Status::not_finite, "largest_distance");
+    options = {};
+    options.iterations = -1;
+    expect(alembert::change_topology<M>(bodies, s.in, s.q, s.u, nullptr, options), Status::no_convergence,
+           "iterations");
+  }
+  // Velocities whose energy overflows.
+  Bodies fast = bodies;
+  fast[0].linear(0) = 1e200;
+  State<M> s = good;
+  expect(alembert::change_topology<M>(fast, s.in, s.q, s.u), Status::not_finite, "energy overflows");
+}
+
+void check_matrices() {
+  Eigen::Matrix2d A;
+  A << 1, 1, 1, 1;
+  expect(alembert::factor_ldlt(A), Status::not_positive_definite, "singular");
+  A << -1, 0, 0, 1;
+  expect(alembert::factor_ldlt(A), Status::not_positive_definite, "negative");
+  for (const double bad : kBad) {
+    A << 1, 0, 0, bad;
+    expect(alembert::factor_ldlt(A), Status::not_finite, "last pivot");
+    Eigen::Matrix<double, 20, 20> large = Eigen::Matrix<double, 20, 20>::Identity();
+    large(19, 3) = bad;
+    expect(alembert::factor_ldlt(large), Status::not_finite, "large, by columns");
+  }
+  using D = models::Dense<4>;
+  const D::Vector zero = D::Vector::Zero();
+  D::Vector qdd;
+  expect(alembert::forward_dynamics<D>(zero, zero, zero, {-1.5}, qdd), Status::not_positive_definite, "M");
+  D::Vector q = zero, u = zero;
+  D::Inputs in{-1.5};
+  expect(alembert::rk4_step<D>(q, u, in, 0.1, models::no_force<D>), Status::not_positive_definite,
+         "rk4_step");
+  using R = models::PointOnRod<double, models::Rod::contradictory>;
+  R::Vector p(0.5, 0), v(0, 1);
+  alembert::ConstraintReport<2> report;
+  expect(alembert::consistent_state<R>(p, v, {}, report), Status::inconsistent_constraints, "two rods");
+  // Contradictions are told by lengths, which overflow here.
+  alembert::ConstrainedMotionOf<R> motion;
+  expect(alembert::constrained_forward_dynamics<R>(p, v, R::Vector(0, 1e200), {}, motion), Status::not_finite,
+         "a force whose square overflows");
+  using B = models::SpinningBody<>;
+  for (const double bad : {0.0, not_a_number(), infinity()}) {
+    Eigen::Vector4d quaternion(0, 0, 0, bad);
+    expect(alembert::normalize_quaternions<B>(quaternion), Status::not_finite, "quaternion");
+  }
+}
+
+/// And where all is well, the numbers are right.
+void check_numbers() {
+  using M = models::Pendulum<>;
+  M::Vector q(0.7), u(0.1), qdd(0.0);
+  expect(alembert::forward_dynamics<M>(q, u, M::Vector(0.3), {}, qdd), Status::ok, "pendulum");
+  expect(std::fabs(qdd(0) - (0.6 - 19.62 * static_cast<double>(exact_sine(0.7)))) < 1e-13,
+         "its acceleration");
+  M::Inputs in;
+  double t = 0;
+  expect(alembert::repeat_step(in.t, 1e-3, 1000000,
+                               [&] {
+                                 in.t += 1e-3;
+                                 t += 1e-3;
+                                 return Status::ok;
+                               }),
+         Status::ok, "a million steps");
+  expect(in.t == 1000.0, "a million steps of a millisecond are a thousand seconds");
+}
+
+}  // namespace
+
+int main() {
+  State<models::Pendulum<>> pendulum = state_of<models::Pendulum<>>(models::Pendulum<>::Vector(0.3));
+  check_free("pendulum", pendulum);
+  check_steps("pendulum", pendulum);
+  const auto in_float = state_of<models::Pendulum<float>>(models::Pendulum<float>::Vector(0.3F));
+  check_free("pendulum in float", in_float);
+  check_steps("pendulum in float", in_float);
+  State<models::SpinningBody<>> body = state_of<models::SpinningBody<>>(Eigen::Vector4d(0, 0, 0, 1));
+  body.u << 0.1, 0.2, 0.3;
+  check_free("body", body);
+  check_steps("body", body);
+  State<models::HeldTop<>> top = state_of<models::HeldTop<>>(models::HeldTop<>::CoordinateVector::Zero());
+  top.q << 0, 0, 0.3, 0, 0, 0, 1;
+  check_constrained("top", top);
+  check_steps("top", top);
+  check_topology();
+  check_matrices();
+  check_numbers();
+  return failures == 0 ? 0 : 1;
+}
