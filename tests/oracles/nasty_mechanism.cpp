@@ -17,7 +17,7 @@ namespace alembert::oracles {
 namespace {
 
 constexpr long double kConditionLimit = 1e9L;
-constexpr int kMaximumSpeeds = 7;
+constexpr int kMaximumSpeeds = 8;
 
 struct Kind {
   const char* name;
@@ -266,6 +266,7 @@ class NastyWriter {
         coordinates_ += "  - {name: r, type: quaternion}\n";
         speeds_ += 6;
         free_ = true;
+        break;  // a transform has six speeds at most
       } else if (kind_.trees && !free_ && speeds_ + 3 <= kMaximumSpeeds && draw_.chance(0.2)) {
         add("{joint: {type: spherical, coordinates: [r]}}");
         coordinates_ += "  - {name: r, type: quaternion}\n";
