@@ -171,28 +171,22 @@ TEST(WrongNumbers, AxesParallelToFourDigits) {
   expect_right(near_parallel("-9.3e-5"));
 }
 
-// Three axes at right angles that miss each other by a micrometre.
+// Axes at right angles, the second and third a micrometre apart where they should meet.
 TEST(WrongNumbers, AxesThatMissEachOtherByAMicrometre) {
   expect_right(R"yaml(
 coordinates: [a, b, c]
 bodies:
-  - name: one
-    transform: [{rotate: {axis: z, angle: a}}]
-    mass: 1.7
-    com: [0.03, -0.02, 0.05]
-    inertia: {xx: 0.5, yy: 0.6, zz: 0.3, xy: 0.02, xz: -0.05}
+  - {name: one, transform: [{rotate: {axis: z, angle: a}}], mass: 1.2}
   - name: two
     parent: one
-    transform: [{translate: [1.4e-06, 0.25, 0]}, {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: b}}]
-    mass: 1.1
-    com: [-0.04, 0.06, 0.08]
-    inertia: {xx: 0.4, yy: 0.3, zz: 0.2, xy: 0.01, yz: 0.03}
+    transform: [{rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: b}}]
+    mass: 0.9
+    com: [-0.04, -0.03, 0.07]
   - name: three
     parent: two
-    transform: [{translate: [-2.0e-06, -0.5, 0]}, {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: c}}]
-    mass: 0.6
-    com: [0.3, -0.05, 0.1]
-    inertia: {xx: 0.1, yy: 0.15, zz: 0.12, xz: 0.02}
+    transform: [{translate: [1.4e-06, -0.55, 0]}, {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: c}}]
+    mass: 1.1
+    com: [0.8, 0, 0]
 )yaml");
 }
 
@@ -209,11 +203,12 @@ std::string urdf_joint(const std::string& name, const std::string& parent, const
          "</joint>";
 }
 std::string urdf_arm(const std::string& second, const std::string& third,
-                     const std::string& type = "continuous") {
+                     const std::string& type = "continuous",
+                     const std::string& first = "xyz='0 0 0.2' rpy='1.5708 0 0'") {
   return "<robot name='arm'><link name='base'/>" + urdf_link("one", "0.05 -0.04 0.1") +
          urdf_link("two", "-0.1 0.02 0.07") + urdf_link("three", "0.02 -0.15 -0.1") +
-         urdf_joint("a", "base", "one", "xyz='0 0 0.2' rpy='1.5708 0 0'") +
-         urdf_joint("b", "one", "two", second) + urdf_joint("c", "two", "three", third, type) + "</robot>";
+         urdf_joint("a", "base", "one", first) + urdf_joint("b", "one", "two", second) +
+         urdf_joint("c", "two", "three", third, type) + "</robot>";
 }
 
 // Ordinary joints, but right angles as 1.5708 and -1.5708, whose sum is not the end of it with a turn
@@ -229,13 +224,14 @@ TEST(WrongNumbers, ScaraAsExported) {
 }
 // Offsets of micrometres, as from CAD.
 TEST(WrongNumbers, MicrometresOfAnExporter) {
-  expect_right_after_import(urdf_arm("xyz='-1.3e-06 0 0.3' rpy='-1.57079632679 0 0'",
-                                     "xyz='2.2e-06 -0.45 0' rpy='1.57079632679 0 0'"));
+  expect_right_after_import(urdf_arm(
+      "xyz='-1.8e-06 0 0.3'", "xyz='-2.3e-06 0 0.45' rpy='-1.5707963267948966 0 0'", "continuous", ""));
 }
-// Axes that nearly meet where the wrist is, to six digits of an angle.
+// -0.927295 is -atan2(0.4, 0.3) to six digits: the third axis passes the second one at 5e-8 m.
 TEST(WrongNumbers, AxesThatNearlyMeet) {
-  expect_right_after_import(
-      urdf_arm("xyz='0 0.0001 0.3' rpy='-0.000002 0 0.3'", "xyz='0 -0.0002 0.25' rpy='1.5708 0.000004 0'"));
+  expect_right_after_import(urdf_arm("xyz='0.06 -0.4 0' rpy='0 0 -1.3'",
+                                     "xyz='0.4 0.3 0' rpy='-1.5707963267949 0 -0.927295'", "continuous",
+                                     "rpy='-1.5707963267949 0 0'"));
 }
 
 // Axis vectors of length 1e12 and 1e-9, tilts, an inverse and a pitch of 0.

@@ -1,0 +1,100 @@
+// A mechanism in other units gives the same digits: lengths times 2^k and masses times 2^m change every
+// result by an exact power of two, bit for bit, because no decision of the generator knows how long a metre
+// is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "oracles/alembert_process.hpp"
+#include "oracles/nasty_mechanism.hpp"
+#include "oracles/reference.hpp"
+#include "oracles/scaled_description.hpp"
+#include "oracles/taylor/numeric_lagrangian.hpp"
+
+namespace alembert::oracles {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Micrometres and milligrams, kilometres and tonnes, heavy matter.
+constexpr Scale kScales[] = {{-20, -20}, {10, 10}, {0, 17}};
+
+std::vector<std::map<std::string, Arrays>> results(const std::string& text, const std::vector<State>& states,
+                                                   const std::vector<Eigen::VectorXd>& tau,
+                                                   const std::vector<std::string>& functions) {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const fs::path file = fs::temp_directory_path() / ("alembert_scale_" + name + ".yaml");
+  std::ofstream(file) << text;
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.string(), states, tau, functions);
+  fs::remove(file);
+  return found;
+}
+
+void expect_powers_of_two(const std::string& text) {
+  const ScaledDescription plain = scaled_description(text, {});
+  const Description description = parse_description(plain.text);
+  std::mt19937_64 random(3);
+  std::vector<State> states;
+  std::vector<Eigen::VectorXd> tau;
+  for (int i = 0; i < 2; ++i) {
+    states.push_back(random_state(description, random));
+    tau.push_back(numeric_lagrangian(description, states.back()).tau);
+  }
+  std::set<std::string> wanted = comparable_functions(description);
+  wanted.erase("coordinate_rates");  // of quaternions and speeds alone
+  const std::vector<std::string> functions(wanted.begin(), wanted.end());
+  const auto before = results(plain.text, states, tau, functions);
+  for (const Scale& scale : kScales) {
+    SCOPED_TRACE("lengths times 2^" + std::to_string(scale.length) + ", masses times 2^" +
+                 std::to_string(scale.mass));
+    const ScaledDescription scaled = scaled_description(text, scale);
+    const std::vector<int> speeds = speed_exponents(description, scaled.lengths, scale);
+    std::vector<State> scaled_states;
+    std::vector<Eigen::VectorXd> scaled_tau;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      scaled_states.push_back(scaled_state(description, scaled.lengths, scale, states[i]));
+      scaled_tau.emplace_back(scaled_array("inverse_dynamics", tau[i], speeds, scale));
+    }
+    const auto after = results(scaled.text, scaled_states, scaled_tau, functions);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      for (const auto& [function, arrays] : before[i]) {
+        for (const auto& [name, values] : arrays) {
+          const Eigen::MatrixXd& subject = after[i].at(function).at(name);
+          const Eigen::MatrixXd expected = scaled_array(function, values, speeds, scale);
+          EXPECT_EQ(subject, expected) << function << " " << name;
+        }
+      }
+    }
+  }
+}
+
+class OfTheCatalogue : public testing::TestWithParam<std::string> {};
+
+TEST_P(OfTheCatalogue, ScaleChangesResultsByPowersOfTwo) {
+  std::ifstream file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/" + GetParam() + ".yaml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  expect_powers_of_two(text);
+}
+INSTANTIATE_TEST_SUITE_P(Mechanisms, OfTheCatalogue,
+                         testing::Values("bead_on_helix", "body_on_torus", "cart_pole", "chain6r",
+                                         "chain6r_90", "double_pendulum", "free_body", "pendulum", "puma560",
+                                         "spherical_pendulum", "stanford", "tree_every_joint"),
+                         [](const auto& test) { return test.param; });
+
+/// Seeds of nasty_mechanism: of each kind one.
+class OfNastyMechanisms : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(OfNastyMechanisms, ScaleChangesResultsByPowersOfTwo) {
+  std::uint64_t seed = GetParam();
+  NastyMechanism mechanism = nasty_mechanism(seed);
+  while (!mechanism.parameters.empty()) mechanism = nasty_mechanism(seed += 10);
+  expect_powers_of_two(mechanism.text);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, OfNastyMechanisms, testing::Range<std::uint64_t>(1, 11));
+
+}  // namespace
+}  // namespace alembert::oracles
