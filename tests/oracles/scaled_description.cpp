@@ -3,7 +3,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <regex>
 #include <stdexcept>
 
@@ -118,6 +120,39 @@ class Scaler {
 };
 
 }  // namespace
+
+std::string with_short_numbers(const std::string& yaml) {
+  constexpr int kBits = 8;
+  std::string out;
+  for (std::size_t at = 0; at < yaml.size();) {
+    const auto is_word = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+    };
+    if (!is_word(yaml[at])) {
+      out += yaml[at++];
+      continue;
+    }
+    std::size_t end = at;
+    while (end < yaml.size() && (is_word(yaml[end]) || ((yaml[end] == '-' || yaml[end] == '+') &&
+                                                        (yaml[end - 1] == 'e' || yaml[end - 1] == 'E'))))
+      ++end;
+    const std::string word = yaml.substr(at, end - at);
+    at = end;
+    char* rest = nullptr;
+    const double value = std::strtod(word.c_str(), &rest);
+    const bool decimal = (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == '.') &&
+                         *rest == '\0' && word.find_first_of(".eE") != std::string::npos;
+    if (!decimal || value == 0) {
+      out += word;
+      continue;
+    }
+    int exponent = 0;
+    const long mantissa = std::lround(std::ldexp(std::frexp(value, &exponent), kBits));
+    out += std::to_string(mantissa) + (exponent < kBits ? "/2^" : "*2^") +
+           std::to_string(std::abs(exponent - kBits));
+  }
+  return out;
+}
 
 ScaledDescription scaled_description(const std::string& yaml, const Scale& scale) {
   return Scaler(YAML::Load(yaml), scale).scaled();

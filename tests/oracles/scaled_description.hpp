@@ -20,6 +20,11 @@ struct ScaledDescription {
   std::set<std::string> lengths;  ///< coordinates that are lengths
 };
 
+/// The text with every decimal rounded to eight bits, as a fraction of a power of two: products and sums of
+/// such numbers are exact, be they kept as fractions or as doubles, and the last bit of a result does not
+/// depend on which of them a generator takes.
+std::string with_short_numbers(const std::string& yaml);
+
 /// Expressions are wrapped (1024*(0.4318)), so that no decimal is rounded anew. A coordinate is a length if a
 /// joint shifts by it or if it stands alone in a translation. Throws std::runtime_error if there are runtime
 /// parameters, whose dimensions nothing tells.
