@@ -103,7 +103,8 @@ std::vector<Reference> references(const UrdfTree& tree, const Description& descr
     put(all[i].exact,
         {exact.tau.cast<double>(), exact.mass_matrix.cast<double>(), exact.bias.cast<double>()});
     put(all[i].plain, plain);
-    all[i].dynamics = exact;
+    // Accelerations stay with the imported description, whose angles are rounded to 1e-10: they may follow
+    // from small differences of large forces.
     if (functions.count("inverse_dynamics_derivatives") == 0) continue;
     const auto wide = newton_euler_derivatives<long double>(tree, description, states[i]);
     const auto narrow = newton_euler_derivatives<double>(tree, description, states[i]);
