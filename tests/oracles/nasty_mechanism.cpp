@@ -16,8 +16,8 @@ namespace alembert::oracles {
 
 namespace {
 
-constexpr long double kConditionLimit = 1e9L;
-constexpr int kMaximumSpeeds = 8;
+constexpr long double kNastyCondition = 1e9L;
+constexpr int kNastySpeeds = 8;
 
 struct Kind {
   const char* name;
@@ -219,7 +219,7 @@ class NastyWriter {
       }
       default: {
         const std::string s = new_angle(), r = number(0.5, 1.1), h = number(0.1, 0.4);
-        if (draw_.chance(0.5) || speeds_ >= kMaximumSpeeds) {
+        if (draw_.chance(0.5) || speeds_ >= kNastySpeeds) {
           const std::string lift = late_.function(s, unit);
           return "{curve: {point: " +
                  list({r + "*cos(" + s + ")", r + "*sin(" + s + ")", h + "*" + s + " + " + lift}) +
@@ -267,14 +267,14 @@ class NastyWriter {
         speeds_ += 6;
         free_ = true;
         break;  // a transform has six speeds at most
-      } else if (kind_.trees && !free_ && speeds_ + 3 <= kMaximumSpeeds && draw_.chance(0.2)) {
+      } else if (kind_.trees && !free_ && speeds_ + 3 <= kNastySpeeds && draw_.chance(0.2)) {
         add("{joint: {type: spherical, coordinates: [r]}}");
         coordinates_ += "  - {name: r, type: quaternion}\n";
         speeds_ += 3;
         free_ = true;
       } else if (kind_.trees && index > 0 && draw_.chance(0.25)) {
         add(follower());
-      } else if (speeds_ < kMaximumSpeeds) {
+      } else if (speeds_ < kNastySpeeds) {
         add(joint());
       } else {
         add(follower());
@@ -342,47 +342,11 @@ NastyMechanism nasty_mechanism(std::uint64_t seed) {
     const std::vector<State> states = nasty_states(mechanism, description, seed, 4);
     if (std::all_of(states.begin(), states.end(), [&](const State& state) {
           return scaled_condition(numeric_lagrangian<long double>(description, state).mass_matrix) <
-                 kConditionLimit;
+                 kNastyCondition;
         }))
       return mechanism;
   }
   throw std::runtime_error("no mechanism that moves near seed " + std::to_string(seed));
-}
-
-std::vector<State> nasty_states(const NastyMechanism& mechanism, const Description& description,
-                                std::uint64_t seed, int count) {
-  RandomExpressions draw(seed + 77);
-  std::mt19937_64 random(seed);
-  // What gravity does in the time in which the mechanism falls its own length.
-  const double fast = std::sqrt(mechanism.gravity / mechanism.length);
-  std::vector<State> states;
-  for (int i = 0; i < count; ++i) {
-    State state = random_state(description, random);
-    state.time = draw.between(0, 10);
-    const double pace = i == 0 ? 0 : i % 3 == 2 ? fast : 1;
-    for (const Coordinate& c : description.coordinates) {
-      const auto unit = mechanism.lengths.find(c.name);
-      const double by = unit == mechanism.lengths.end() ? 1 : unit->second;
-      for (int k = 0; k < (c.quaternion ? 3 : 1); ++k) {
-        const auto at = static_cast<std::size_t>(c.first_speed + k);
-        state.speeds[at] *= pace * by;
-        state.rates[at] *= (i % 3 == 1 ? 1 : fast * fast) * by;
-      }
-    }
-    for (auto& [body, wrench] : state.wrenches) {
-      const double mass = std::max(1e-9, description.bodies[0].mass);
-      for (std::size_t k = 0; k < 6; ++k) wrench[k] *= mass * (k < 3 ? 1 : mechanism.length);
-    }
-    if (!mechanism.events.empty() && i % 2 == 1) {
-      const Event& event = mechanism.events[static_cast<std::size_t>(i / 2) % mechanism.events.size()];
-      const double where = event.centre + event.width * draw.between(-1.2, 1.2);
-      if (event.of == "t") state.time = where;
-      for (const Coordinate& c : description.coordinates)
-        if (c.name == event.of) state.q[static_cast<std::size_t>(c.first_q)] = where;
-    }
-    states.push_back(state);
-  }
-  return states;
 }
 
 }  // namespace alembert::oracles

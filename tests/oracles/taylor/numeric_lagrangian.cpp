@@ -9,7 +9,7 @@ namespace {
 
 /// Symmetric: xx yy zz xy xz yz.
 template <class R>
-Vector3<R> times(const std::array<double, 6>& i, const Vector3<R>& v) {
+Vector3<R> inertia_times(const std::array<double, 6>& i, const Vector3<R>& v) {
   return {R(i[0]) * v[0] + R(i[3]) * v[1] + R(i[4]) * v[2], R(i[3]) * v[0] + R(i[1]) * v[1] + R(i[5]) * v[2],
           R(i[4]) * v[0] + R(i[5]) * v[1] + R(i[2]) * v[2]};
 }
@@ -75,7 +75,7 @@ std::vector<std::vector<BodyMotion<R>>> partial_velocities(const Description& de
 }
 
 template <class R>
-Vector3<R> vector_of(const double* x) {
+Vector3<R> three_of(const double* x) {
   return {R(x[0]), R(x[1]), R(x[2])};
 }
 
@@ -85,12 +85,12 @@ struct Effort {
   Vector3<R> force, torque;
   Effort(const Description& description, const Body& body, const BodyMotion<R>& m,
          const std::map<std::string, Wrench>& wrenches) {
-    force = R(body.mass) * (m.acceleration + R(-1.0) * vector_of<R>(description.gravity.data()));
-    torque = times(body.inertia, m.alpha) + cross(m.omega, times(body.inertia, m.omega));
+    force = R(body.mass) * (m.acceleration + R(-1.0) * three_of<R>(description.gravity.data()));
+    torque = inertia_times(body.inertia, m.alpha) + cross(m.omega, inertia_times(body.inertia, m.omega));
     const auto found = wrenches.find(body.name);
     if (found == wrenches.end()) return;
-    force = force + R(-1.0) * vector_of<R>(found->second.data());
-    torque = torque + R(-1.0) * m.in_body(vector_of<R>(found->second.data() + 3));
+    force = force + R(-1.0) * three_of<R>(found->second.data());
+    torque = torque + R(-1.0) * m.in_body(three_of<R>(found->second.data() + 3));
   }
   R along(const BodyMotion<R>& direction) const {
     return dot(force, direction.velocity) + dot(torque, direction.omega);
@@ -122,20 +122,21 @@ template <class R>
 DynamicsOf<R> numeric_lagrangian(const Description& description, const State& given) {
   const auto state = lifted<R>(given);
   const auto partial = partial_velocities(description, state);
-  const auto column = [&](const std::vector<R>& rates) {
-    const std::vector<R> tau = forces_of(description, state, rates, partial, given.wrenches);
-    return VectorOf<R>(Eigen::Map<const VectorOf<R>>(tau.data(), description.nv));
+  const auto forces = [](const std::vector<R>& tau) {
+    return VectorOf<R>(Eigen::Map<const VectorOf<R>>(tau.data(), static_cast<Eigen::Index>(tau.size())));
   };
-  DynamicsOf<R> result{column(state.rates), MatrixOf<R>::Zero(description.nv, description.nv),
-                       column(std::vector<R>(state.rates.size(), R(0.0)))};
+  const std::vector<R> no_rates(state.rates.size(), R(0.0));
+  DynamicsOf<R> result{forces(forces_of(description, state, state.rates, partial, given.wrenches)),
+                       MatrixOf<R>::Zero(description.nv, description.nv),
+                       forces(forces_of(description, state, no_rates, partial, given.wrenches))};
   for (int k = 0; k < description.nv; ++k) {
     for (int l = 0; l < description.nv; ++l) {
       for (std::size_t i = 0; i < description.bodies.size(); ++i) {
         const Body& body = description.bodies[i];
         const BodyMotion<R>&dk = partial[static_cast<std::size_t>(k)][i],
               &dl = partial[static_cast<std::size_t>(l)][i];
-        result.mass_matrix(k, l) +=
-            R(body.mass) * dot(dk.velocity, dl.velocity) + dot(dk.omega, times(body.inertia, dl.omega));
+        result.mass_matrix(k, l) += R(body.mass) * dot(dk.velocity, dl.velocity) +
+                                    dot(dk.omega, inertia_times(body.inertia, dl.omega));
       }
     }
   }
@@ -158,9 +159,9 @@ std::pair<R, R> energy(const Description& description, const State& given) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Body& body = description.bodies[i];
     const BodyMotion<R>& m = motions[i];
-    result.first +=
-        R(0.5) * (R(body.mass) * dot(m.velocity, m.velocity) + dot(m.omega, times(body.inertia, m.omega)));
-    result.second -= R(body.mass) * dot(vector_of<R>(description.gravity.data()), m.com);
+    result.first += R(0.5) * (R(body.mass) * dot(m.velocity, m.velocity) +
+                              dot(m.omega, inertia_times(body.inertia, m.omega)));
+    result.second -= R(body.mass) * dot(three_of<R>(description.gravity.data()), m.com);
   }
   return result;
 }

@@ -11,7 +11,7 @@ using Twofold = Jet<Jet<R>>;
 
 /// Coordinates as jets along coordinate `along`.
 template <class R>
-std::vector<Twofold<R>> lifted(const std::vector<Jet<R>>& q, int along) {
+std::vector<Twofold<R>> along_coordinate(const std::vector<Jet<R>>& q, int along) {
   std::vector<Twofold<R>> result;
   for (std::size_t i = 0; i < q.size(); ++i) {
     result.emplace_back(q[i], Jet<R>(static_cast<int>(i) == along ? 1.0 : 0.0), Jet<R>(0.0));
@@ -27,7 +27,7 @@ struct Derivatives {
 template <class R>
 Derivatives<R> along(const Expression3& point, int coordinate, const std::vector<Jet<R>>& q,
                      const Jet<R>& t) {
-  const std::vector<Twofold<R>> moved = lifted(q, coordinate);
+  const std::vector<Twofold<R>> moved = along_coordinate(q, coordinate);
   const Twofold<R> time(t, Jet<R>(0.0), Jet<R>(0.0));
   Derivatives<R> d;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -87,7 +87,7 @@ Places places_of(const UrdfTree& tree) {
 }
 
 template <class S>
-Vector3<S> times(const std::array<long double, 6>& inertia, const Vector3<S>& v) {
+Vector3<S> tensor_times(const std::array<long double, 6>& inertia, const Vector3<S>& v) {
   std::array<S, 6> i;
   for (std::size_t k = 0; k < 6; ++k) i[k] = On<S>::scalar(inertia[k]);
   return {i[0] * v[0] + i[3] * v[1] + i[4] * v[2], i[3] * v[0] + i[1] * v[1] + i[5] * v[2],
@@ -108,7 +108,7 @@ struct Moving {
 };
 
 template <class S>
-Moving<S> moved(const UrdfLinkage& linkage, const Moving<S>& parent, const S* q, const S* u, const S* du) {
+Moving<S> carried(const UrdfLinkage& linkage, const Moving<S>& parent, const S* q, const S* u, const S* du) {
   const S factor = On<S>::scalar(linkage.follows < 0 ? 1 : linkage.multiplier);
   const S offset = On<S>::scalar(linkage.follows < 0 ? 0 : linkage.offset);
   const Directions directions = directions_of(linkage);
@@ -147,14 +147,15 @@ Moving<S> moved(const UrdfLinkage& linkage, const Moving<S>& parent, const S* q,
 
 /// The forces of one body's own mass.
 template <class S>
-void load(const UrdfBody& body, Moving<S>& m, double gravity) {
+void add_own_forces(const UrdfBody& body, Moving<S>& m, double gravity) {
   const Vector3<S> arm = rotated(m.pose, on<S>(body.com));
   Vector3<S> acceleration = m.acceleration + cross(m.alpha, arm) + cross(m.omega, cross(m.omega, arm));
   acceleration[2] = acceleration[2] + S(gravity);
   const Vector3<S> omega = turned_back(m.pose, m.omega), alpha = turned_back(m.pose, m.alpha);
   m.force = On<S>::scalar(body.mass) * acceleration;
-  m.moment = rotated(m.pose, times(body.inertia, alpha) + cross(omega, times(body.inertia, omega))) +
-             cross(arm, m.force);
+  m.moment =
+      rotated(m.pose, tensor_times(body.inertia, alpha) + cross(omega, tensor_times(body.inertia, omega))) +
+      cross(arm, m.force);
 }
 
 }  // namespace
@@ -174,10 +175,10 @@ std::vector<S> newton_euler(const UrdfTree& tree, const StateOf<S>& state, doubl
     const UrdfLinkage& linkage = tree.linkages[i];
     const auto child = static_cast<std::size_t>(linkage.child);
     bodies[child] =
-        moved(linkage, linkage.parent < 0 ? world : bodies[static_cast<std::size_t>(linkage.parent)],
-              state.q.data() + places.q[i], state.speeds.data() + places.speed[i],
-              state.rates.data() + places.speed[i]);
-    load(tree.bodies[child], bodies[child], gravity);
+        carried(linkage, linkage.parent < 0 ? world : bodies[static_cast<std::size_t>(linkage.parent)],
+                state.q.data() + places.q[i], state.speeds.data() + places.speed[i],
+                state.rates.data() + places.speed[i]);
+    add_own_forces(tree.bodies[child], bodies[child], gravity);
   }
   std::vector<S> tau(places.nv, S(0.0));
   for (auto i = tree.order.rbegin(); i != tree.order.rend(); ++i) {

@@ -10,9 +10,7 @@ namespace alembert::oracles {
 
 namespace {
 
-using Wide = long double;
-
-WideVector vector_of(const pugi::xml_attribute& attribute, const WideVector& otherwise) {
+WideVector triple_of(const pugi::xml_attribute& attribute, const WideVector& otherwise) {
   if (!attribute) return otherwise;
   std::istringstream text(attribute.value());
   std::array<double, 3> v{};
@@ -22,29 +20,32 @@ WideVector vector_of(const pugi::xml_attribute& attribute, const WideVector& oth
 }
 
 /// Roll about x, then pitch about y, then yaw about z, all of them fixed.
-RigidMotion<Wide> pose_of(const pugi::xml_node& origin) {
-  const WideVector rpy = vector_of(origin.attribute("rpy"), {});
-  RigidMotion<Wide> pose = rotation<Wide>({0, 0, 1}, rpy[2]) * rotation<Wide>({0, 1, 0}, rpy[1]) *
-                           rotation<Wide>({1, 0, 0}, rpy[0]);
-  pose.translation = vector_of(origin.attribute("xyz"), {});
+RigidMotion<long double> origin_pose(const pugi::xml_node& origin) {
+  const WideVector rpy = triple_of(origin.attribute("rpy"), {});
+  RigidMotion<long double> pose = rotation<long double>({0, 0, 1}, rpy[2]) *
+                                  rotation<long double>({0, 1, 0}, rpy[1]) *
+                                  rotation<long double>({1, 0, 0}, rpy[0]);
+  pose.translation = triple_of(origin.attribute("xyz"), {});
   return pose;
 }
 
-UrdfBody body_of(const pugi::xml_node& link) {
+UrdfBody body_with_inertia(const pugi::xml_node& link) {
   UrdfBody body;
   body.name = link.attribute("name").value();
   const pugi::xml_node inertial = link.child("inertial"), entries = inertial.child("inertia");
   if (!inertial) return body;
-  const RigidMotion<Wide> pose = pose_of(inertial.child("origin"));
+  const RigidMotion<long double> pose = origin_pose(inertial.child("origin"));
   body.mass = inertial.child("mass").attribute("value").as_double();
   body.com = pose.translation;
-  const auto entry = [&](const char* name) { return static_cast<Wide>(entries.attribute(name).as_double()); };
+  const auto entry = [&](const char* name) {
+    return static_cast<long double>(entries.attribute(name).as_double());
+  };
   const std::array<WideVector, 3> I{WideVector{entry("ixx"), entry("ixy"), entry("ixz")},
                                     WideVector{entry("ixy"), entry("iyy"), entry("iyz")},
                                     WideVector{entry("ixz"), entry("iyz"), entry("izz")}};
   // R I R^T, entry by entry: rows of R times I times rows of R.
   const auto turned = [&](std::size_t r, std::size_t c) {
-    Wide sum = 0;
+    long double sum = 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) sum += pose.column[i][r] * I[i][k] * pose.column[k][c];
     return sum;
@@ -53,7 +54,7 @@ UrdfBody body_of(const pugi::xml_node& link) {
   return body;
 }
 
-UrdfMotion motion_of(const std::string& type) {
+UrdfMotion motion_named(const std::string& type) {
   if (type == "fixed") return UrdfMotion::fixed;
   if (type == "revolute" || type == "continuous") return UrdfMotion::turn;
   if (type == "prismatic") return UrdfMotion::shift;
@@ -89,7 +90,7 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
   std::map<std::string, int> bodies, linkages;
   for (const pugi::xml_node link : robot.children("link")) {
     bodies[link.attribute("name").value()] = static_cast<int>(tree.bodies.size());
-    tree.bodies.push_back(body_of(link));
+    tree.bodies.push_back(body_with_inertia(link));
   }
   std::vector<bool> is_child(tree.bodies.size(), false);
   std::vector<std::pair<std::string, pugi::xml_node>> mimics;
@@ -97,11 +98,11 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
   for (const pugi::xml_node joint : robot.children("joint")) {
     UrdfLinkage linkage;
     linkage.name = joint.attribute("name").value();
-    linkage.motion = motion_of(joint.attribute("type").value());
+    linkage.motion = motion_named(joint.attribute("type").value());
     linkage.parent = bodies.at(joint.child("parent").attribute("link").value());
     linkage.child = bodies.at(joint.child("child").attribute("link").value());
-    linkage.origin = pose_of(joint.child("origin"));
-    linkage.axis = vector_of(joint.child("axis").attribute("xyz"), linkage.axis);
+    linkage.origin = origin_pose(joint.child("origin"));
+    linkage.axis = triple_of(joint.child("axis").attribute("xyz"), linkage.axis);
     if (linkage.motion != UrdfMotion::fixed) linkage.axis = normalized(linkage.axis);
     is_child[static_cast<std::size_t>(linkage.child)] = true;
     linkages[linkage.name] = static_cast<int>(tree.linkages.size());
