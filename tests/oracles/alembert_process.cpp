@@ -2,9 +2,11 @@
 #include "oracles/alembert_process.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -73,41 +75,56 @@ nlohmann::json json_state(const State& state) {
 /// What the executable answers to lines, one to each; `arguments` follow `evaluate FILE --json`.
 std::vector<nlohmann::json> answers_to(const std::vector<nlohmann::json>& lines,
                                        const std::string& executable, const std::string& file,
-                                       const std::string& option, const std::string& value) {
+                                       const std::string& option, const std::string& value, int seconds = 0) {
+  std::string input;
+  for (const nlohmann::json& line : lines) input += line.dump() + '\n';
+  const Run run = run_alembert(executable, {"evaluate", file, "--json", option, value}, input, seconds);
+  const std::string what = "alembert evaluate " + file;
+  const auto fail = [&](const std::string& how) { throw NoAnswer(what + how, run); };
+  if (run.timed_out) fail(": more than " + std::to_string(seconds) + " s");
+  if (run.status < 0) fail(": killed by signal " + std::to_string(-run.status) + ": " + run.err);
+  if (run.status > 0) fail(": exit " + std::to_string(run.status) + ": " + run.err);
+  std::vector<nlohmann::json> answers;
+  std::istringstream output(run.out);
+  for (std::string text; std::getline(output, text);) answers.push_back(nlohmann::json::parse(text));
+  if (answers.size() != lines.size())
+    fail(" answered " + std::to_string(answers.size()) + " of " + std::to_string(lines.size()) +
+         " states: " + run.err);
+  return answers;
+}
+
+}  // namespace
+
+Run run_alembert(const std::string& executable, const std::vector<std::string>& arguments,
+                 const std::string& input, int seconds) {
   const TemporaryFolder folder;
-  {
-    std::ofstream input(folder.path / "in");
-    for (const nlohmann::json& line : lines) input << line.dump() << '\n';
-  }
+  std::ofstream(folder.path / "in") << input;
+  std::vector<char*> words{const_cast<char*>(executable.c_str())};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) {
     redirect(folder.path / "in", O_RDONLY, STDIN_FILENO);
     redirect(folder.path / "out", O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect(folder.path / "err", O_WRONLY | O_CREAT, STDERR_FILENO);
-    execl(executable.c_str(), executable.c_str(), "evaluate", file.c_str(), "--json", option.c_str(),
-          value.c_str(), static_cast<char*>(nullptr));
+    const auto limit = static_cast<rlim_t>(seconds);
+    const rlimit time{limit, limit + 1};
+    if (seconds > 0) setrlimit(RLIMIT_CPU, &time);
+    execv(executable.c_str(), words.data());
     _exit(127);
   }
   int status = 0;
-  waitpid(child, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    const std::string how = WIFSIGNALED(status) ? "killed by signal " + std::to_string(WTERMSIG(status))
-                                                : "exit " + std::to_string(WEXITSTATUS(status));
-    throw std::runtime_error("alembert evaluate " + file + ": " + how + ": " + contents(folder.path / "err"));
-  }
-  std::vector<nlohmann::json> answers;
-  std::ifstream output(folder.path / "out");
-  for (std::string text; std::getline(output, text);) answers.push_back(nlohmann::json::parse(text));
-  if (answers.size() != lines.size()) {
-    throw std::runtime_error("alembert evaluate " + file + " answered " + std::to_string(answers.size()) +
-                             " of " + std::to_string(lines.size()) +
-                             " states: " + contents(folder.path / "err"));
-  }
-  return answers;
+  rusage used{};
+  wait4(child, &status, 0, &used);
+  Run run;
+  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  run.timed_out = seconds > 0 && (run.status == -SIGXCPU || run.status == -SIGKILL);
+  run.out = contents(folder.path / "out");
+  run.err = contents(folder.path / "err");
+  run.seconds = static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+  return run;
 }
-
-}  // namespace
 
 std::string json_of(const State& state) {
   return json_state(state).dump();
@@ -137,11 +154,9 @@ std::vector<Answer> ask_alembert(const std::string& executable, const std::strin
   return answers;
 }
 
-std::vector<std::map<std::string, Arrays>> ask_functions(const std::string& executable,
-                                                         const std::string& file,
-                                                         const std::vector<State>& states,
-                                                         const std::vector<Eigen::VectorXd>& tau,
-                                                         const std::vector<std::string>& functions) {
+std::vector<std::map<std::string, Arrays>> ask_functions(
+    const std::string& executable, const std::string& file, const std::vector<State>& states,
+    const std::vector<Eigen::VectorXd>& tau, const std::vector<std::string>& functions, int seconds) {
   std::vector<nlohmann::json> lines;
   for (std::size_t i = 0; i < states.size(); ++i) {
     lines.push_back(json_state(states[i]));
@@ -150,7 +165,7 @@ std::vector<std::map<std::string, Arrays>> ask_functions(const std::string& exec
   std::string names;
   for (const std::string& function : functions) names += (names.empty() ? "" : ",") + function;
   std::vector<std::map<std::string, Arrays>> answers;
-  for (const nlohmann::json& line : answers_to(lines, executable, file, "--functions", names)) {
+  for (const nlohmann::json& line : answers_to(lines, executable, file, "--functions", names, seconds)) {
     auto& answer = answers.emplace_back();
     for (const auto& [function, arrays] : line.items()) {
       for (const auto& [name, values] : arrays.items()) {

@@ -56,25 +56,34 @@ std::map<std::string, double> random_parameters(const Description& description, 
   return values;
 }
 
-std::vector<double> coordinate_rates(const Description& description, const std::vector<double>& q,
-                                     const std::vector<double>& speeds) {
-  std::vector<double> rates;
+template <class R>
+std::vector<R> coordinate_rates(const Description& description, const std::vector<R>& q,
+                                const std::vector<R>& speeds) {
+  std::vector<R> rates;
   for (const Coordinate& c : description.coordinates) {
-    const double* u = &speeds[static_cast<std::size_t>(c.first_speed)];
+    const R* u = &speeds[static_cast<std::size_t>(c.first_speed)];
     if (!c.quaternion) {
       rates.push_back(u[0]);
       continue;
     }
     // 1/2 q (u, 0), with q = (v, w) and the angular velocity u in the child's axes.
-    const double* v = &q[static_cast<std::size_t>(c.first_q)];
-    const double w = v[3];
-    rates.push_back(0.5 * (w * u[0] + v[1] * u[2] - v[2] * u[1]));
-    rates.push_back(0.5 * (w * u[1] + v[2] * u[0] - v[0] * u[2]));
-    rates.push_back(0.5 * (w * u[2] + v[0] * u[1] - v[1] * u[0]));
-    rates.push_back(-0.5 * (v[0] * u[0] + v[1] * u[1] + v[2] * u[2]));
+    const R* v = &q[static_cast<std::size_t>(c.first_q)];
+    const R w = v[3], half(0.5);
+    rates.push_back(half * (w * u[0] + v[1] * u[2] - v[2] * u[1]));
+    rates.push_back(half * (w * u[1] + v[2] * u[0] - v[0] * u[2]));
+    rates.push_back(half * (w * u[2] + v[0] * u[1] - v[1] * u[0]));
+    rates.push_back(-(half * (v[0] * u[0] + v[1] * u[1] + v[2] * u[2])));
   }
   return rates;
 }
+
+#define ALEMBERT_RATES(R) \
+  template std::vector<R> coordinate_rates(const Description&, const std::vector<R>&, const std::vector<R>&);
+ALEMBERT_RATES(double)
+ALEMBERT_RATES(long double)
+ALEMBERT_RATES(Jet<double>)
+ALEMBERT_RATES(Jet<long double>)
+#undef ALEMBERT_RATES
 
 double relative_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   if (a.rows() != b.rows() || a.cols() != b.cols()) return std::numeric_limits<double>::infinity();

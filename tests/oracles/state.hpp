@@ -20,12 +20,19 @@ struct State {
   std::map<std::string, Wrench> wrenches = {};    ///< by body, of those with external_wrench
 };
 
+template <class R>
+using VectorOf = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+template <class R>
+using MatrixOf = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+
 /// M(q) rates + c(q, speeds, t) = tau.
-struct Dynamics {
-  Eigen::VectorXd tau;
-  Eigen::MatrixXd mass_matrix;
-  Eigen::VectorXd bias;
+template <class R>
+struct DynamicsOf {
+  VectorOf<R> tau;
+  MatrixOf<R> mass_matrix;
+  VectorOf<R> bias;
 };
+using Dynamics = DynamicsOf<double>;
 
 /// A random state: coordinates within their limits (or 1.5 about their initial value), speeds and rates
 /// within 2, time within 2 s, wrenches within 5 N and 5 N m.
@@ -35,8 +42,9 @@ State random_state(const Description& description, std::mt19937_64& random);
 std::map<std::string, double> random_parameters(const Description& description, std::uint64_t seed);
 
 /// The rate of q: N(q) u for real coordinates and quaternions.
-std::vector<double> coordinate_rates(const Description& description, const std::vector<double>& q,
-                                     const std::vector<double>& speeds);
+template <class R>
+std::vector<R> coordinate_rates(const Description& description, const std::vector<R>& q,
+                                const std::vector<R>& speeds);
 
 /// max |a - b| / max(1, max |b|); infinite if a shape differs or an entry is no number.
 double relative_error(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);

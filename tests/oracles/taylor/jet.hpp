@@ -1,6 +1,7 @@
 // Truncated Taylor arithmetic: a value with its first and second derivative along one parameter. Jets nest:
 // Jet<Jet<double>> carries derivatives along two parameters, up to the second order in each. No differences
-// are taken anywhere, so that derivatives are exact to rounding.
+// are taken anywhere, so that derivatives are exact to rounding. The innermost scalar is double or long
+// double.
 #pragma once
 
 #include <cmath>
@@ -18,6 +19,9 @@ struct Jet {
 
 inline double leading(double x) {
   return x;
+}
+inline double leading(long double x) {
+  return static_cast<double>(x);
 }
 /// The plain number a jet is about.
 template <class T>

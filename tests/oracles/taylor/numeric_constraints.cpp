@@ -11,7 +11,7 @@ namespace alembert::oracles {
 
 namespace {
 
-using T = Jet<double>;
+using Along = Jet<double>;
 
 /// Values and rates of all rows along a motion of coordinates, speeds and time.
 struct RowJets {
@@ -19,13 +19,13 @@ struct RowJets {
 };
 
 /// Coordinates, speeds and positions of frames, in the order of a constraint's variables.
-std::vector<T> variables(const Description& description, const std::vector<T>& q, const std::vector<T>& u,
-                         const T& t) {
-  std::vector<T> all = q;
+std::vector<Along> variables(const Description& description, const std::vector<Along>& q,
+                             const std::vector<Along>& u, const Along& t) {
+  std::vector<Along> all = q;
   all.insert(all.end(), u.begin(), u.end());
   const auto poses = world_poses(description, q, t);
   for (const Frame& frame : description.frames) {
-    RigidMotion<T> pose = product_of(frame.transform, q, t);
+    RigidMotion<Along> pose = product_of(frame.transform, q, t);
     if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
     all.insert(all.end(), pose.translation.begin(), pose.translation.end());
   }
@@ -35,28 +35,28 @@ std::vector<T> variables(const Description& description, const std::vector<T>& q
 /// Velocity of the child's material point at the contact, seen from the parent, along the second surface's
 /// tangents, and its rate. With A the mate's transform and p the contact point in the child, that velocity is
 /// A' p: p is not differentiated, and is in the rate, where another point is in contact a moment later.
-void append_rolling(const Mate& mate, const std::vector<T>& q, const T& t, RowJets& out) {
-  const RigidMotion<T> second = surface_frame(mate.second, q, t);
-  const RigidMotion<T> A = product_of({Factor{mate}}, q, t);
+void append_rolling(const Mate& mate, const std::vector<Along>& q, const Along& t, RowJets& out) {
+  const RigidMotion<Along> second = surface_frame(mate.second, q, t);
+  const RigidMotion<Along> A = product_of({Factor{mate}}, q, t);
   // As jets of the first order: A' has value A.first and rate A.second.
-  RigidMotion<T> A_rate;
+  RigidMotion<Along> A_rate;
   for (std::size_t i = 0; i < 3; ++i) {
-    A_rate.translation[i] = T(A.translation[i].first, A.translation[i].second, 0.0);
+    A_rate.translation[i] = Along(A.translation[i].first, A.translation[i].second, 0.0);
     for (std::size_t k = 0; k < 3; ++k)
-      A_rate.column[k][i] = T(A.column[k][i].first, A.column[k][i].second, 0.0);
+      A_rate.column[k][i] = Along(A.column[k][i].first, A.column[k][i].second, 0.0);
   }
-  const Vector3<T> velocity = rotated(A_rate, second.translation) + A_rate.translation;
+  const Vector3<Along> velocity = rotated(A_rate, second.translation) + A_rate.translation;
   for (std::size_t k = 0; k < 2; ++k) {
-    const T slip = dot(rotated(A, second.column[k]), velocity);
+    const Along slip = dot(rotated(A, second.column[k]), velocity);
     out.position.push_back(0);
     out.velocity.push_back(slip.value);
     out.acceleration.push_back(slip.first);
   }
 }
 
-RowJets row_jets(const Description& description, const std::vector<T>& q, const std::vector<T>& u,
-                 const T& t) {
-  const std::vector<T> all = variables(description, q, u, t);
+RowJets row_jets(const Description& description, const std::vector<Along>& q, const std::vector<Along>& u,
+                 const Along& t) {
+  const std::vector<Along> all = variables(description, q, u, t);
   RowJets out;
   for (const Constraint& constraint : description.constraints) {
     if (constraint.kind == ConstraintKind::rolling) {
@@ -65,7 +65,7 @@ RowJets row_jets(const Description& description, const std::vector<T>& q, const 
       continue;
     }
     for (const Expression& equation : constraint.equations) {
-      const T row = evaluate(equation, all, t);
+      const Along row = evaluate(equation, all, t);
       const bool holonomic = constraint.kind == ConstraintKind::holonomic;
       out.position.push_back(holonomic ? row.value : 0);
       out.velocity.push_back(holonomic ? row.first : row.value);
@@ -82,25 +82,25 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 }  // namespace
 
 ConstraintRows numeric_constraints(const Description& description, const State& state) {
-  std::vector<T> u;
+  std::vector<Along> u;
   for (const double speed : state.speeds) u.emplace_back(speed);
   const std::vector<double> no_rates(state.speeds.size(), 0.0);
   const RowJets moving =
-      row_jets(description, trajectory(description, state, no_rates), u, T(state.time, 1.0, 0.0));
+      row_jets(description, trajectory(description, state, no_rates), u, Along(state.time, 1.0, 0.0));
   ConstraintRows rows;
   rows.gamma = vector_of(moving.acceleration);
   rows.velocity = vector_of(moving.velocity);
   rows.position = vector_of(moving.position);
   rows.P.resize(rows.gamma.size(), description.nv);
   // Rows are affine in the speeds, so that a difference of two of their values is a column exactly.
-  const std::vector<T> rest(state.speeds.size(), T(0.0));
-  std::vector<T> still;
+  const std::vector<Along> rest(state.speeds.size(), Along(0.0));
+  std::vector<Along> still;
   for (const double value : state.q) still.emplace_back(value);
-  const Eigen::VectorXd at_rest = vector_of(row_jets(description, still, rest, T(state.time)).velocity);
+  const Eigen::VectorXd at_rest = vector_of(row_jets(description, still, rest, Along(state.time)).velocity);
   for (int k = 0; k < description.nv; ++k) {
-    std::vector<T> unit = rest;
-    unit[static_cast<std::size_t>(k)] = T(1.0);
-    const RowJets along = row_jets(description, unit_motion(description, state, k), unit, T(state.time));
+    std::vector<Along> unit = rest;
+    unit[static_cast<std::size_t>(k)] = Along(1.0);
+    const RowJets along = row_jets(description, unit_motion(description, state, k), unit, Along(state.time));
     rows.P.col(k) = vector_of(along.velocity) - at_rest;
   }
   return rows;

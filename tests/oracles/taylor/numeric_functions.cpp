@@ -1,10 +1,7 @@
-// Results of functions by jets and by differences of them (see the header).
+// Results of functions by jets (see the header).
 #include "oracles/taylor/numeric_functions.hpp"
 
-#include <Eigen/Geometry>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
@@ -14,9 +11,6 @@ namespace alembert::oracles {
 
 namespace {
 
-using T = Jet<double>;
-using Point = std::array<double, 3>;
-
 /// Where something is in the world, at which of its points, and how that moves.
 struct Motion {
   Eigen::Matrix<double, 3, 4> pose;
@@ -24,23 +18,25 @@ struct Motion {
 };
 
 /// Along whatever the pose moves along.
-Motion motion_at(const RigidMotion<T>& pose, const Point& point) {
+template <class R>
+Motion motion_at(const RigidMotion<Jet<R>>& pose, const std::array<double, 3>& point) {
+  using T = Jet<R>;
   const Vector3<T> at = rotated(pose, Vector3<T>{T(point[0]), T(point[1]), T(point[2])}) + pose.translation;
   Motion motion;
-  Eigen::Matrix3d rate;
+  // skew(angular velocity in world axes) = R' R^T
+  const auto spin = [&](std::size_t row, std::size_t column) {
+    R sum(0.0);
+    for (const Vector3<T>& axis : pose.column) sum += axis[row].first * axis[column].value;
+    return static_cast<double>(sum);
+  };
+  motion.velocity.head<3>() << spin(2, 1), spin(0, 2), spin(1, 0);
   for (Eigen::Index r = 0; r < 3; ++r) {
     const auto row = static_cast<std::size_t>(r);
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      const T& entry = pose.column[static_cast<std::size_t>(c)][row];
-      motion.pose(r, c) = entry.value;
-      rate(r, c) = entry.first;
-    }
-    motion.pose(r, 3) = pose.translation[row].value;
-    motion.velocity[3 + r] = at[row].first;
+    for (std::size_t c = 0; c < 3; ++c)
+      motion.pose(r, static_cast<Eigen::Index>(c)) = static_cast<double>(pose.column[c][row].value);
+    motion.pose(r, 3) = static_cast<double>(pose.translation[row].value);
+    motion.velocity[3 + r] = static_cast<double>(at[row].first);
   }
-  // skew(angular velocity in world axes) = R' R^T
-  const Eigen::Matrix3d spin = rate * motion.pose.leftCols<3>().transpose();
-  motion.velocity.head<3>() << spin(2, 1), spin(0, 2), spin(1, 0);
   return motion;
 }
 
@@ -48,13 +44,14 @@ Motion motion_at(const RigidMotion<T>& pose, const Point& point) {
 struct Motions {
   std::vector<Motion> bodies, frames;
 };
-Motions motions(const Description& description, const std::vector<T>& q, const T& t) {
-  const std::vector<RigidMotion<T>> poses = world_poses(description, q, t);
+template <class R>
+Motions motions(const Description& description, const std::vector<Jet<R>>& q, const Jet<R>& t) {
+  const auto poses = world_poses(description, q, t);
   Motions result;
   for (std::size_t i = 0; i < poses.size(); ++i)
     result.bodies.push_back(motion_at(poses[i], description.bodies[i].com));
   for (const Frame& frame : description.frames) {
-    RigidMotion<T> pose = product_of(frame.transform, q, t);
+    RigidMotion<Jet<R>> pose = product_of(frame.transform, q, t);
     if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
     result.frames.push_back(motion_at(pose, {}));
   }
@@ -78,61 +75,34 @@ Eigen::MatrixXd inertia_rows(const Description& description) {
   return rows;
 }
 
-/// The state moved by `distance` along speed k: real coordinates by adding, quaternions by turning about an
-/// axis of the child.
-State moved(const Description& description, State state, int k, double distance) {
-  for (const Coordinate& c : description.coordinates) {
-    const int axis = k - c.first_speed;
-    if (axis < 0 || axis >= (c.quaternion ? 3 : 1)) continue;
-    double* q = &state.q[static_cast<std::size_t>(c.first_q)];
-    if (!c.quaternion) {
-      q[0] += distance;
-      continue;
-    }
-    const Eigen::Quaterniond turned =
-        Eigen::Quaterniond(q[3], q[0], q[1], q[2]) *
-        Eigen::Quaterniond(Eigen::AngleAxisd(distance, Eigen::Vector3d::Unit(axis)));
-    for (int i = 0; i < 4; ++i) q[i] = turned.coeffs()[i];
-  }
-  return state;
-}
-
-/// d f(x)/dx at 0 by central differences of the eighth order, with the step after which a smaller one changes
-/// the result least: large ones reach singular points and knots of splines, small ones lose digits.
-template <class F>
-Eigen::VectorXd central_difference(const F& f) {
-  constexpr std::array<double, 4> kWeight{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-  Eigen::VectorXd best = Eigen::VectorXd::Constant(f(0.0).size(), std::nan("")), last;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double step : {4e-3, 5e-4, 6e-5, 8e-6}) {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(best.size());
-    for (std::size_t i = 0; i < kWeight.size(); ++i) {
-      const double x = static_cast<double>(i + 1) * step;
-      result += kWeight[i] / step * (f(x) - f(-x));
-    }
-    const double change = last.size() == 0 ? least : relative_error(result, last);
-    if (change < least) {
-      least = change;
-      best = last;
-    }
-    last = result;
-  }
-  return best;
-}
-
-Arrays derivatives_of_forces(const Description& description, const State& state) {
+/// By jets along each speed: coordinates move with it, a quaternion by turning about an axis of the child.
+template <class R>
+Arrays derivatives_of_forces(const Description& description, const State& given) {
+  using T = Jet<R>;
   Eigen::MatrixXd along(description.nv, description.nv), by_speeds(description.nv, description.nv);
+  const StateOf<T> fixed = lifted<T>(given);
   for (int k = 0; k < description.nv; ++k) {
-    along.col(k) = central_difference(
-        [&](double x) { return numeric_lagrangian(description, moved(description, state, k, x)).tau; });
-    // Forces are quadratic in the speeds: this difference is exact.
-    State faster = state, slower = state;
-    faster.speeds[static_cast<std::size_t>(k)] += 1;
-    slower.speeds[static_cast<std::size_t>(k)] -= 1;
-    by_speeds.col(k) =
-        (numeric_lagrangian(description, faster).tau - numeric_lagrangian(description, slower).tau) / 2;
+    StateOf<T> moved = fixed, faster = fixed;
+    moved.q = unit_motion(description, lifted<R>(given), k);
+    faster.speeds[static_cast<std::size_t>(k)].first = R(1.0);
+    const std::vector<T> by_q = numeric_forces(description, moved, given.wrenches);
+    const std::vector<T> by_qd = numeric_forces(description, faster, given.wrenches);
+    for (int i = 0; i < description.nv; ++i) {
+      along(i, k) = static_cast<double>(by_q[static_cast<std::size_t>(i)].first);
+      by_speeds(i, k) = static_cast<double>(by_qd[static_cast<std::size_t>(i)].first);
+    }
   }
   return {{"tau_q", along}, {"tau_qd", by_speeds}};
+}
+
+Eigen::MatrixXd jacobian(const std::vector<std::vector<Motion>>& partial) {
+  Eigen::MatrixXd J(6 * static_cast<Eigen::Index>(partial[0].size()),
+                    static_cast<Eigen::Index>(partial.size()));
+  for (std::size_t k = 0; k < partial.size(); ++k) {
+    for (std::size_t i = 0; i < partial[k].size(); ++i)
+      J.block<6, 1>(6 * static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = partial[k][i].velocity;
+  }
+  return J;
 }
 
 Eigen::VectorXd column(const std::vector<double>& values) {
@@ -141,39 +111,51 @@ Eigen::VectorXd column(const std::vector<double>& values) {
 
 }  // namespace
 
-std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state) {
+template <class R>
+std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state,
+                                                const std::set<std::string>& wanted) {
   std::map<std::string, Arrays> all;
-  const Dynamics dynamics = numeric_lagrangian(description, state);
-  all["inverse_dynamics"] = {{"tau", dynamics.tau}};
-  all["mass_matrix"] = {{"M", dynamics.mass_matrix}};
-  all["bias"] = {{"c", dynamics.bias}};
-  all["mass_matrix_and_bias"] = {{"M", dynamics.mass_matrix}, {"c", dynamics.bias}};
+  const auto asks_for = [&](const char* name) { return wanted.empty() || wanted.count(name) != 0; };
+  const DynamicsOf<R> dynamics = numeric_lagrangian<R>(description, state);
+  const Eigen::MatrixXd M = dynamics.mass_matrix.template cast<double>();
+  const Eigen::VectorXd c = dynamics.bias.template cast<double>();
+  all["inverse_dynamics"] = {{"tau", dynamics.tau.template cast<double>()}};
+  all["mass_matrix"] = {{"M", M}};
+  all["bias"] = {{"c", c}};
+  all["mass_matrix_and_bias"] = {{"M", M}, {"c", c}};
   all["forward_dynamics"] = {{"qdd", column(state.rates)}};
   all["coordinate_rates"] = {{"qdot", column(coordinate_rates(description, state.q, state.speeds))}};
-  const auto [kinetic, potential] = energy(description, state);
-  all["energy"] = {{"e", Eigen::Vector2d(kinetic, potential)}};
-
-  const Motions now = motions(description, unit_motion(description, state, 0), T(state.time));
-  all["body_poses"] = {{"W", pose_rows(now.bodies)}};
-  all["frame_poses"] = {{"F", pose_rows(now.frames)}};
-  Eigen::MatrixXd bodies(6 * static_cast<Eigen::Index>(now.bodies.size()), description.nv);
-  Eigen::MatrixXd frames(6 * static_cast<Eigen::Index>(now.frames.size()), description.nv);
-  for (int k = 0; k < description.nv; ++k) {
-    const Motions partial = motions(description, unit_motion(description, state, k), T(state.time));
-    for (std::size_t i = 0; i < partial.bodies.size(); ++i)
-      bodies.block<6, 1>(6 * static_cast<Eigen::Index>(i), k) = partial.bodies[i].velocity;
-    for (std::size_t i = 0; i < partial.frames.size(); ++i)
-      frames.block<6, 1>(6 * static_cast<Eigen::Index>(i), k) = partial.frames[i].velocity;
-  }
-  all["body_jacobians"] = {{"J", bodies}};
-  all["frame_jacobians"] = {{"J", frames}};
+  const auto [kinetic, potential] = energy<R>(description, state);
+  all["energy"] = {{"e", Eigen::Vector2d(static_cast<double>(kinetic), static_cast<double>(potential))}};
   all["body_inertias"] = {{"inertias", inertia_rows(description)}};
 
-  const ConstraintRows rows = numeric_constraints(description, state);
-  all["constraints"] = {
-      {"P", rows.P}, {"gamma", rows.gamma}, {"velocity", rows.velocity}, {"position", rows.position}};
-  all["inverse_dynamics_derivatives"] = derivatives_of_forces(description, state);
+  std::vector<std::vector<Motion>> bodies, frames;
+  const auto exact = lifted<R>(state);
+  Motions now;
+  for (int k = 0; k < description.nv; ++k) {
+    now = motions(description, unit_motion(description, exact, k), Jet<R>(exact.time, R(0.0), R(0.0)));
+    bodies.push_back(now.bodies);
+    frames.push_back(now.frames);
+  }
+  all["body_poses"] = {{"W", pose_rows(now.bodies)}};
+  all["frame_poses"] = {{"F", pose_rows(now.frames)}};
+  all["body_jacobians"] = {{"J", jacobian(bodies)}};
+  all["frame_jacobians"] = {{"J", jacobian(frames)}};
+  if (asks_for("constraints")) {
+    const ConstraintRows rows = numeric_constraints(description, state);
+    all["constraints"] = {
+        {"P", rows.P}, {"gamma", rows.gamma}, {"velocity", rows.velocity}, {"position", rows.position}};
+  }
+  if (asks_for("inverse_dynamics_derivatives"))
+    all["inverse_dynamics_derivatives"] = derivatives_of_forces<R>(description, state);
+  for (auto entry = all.begin(); entry != all.end();)
+    entry = asks_for(entry->first.c_str()) ? std::next(entry) : all.erase(entry);
   return all;
 }
+
+template std::map<std::string, Arrays> numeric_functions<double>(const Description&, const State&,
+                                                                 const std::set<std::string>&);
+template std::map<std::string, Arrays> numeric_functions<long double>(const Description&, const State&,
+                                                                      const std::set<std::string>&);
 
 }  // namespace alembert::oracles

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "oracles/state.hpp"
@@ -13,7 +14,10 @@ namespace alembert::oracles {
 /// centre of mass, xx yy zz xy xz yz), one a body or frame; Jacobians have six rows each.
 using Arrays = std::map<std::string, Eigen::MatrixXd>;
 
-/// By function. Forces of forward dynamics are those that give the state's rates.
-std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state);
+/// By function, all or those that are wanted. Forces of forward dynamics are those that give the state's
+/// rates. R is what they are evaluated in, double or long double (constraints always in double).
+template <class R = double>
+std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state,
+                                                const std::set<std::string>& wanted = {});
 
 }  // namespace alembert::oracles

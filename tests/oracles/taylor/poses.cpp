@@ -5,28 +5,33 @@ namespace alembert::oracles {
 
 namespace {
 
-using T = Jet<double>;  // along the motion
-using TT = Jet<T>;      // and along a coordinate of a curve or surface
+/// Along the motion, and along a coordinate of a curve or surface.
+template <class R>
+using Twofold = Jet<Jet<R>>;
 
 /// Coordinates as jets along coordinate `along`.
-std::vector<TT> lifted(const std::vector<T>& q, int along) {
-  std::vector<TT> result;
+template <class R>
+std::vector<Twofold<R>> along_coordinate(const std::vector<Jet<R>>& q, int along) {
+  std::vector<Twofold<R>> result;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    result.emplace_back(q[i], T(static_cast<int>(i) == along ? 1.0 : 0.0), T(0.0));
+    result.emplace_back(q[i], Jet<R>(static_cast<int>(i) == along ? 1.0 : 0.0), Jet<R>(0.0));
   }
   return result;
 }
 
+template <class R>
 struct Derivatives {
-  Vector3<T> value, first, second;
+  Vector3<Jet<R>> value, first, second;
 };
 
-Derivatives along(const Expression3& point, int coordinate, const std::vector<T>& q, const T& t) {
-  const std::vector<TT> moved = lifted(q, coordinate);
-  const TT time(t, T(0.0), T(0.0));
-  Derivatives d;
+template <class R>
+Derivatives<R> along(const Expression3& point, int coordinate, const std::vector<Jet<R>>& q,
+                     const Jet<R>& t) {
+  const std::vector<Twofold<R>> moved = along_coordinate(q, coordinate);
+  const Twofold<R> time(t, Jet<R>(0.0), Jet<R>(0.0));
+  Derivatives<R> d;
   for (std::size_t i = 0; i < 3; ++i) {
-    const TT f = evaluate(point[i], moved, time);
+    const Twofold<R> f = evaluate(point[i], moved, time);
     d.value[i] = f.value;
     d.first[i] = f.first;
     d.second[i] = f.second;
@@ -34,11 +39,14 @@ Derivatives along(const Expression3& point, int coordinate, const std::vector<T>
   return d;
 }
 
-Vector3<T> values(const Expression3& e, const std::vector<T>& q, const T& t) {
+template <class R>
+Vector3<Jet<R>> values(const Expression3& e, const std::vector<Jet<R>>& q, const Jet<R>& t) {
   return {evaluate(e[0], q, t), evaluate(e[1], q, t), evaluate(e[2], q, t)};
 }
 
+template <class R>
 struct FactorMotion {
+  using T = Jet<R>;
   const std::vector<T>& q;
   const T& t;
 
@@ -61,7 +69,7 @@ struct FactorMotion {
     return result;
   }
   RigidMotion<T> operator()(const Curve& f) const {
-    const Derivatives d = along(f.point, f.along, q, t);
+    const Derivatives<R> d = along(f.point, f.along, q, t);
     const Vector3<T> b = normalized(d.first);
     const Vector3<T> n = normalized(cross(b, f.reference ? values(*f.reference, q, t) : d.second));
     RigidMotion<T> frame;
@@ -79,55 +87,77 @@ struct FactorMotion {
 
 }  // namespace
 
-RigidMotion<T> surface_frame(const Surface& surface, const std::vector<T>& q, const T& t) {
-  const Derivatives u = along(surface.point, surface.u, q, t);
-  const Derivatives v = along(surface.point, surface.v, q, t);
-  const Vector3<T> p0 = normalized(u.first);
-  Vector3<T> n = normalized(cross(u.first, v.first));
-  if (surface.flip) n = T(-1.0) * n;
-  RigidMotion<T> frame;
+template <class R>
+RigidMotion<Jet<R>> surface_frame(const Surface& surface, const std::vector<Jet<R>>& q, const Jet<R>& t) {
+  const Derivatives<R> u = along(surface.point, surface.u, q, t);
+  const Derivatives<R> v = along(surface.point, surface.v, q, t);
+  const Vector3<Jet<R>> p0 = normalized(u.first);
+  Vector3<Jet<R>> n = normalized(cross(u.first, v.first));
+  if (surface.flip) n = Jet<R>(-1.0) * n;
+  RigidMotion<Jet<R>> frame;
   frame.column = {p0, cross(n, p0), n};
   frame.translation = u.value;
   return frame;
 }
 
-RigidMotion<T> product_of(const std::vector<Factor>& factors, const std::vector<T>& q, const T& t) {
-  RigidMotion<T> result;
-  for (const Factor& factor : factors) result = result * std::visit(FactorMotion{q, t}, factor.value);
+template <class R>
+RigidMotion<Jet<R>> product_of(const std::vector<Factor>& factors, const std::vector<Jet<R>>& q,
+                               const Jet<R>& t) {
+  RigidMotion<Jet<R>> result;
+  for (const Factor& factor : factors) result = result * std::visit(FactorMotion<R>{q, t}, factor.value);
   return result;
 }
 
-std::vector<RigidMotion<T>> world_poses(const Description& description, const std::vector<T>& q, const T& t) {
-  std::vector<RigidMotion<T>> poses;
+template <class R>
+std::vector<RigidMotion<Jet<R>>> world_poses(const Description& description, const std::vector<Jet<R>>& q,
+                                             const Jet<R>& t) {
+  std::vector<RigidMotion<Jet<R>>> poses;
   for (const Body& body : description.bodies) {
-    const RigidMotion<T> relative = product_of(body.transform, q, t);
+    const RigidMotion<Jet<R>> relative = product_of(body.transform, q, t);
     poses.push_back(body.parent < 0 ? relative : poses[static_cast<std::size_t>(body.parent)] * relative);
   }
   return poses;
 }
 
 // Its rates are N(q) u, and N(q') u + N(q) u' (N is linear).
-std::vector<T> trajectory(const Description& description, const State& state,
-                          const std::vector<double>& rates) {
-  const std::vector<double> qd = coordinate_rates(description, state.q, state.speeds);
-  const std::vector<double> by_rates = coordinate_rates(description, state.q, rates);
-  std::vector<double> by_speeds = coordinate_rates(description, qd, state.speeds);
+template <class R>
+std::vector<Jet<R>> trajectory(const Description& description, const StateOf<R>& state,
+                               const std::vector<R>& rates) {
+  const std::vector<R> qd = coordinate_rates(description, state.q, state.speeds);
+  const std::vector<R> by_rates = coordinate_rates(description, state.q, rates);
+  std::vector<R> by_speeds = coordinate_rates(description, qd, state.speeds);
   for (const Coordinate& c : description.coordinates) {
-    if (!c.quaternion) by_speeds[static_cast<std::size_t>(c.first_q)] = 0;
+    if (!c.quaternion) by_speeds[static_cast<std::size_t>(c.first_q)] = R(0.0);
   }
-  std::vector<T> q;
+  std::vector<Jet<R>> q;
   for (std::size_t i = 0; i < state.q.size(); ++i)
     q.emplace_back(state.q[i], qd[i], by_speeds[i] + by_rates[i]);
   return q;
 }
 
-std::vector<T> unit_motion(const Description& description, const State& state, int k) {
-  std::vector<double> unit(state.speeds.size(), 0.0);
-  unit[static_cast<std::size_t>(k)] = 1;
-  const std::vector<double> qd = coordinate_rates(description, state.q, unit);
-  std::vector<T> q;
-  for (std::size_t i = 0; i < qd.size(); ++i) q.emplace_back(state.q[i], qd[i], 0.0);
+template <class R>
+std::vector<Jet<R>> unit_motion(const Description& description, const StateOf<R>& state, int k) {
+  std::vector<R> unit(state.speeds.size(), R(0.0));
+  unit[static_cast<std::size_t>(k)] = R(1.0);
+  const std::vector<R> qd = coordinate_rates(description, state.q, unit);
+  std::vector<Jet<R>> q;
+  for (std::size_t i = 0; i < qd.size(); ++i) q.emplace_back(state.q[i], qd[i], R(0.0));
   return q;
 }
+
+// What jets there are of.
+#define ALEMBERT_POSES(R)                                                                                \
+  template RigidMotion<Jet<R>> surface_frame(const Surface&, const std::vector<Jet<R>>&, const Jet<R>&); \
+  template RigidMotion<Jet<R>> product_of(const std::vector<Factor>&, const std::vector<Jet<R>>&,        \
+                                          const Jet<R>&);                                                \
+  template std::vector<RigidMotion<Jet<R>>> world_poses(const Description&, const std::vector<Jet<R>>&,  \
+                                                        const Jet<R>&);                                  \
+  template std::vector<Jet<R>> trajectory(const Description&, const StateOf<R>&, const std::vector<R>&); \
+  template std::vector<Jet<R>> unit_motion(const Description&, const StateOf<R>&, int);
+ALEMBERT_POSES(double)
+ALEMBERT_POSES(long double)
+ALEMBERT_POSES(Jet<double>)
+ALEMBERT_POSES(Jet<long double>)
+#undef ALEMBERT_POSES
 
 }  // namespace alembert::oracles

@@ -1,5 +1,5 @@
 // Poses of bodies on jets: transforms evaluated as they are written, along any motion of coordinates and
-// time.
+// time. R is what the jets are of: double, long double, or jets of these along a parameter of one's own.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,49 @@
 
 namespace alembert::oracles {
 
+/// A state on other scalars.
+template <class R>
+struct StateOf {
+  std::vector<R> q, speeds, rates;
+  R time;
+};
+template <class R>
+StateOf<R> lifted(const State& state) {
+  StateOf<R> result{{}, {}, {}, R(state.time)};
+  for (const double x : state.q) result.q.emplace_back(x);
+  for (const double x : state.speeds) result.speeds.emplace_back(x);
+  for (const double x : state.rates) result.rates.emplace_back(x);
+  return result;
+}
+
 /// [p0 p1 n f] of a surface.
-RigidMotion<Jet<double>> surface_frame(const Surface& surface, const std::vector<Jet<double>>& q,
-                                       const Jet<double>& t);
+template <class R>
+RigidMotion<Jet<R>> surface_frame(const Surface& surface, const std::vector<Jet<R>>& q, const Jet<R>& t);
 
 /// Product of factors, left to right.
-RigidMotion<Jet<double>> product_of(const std::vector<Factor>& factors, const std::vector<Jet<double>>& q,
-                                    const Jet<double>& t);
+template <class R>
+RigidMotion<Jet<R>> product_of(const std::vector<Factor>& factors, const std::vector<Jet<R>>& q,
+                               const Jet<R>& t);
 
 /// Poses in the world of all bodies, as jets along whatever q and t move along.
-std::vector<RigidMotion<Jet<double>>> world_poses(const Description& description,
-                                                  const std::vector<Jet<double>>& q, const Jet<double>& t);
+template <class R>
+std::vector<RigidMotion<Jet<R>>> world_poses(const Description& description, const std::vector<Jet<R>>& q,
+                                             const Jet<R>& t);
 
 /// q along the motion with the state's speeds, whose rates are given.
-std::vector<Jet<double>> trajectory(const Description& description, const State& state,
-                                    const std::vector<double>& rates);
+template <class R>
+std::vector<Jet<R>> trajectory(const Description& description, const StateOf<R>& state,
+                               const std::vector<R>& rates);
+inline std::vector<Jet<double>> trajectory(const Description& description, const State& state,
+                                           const std::vector<double>& rates) {
+  return trajectory(description, lifted<double>(state), rates);
+}
 
 /// q along a motion with speed k at 1 and all others at 0: velocities along it are derivatives along speed k.
-std::vector<Jet<double>> unit_motion(const Description& description, const State& state, int k);
+template <class R>
+std::vector<Jet<R>> unit_motion(const Description& description, const StateOf<R>& state, int k);
+inline std::vector<Jet<double>> unit_motion(const Description& description, const State& state, int k) {
+  return unit_motion(description, lifted<double>(state), k);
+}
 
 }  // namespace alembert::oracles

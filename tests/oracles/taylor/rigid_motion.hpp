@@ -62,11 +62,10 @@ RigidMotion<S> inverse(const RigidMotion<S>& a) {
 
 /// Rotation about a unit vector (Rodrigues).
 template <class S>
-RigidMotion<S> rotation(const std::array<double, 3>& axis, const S& angle) {
+RigidMotion<S> rotation_about(const Vector3<S>& n, const S& angle) {
   using std::cos, std::sin;
   const S c = cos(angle), s = sin(angle);
   const S one_minus_c = S(1.0) - c;
-  const Vector3<S> n{S(axis[0]), S(axis[1]), S(axis[2])};
   RigidMotion<S> result;
   for (std::size_t k = 0; k < 3; ++k) {
     Vector3<S> e{S(0.0), S(0.0), S(0.0)};
@@ -74,6 +73,10 @@ RigidMotion<S> rotation(const std::array<double, 3>& axis, const S& angle) {
     result.column[k] = c * e + s * cross(n, e) + (one_minus_c * n[k]) * n;
   }
   return result;
+}
+template <class S>
+RigidMotion<S> rotation(const std::array<double, 3>& axis, const S& angle) {
+  return rotation_about(Vector3<S>{S(axis[0]), S(axis[1]), S(axis[2])}, angle);
 }
 
 /// Rotation by a unit quaternion in the order x y z w.

@@ -1,0 +1,312 @@
+// oracle_corpus EXECUTABLE FOLDER...: every .urdf below the folders, imported with a fixed and a floating
+// root. Forces, M, c and their derivatives are compared with a Newton-Euler that reads the URDF itself,
+// poses, Jacobians and energies with the Taylor oracle on the imported description, which must give the same
+// forces. Prints a line for each robot and totals; exit 1 if any number is wrong or missing, 77 if none of
+// the folders exists.
+//
+// --functions f,g     those only (default: all that are compared)
+// --seconds N         processor time that each command may take (default 120)
+// --jobs N            processes (default 1)
+// --limit N           robots of at most so many speeds (default: all)
+// --root R            fixed, floating or both (default)
+// --require-import    what is not imported counts as wrong
+// --only SUBSTRING    files whose path has it
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "oracles/reference.hpp"
+#include "oracles/urdf/newton_euler.hpp"
+
+namespace {
+
+using namespace alembert::oracles;
+namespace fs = std::filesystem;
+
+constexpr int kStates = 3;
+constexpr int kSkipped = 77;  // as CTest is told
+/// Of M scaled to a unit diagonal; below it, M is not singular.
+constexpr long double kRegular = 1e13L;
+
+struct Options {
+  std::string executable;
+  std::vector<std::string> folders;
+  std::set<std::string> functions;
+  int seconds = 120, jobs = 1, limit = 1000000;
+  bool require_import = false;
+  std::string only, root = "both";
+};
+
+enum class Outcome { right, wrong, refused, timeout, failed, skipped };
+constexpr const char* kOutcomes[] = {"right", "wrong", "refused", "timeout", "failed", "skipped"};
+
+/// One robot with one kind of root.
+struct Row {
+  std::string file;
+  bool floating = false;
+  Outcome outcome = Outcome::failed;
+  std::string note;  ///< why it is not right
+  double error = 0;  ///< the worst, of `function`
+  std::string function;
+  int speeds = 0, operations = -1;  ///< of inverse dynamics
+  double seconds = 0;
+};
+
+/// Of processor time, in all commands so far.
+double children_seconds() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+}
+
+std::string first_line(const std::string& text) {
+  // Paths before the message are of no interest.
+  std::string line = text.substr(0, text.find('\n'));
+  if (const std::size_t at = line.find("error: "); at != std::string::npos) line = line.substr(at + 7);
+  std::replace(line.begin(), line.end(), '\t', ' ');
+  return line;
+}
+
+/// Forces and their derivatives by Newton-Euler, the rest by the Taylor oracle. Throws if both oracles do not
+/// agree.
+std::vector<Reference> references(const UrdfTree& tree, const Description& description,
+                                  const std::vector<State>& states, const std::set<std::string>& functions) {
+  std::set<std::string> by_taylor = functions;
+  by_taylor.erase("inverse_dynamics_derivatives");
+  std::vector<Reference> all = taylor_references(description, states, by_taylor);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const DynamicsOf<long double> exact = newton_euler_dynamics<long double>(tree, states[i]);
+    const Dynamics plain = newton_euler_dynamics<double>(tree, states[i]);
+    const auto agree = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      return (a - b).cwiseAbs().maxCoeff() <= kAgreement * b.cwiseAbs().maxCoeff();
+    };
+    if (!agree(all[i].dynamics.tau.cast<double>(), exact.tau.cast<double>()) ||
+        !agree(all[i].dynamics.mass_matrix.cast<double>(), exact.mass_matrix.cast<double>()))
+      throw std::runtime_error("the imported description is another robot");
+    const auto put = [&](std::map<std::string, Arrays>& into, const Dynamics& from) {
+      into["inverse_dynamics"] = {{"tau", from.tau}};
+      into["mass_matrix"] = {{"M", from.mass_matrix}};
+      into["bias"] = {{"c", from.bias}};
+      into["mass_matrix_and_bias"] = {{"M", from.mass_matrix}, {"c", from.bias}};
+    };
+    put(all[i].exact,
+        {exact.tau.cast<double>(), exact.mass_matrix.cast<double>(), exact.bias.cast<double>()});
+    put(all[i].plain, plain);
+    // Accelerations stay with the imported description, whose angles are rounded to 1e-10: they may follow
+    // from small differences of large forces.
+    if (functions.count("inverse_dynamics_derivatives") == 0) continue;
+    const auto wide = newton_euler_derivatives<long double>(tree, description, states[i]);
+    const auto narrow = newton_euler_derivatives<double>(tree, description, states[i]);
+    all[i].exact["inverse_dynamics_derivatives"] = {{"tau_q", wide.first}, {"tau_qd", wide.second}};
+    all[i].plain["inverse_dynamics_derivatives"] = {{"tau_q", narrow.first}, {"tau_qd", narrow.second}};
+  }
+  return all;
+}
+
+int operations_of(const Options& options, const std::string& file) {
+  const Run run = run_alembert(
+      options.executable, {"report", file, "--json", "--functions", "inverse_dynamics"}, "", options.seconds);
+  if (run.status != 0) return -1;
+  const auto counts = nlohmann::json::parse(run.out).at("functions").at("inverse_dynamics");
+  int sum = 0;
+  for (const char* kind : {"mul", "add", "div", "trig", "other"}) sum += counts.at(kind).get<int>();
+  return sum;
+}
+
+void compare_robot(const Options& options, const fs::path& description_file, Row& row) {
+  const Run import = run_alembert(
+      options.executable,
+      {"import", row.file, "--root", row.floating ? "floating" : "fixed", "--out", description_file.string()},
+      "", options.seconds);
+  row.seconds = import.seconds;
+  if (import.status != 0) {
+    row.outcome = import.timed_out     ? Outcome::timeout
+                  : import.status == 1 ? Outcome::refused
+                                       : Outcome::failed;
+    row.note = first_line(import.err);
+    return;
+  }
+  const Description description = read_description(description_file.string());
+  row.speeds = description.nv;
+  if (description.nv > options.limit) {
+    row.outcome = Outcome::skipped;
+    return;
+  }
+  const UrdfTree tree = read_urdf_tree(row.file, row.floating);
+  if (speeds_of(tree) != description.nv)
+    throw std::runtime_error("the imported description has other coordinates");
+  std::mt19937_64 random(7);
+  std::vector<State> states;
+  for (int i = 0; i < kStates; ++i) states.push_back(random_state(description, random));
+  const std::set<std::string> functions =
+      options.functions.empty() ? comparable_functions(description) : options.functions;
+  const std::vector<Reference> expected = references(tree, description, states, functions);
+  const auto before = children_seconds();
+  const std::vector<Comparison> lines =
+      compare_functions(options.executable, description_file.string(), description.name, states, expected,
+                        functions, options.seconds);
+  row.seconds += children_seconds() - before;
+  row.outcome = Outcome::right;
+  double worst = -1;
+  for (const Comparison& line : lines) {
+    if (line.function == "all") {
+      const bool bad = line.note.find(": exit 1") != std::string::npos;
+      const bool regular = std::all_of(expected.begin(), expected.end(), [](const Reference& state) {
+        return scaled_condition(state.dynamics.mass_matrix) < kRegular;
+      });
+      row.outcome = line.note.find(": more than") != std::string::npos ? Outcome::timeout
+                    : !bad                                             ? Outcome::failed
+                    : regular                                          ? Outcome::wrong
+                                                                       : Outcome::refused;
+      row.note = first_line(line.note);
+      return;
+    }
+    if (line.verdict == Comparison::Verdict::fail) {
+      row.outcome = Outcome::wrong;
+      row.note += (row.note.empty() ? "" : " ") + line.function;
+    }
+    if (line.error / line.tolerance <= worst) continue;
+    worst = line.error / line.tolerance;
+    row.error = line.error;
+    row.function = line.function;
+  }
+  row.operations = operations_of(options, description_file.string());
+}
+
+void print_row(std::FILE* to, const Row& row) {
+  std::fprintf(to, "%s\t%s\t%s\t%d\t%d\t%.1e\t%s\t%.1f\t%s\n", row.file.c_str(),
+               row.floating ? "floating" : "fixed", kOutcomes[static_cast<std::size_t>(row.outcome)],
+               row.speeds, row.operations, row.error, row.function.c_str(), row.seconds, row.note.c_str());
+  std::fflush(to);
+}
+
+/// Every jobs-th file from `first`.
+void work(const Options& options, const std::vector<std::string>& files, int first, std::FILE* to) {
+  const fs::path description =
+      fs::temp_directory_path() / ("alembert_corpus_" + std::to_string(getpid()) + ".yaml");
+  for (std::size_t i = static_cast<std::size_t>(first); i < files.size();
+       i += static_cast<std::size_t>(options.jobs)) {
+    for (const bool floating : {false, true}) {
+      if (options.root == (floating ? "fixed" : "floating")) continue;
+      Row row;
+      row.file = files[i];
+      row.floating = floating;
+      try {
+        compare_robot(options, description, row);
+      } catch (const std::exception& failure) {
+        row.outcome = Outcome::failed;
+        row.note = first_line(failure.what());
+      }
+      print_row(to, row);
+    }
+  }
+  fs::remove(description);
+}
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&]() -> std::string { return ++i < argc ? argv[i] : ""; };
+    if (word == "--functions") {
+      std::istringstream names(value());
+      for (std::string name; std::getline(names, name, ',');) options.functions.insert(name);
+    } else if (word == "--seconds") {
+      options.seconds = std::atoi(value().c_str());
+    } else if (word == "--jobs") {
+      options.jobs = std::max(1, std::atoi(value().c_str()));
+    } else if (word == "--limit") {
+      options.limit = std::atoi(value().c_str());
+    } else if (word == "--only") {
+      options.only = value();
+    } else if (word == "--root") {
+      options.root = value();
+    } else if (word == "--require-import") {
+      options.require_import = true;
+    } else if (options.executable.empty()) {
+      options.executable = word;
+    } else {
+      options.folders.push_back(word);
+    }
+  }
+  return options;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = read_options(argc, argv);
+  if (options.folders.empty()) {
+    std::fprintf(
+        stderr,
+        "usage: oracle_corpus EXECUTABLE FOLDER... [--functions f,g] [--seconds N] [--jobs N] [--limit N] "
+        "[--only SUBSTRING] [--root R] [--require-import]\n");
+    return 2;
+  }
+  std::vector<std::string> files;
+  bool any = false;
+  for (const std::string& folder : options.folders) {
+    if (!fs::is_directory(folder)) continue;
+    any = true;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const std::string path = entry.path().string();
+      if (entry.path().extension() == ".urdf" && entry.is_regular_file() &&
+          path.find(options.only) != std::string::npos)
+        files.push_back(path);
+    }
+  }
+  if (!any) return kSkipped;
+  std::sort(files.begin(), files.end());
+  std::printf("file\troot\toutcome\tspeeds\toperations\tworst error\tof\tseconds\tnote\n");
+  std::fflush(stdout);
+  std::vector<pid_t> children;
+  const fs::path table =
+      fs::temp_directory_path() / ("alembert_corpus_" + std::to_string(getpid()) + ".table");
+  for (int job = 0; job < options.jobs; ++job) {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::FILE* const to = std::fopen((table.string() + std::to_string(job)).c_str(), "w");
+      work(options, files, job, to);
+      std::fclose(to);
+      _exit(0);
+    }
+    children.push_back(child);
+  }
+  bool failed = files.empty();
+  std::map<std::string, int> totals;
+  std::vector<std::string> lines;
+  for (int job = 0; job < options.jobs; ++job) {
+    int status = 0;
+    waitpid(children[static_cast<std::size_t>(job)], &status, 0);
+    failed = failed || status != 0;
+    const std::string path = table.string() + std::to_string(job);
+    std::ifstream part(path);
+    for (std::string line; std::getline(part, line);) lines.push_back(line);
+    fs::remove(path);
+  }
+  std::sort(lines.begin(), lines.end());
+  for (const std::string& line : lines) {
+    std::printf("%s\n", line.c_str());
+    std::istringstream columns(line);
+    std::string file, root, outcome;
+    std::getline(std::getline(std::getline(columns, file, '\t'), root, '\t'), outcome, '\t');
+    ++totals[outcome];
+    failed = failed ||
+             (outcome != "right" && outcome != "skipped" && (outcome != "refused" || options.require_import));
+  }
+  std::printf("%zu robots:", files.size());
+  for (const auto& [outcome, count] : totals) std::printf(" %d %s", count, outcome.c_str());
+  std::printf(": %s\n", failed ? "FAIL" : "PASS");
+  return failed ? 1 : 0;
+}

@@ -1,0 +1,233 @@
+// Judges answers, part by part (see the header).
+#include "oracles/reference.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracles/taylor/numeric_lagrangian.hpp"
+
+namespace alembert::oracles {
+
+namespace {
+
+using Wide = long double;
+using Matrices = std::vector<Eigen::MatrixXd>;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Below this part of its largest value over all states, a value counts for so much.
+constexpr double kFloor = 1e-6;
+
+Eigen::MatrixXd columns(const Eigen::MatrixXd& from, const std::vector<Eigen::Index>& which) {
+  return from(Eigen::all, which);
+}
+
+/// Rows r with r % 6 below 3, or those not.
+Eigen::MatrixXd half_rows(const Eigen::MatrixXd& from, bool first) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index r = 0; r < from.rows(); ++r)
+    if ((r % 6 < 3) == first) rows.push_back(r);
+  return from(rows, Eigen::all);
+}
+
+/// Parts of an array that are judged one by one. `unit` scales M.
+Matrices parts(const std::string& function, const std::string& name, const Eigen::MatrixXd& values,
+               const Eigen::VectorXd& unit) {
+  if (values.size() == 0) return {values};
+  if (function == "body_poses" || function == "frame_poses") {
+    return {columns(values, {0, 1, 2, 4, 5, 6, 8, 9, 10}), columns(values, {3, 7, 11})};
+  }
+  if (function == "body_jacobians" || function == "frame_jacobians")
+    return {half_rows(values, true), half_rows(values, false)};
+  if (function == "energy") return {values.topRows(1), values.bottomRows(1)};
+  if (function == "body_inertias")
+    return {columns(values, {0}), columns(values, {1, 2, 3}), columns(values, {4, 5, 6, 7, 8, 9})};
+  if (name == "M") return {unit.asDiagonal() * values * unit.asDiagonal()};
+  return {values};
+}
+
+bool same_shape(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a.size() == 0 && b.size() == 0) || (a.rows() == b.rows() && a.cols() == b.cols());
+}
+
+double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (!same_shape(a, b) || !a.allFinite()) return kInfinity;
+  return a.size() == 0 ? 0 : (a - b).cwiseAbs().maxCoeff();
+}
+
+struct Judged {
+  double error = 0, allowed = kAgreement;
+};
+void keep_worse(Judged& worst, const Judged& other) {
+  if (other.error / other.allowed > worst.error / worst.allowed) worst = other;
+}
+
+/// 1/sqrt of M's diagonal.
+Eigen::VectorXd unit_of(const Reference& state) {
+  const VectorOf<Wide> diagonal = state.dynamics.mass_matrix.diagonal();
+  return diagonal.cwiseMax(std::numeric_limits<Wide>::min()).cwiseSqrt().cwiseInverse().cast<double>();
+}
+
+/// One array at all states.
+Judged judge_array(const std::string& function, const std::string& name, const std::vector<Reference>& states,
+                   const std::vector<std::map<std::string, Arrays>>& found) {
+  Judged worst;
+  std::vector<Matrices> exact;
+  std::vector<double> largest;
+  for (const Reference& state : states) {
+    exact.push_back(parts(function, name, state.exact.at(function).at(name), unit_of(state)));
+    if (!state.exact.at(function).at(name).allFinite()) return {kInfinity, kAgreement};
+    // Forces that do not depend on something have derivatives that are rounding of theirs.
+    const bool derivatives = function == "inverse_dynamics_derivatives";
+    largest.resize(exact.back().size(), 0.0);
+    if (derivatives)
+      largest[0] = std::max(largest[0], state.exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
+    for (std::size_t p = 0; p < largest.size(); ++p) {
+      if (exact.back()[p].size() > 0)
+        largest[p] = std::max(largest[p], exact.back()[p].cwiseAbs().maxCoeff());
+    }
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Eigen::MatrixXd& subject = found[i].at(function).at(name);
+    if (!same_shape(subject, states[i].exact.at(function).at(name))) return {kInfinity, kAgreement};
+    const Matrices subjects = parts(function, name, subject, unit_of(states[i]));
+    const Matrices plain = parts(function, name, states[i].plain.at(function).at(name), unit_of(states[i]));
+    for (std::size_t p = 0; p < subjects.size(); ++p) {
+      if (exact[i][p].size() == 0) continue;
+      const double scale = std::max(exact[i][p].cwiseAbs().maxCoeff(), kFloor * largest[p]);
+      const auto relative = [&](double x) { return x == 0 ? 0 : x / scale; };
+      Judged here{relative(difference(subjects[p], exact[i][p])), kAgreement};
+      const double by_plain = relative(difference(plain[p], exact[i][p]));
+      if (by_plain > kPlainLimit) here.allowed = std::max(kAgreement, kPlainFactor * by_plain);
+      keep_worse(worst, here);
+    }
+  }
+  return worst;
+}
+
+/// Accelerations at one state.
+Judged judge_rates(const Reference& state, const Eigen::VectorXd& found) {
+  const auto n = static_cast<Eigen::Index>(state.dynamics.bias.size());
+  if (found.size() != n || !found.allFinite()) return {kInfinity, kAgreement};
+  const MatrixOf<Wide>& M = state.dynamics.mass_matrix;
+  const VectorOf<Wide>& c = state.dynamics.bias;
+  const VectorOf<Wide> qdd = found.cast<Wide>();
+  const VectorOf<Wide> tau = state.exact.at("inverse_dynamics").at("tau").cast<Wide>();  // as it was given
+  const double stable = kStableFactor * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+
+  const VectorOf<Wide> forces = M.cwiseAbs() * qdd.cwiseAbs();
+  const Wide largest =
+      std::max({tau.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff(), forces.maxCoeff() * stable});
+  const Wide residual = (M * qdd + c - tau).cwiseAbs().maxCoeff();
+  Judged result;
+  if (residual > 0) {
+    result.error = static_cast<double>(residual / largest);
+    result.allowed = kAgreement + static_cast<double>(stable * forces.maxCoeff() / largest);
+  }
+
+  const VectorOf<Wide> unit = M.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixOf<Wide> scaled = unit.asDiagonal() * M * unit.asDiagonal();
+  const VectorOf<Wide> right = unit.cwiseProduct(tau - c);
+  const VectorOf<Wide> expected = scaled.ldlt().solve(right);
+  const VectorOf<Wide> given = qdd.cwiseQuotient(unit);
+  const Wide size = expected.cwiseAbs().maxCoeff();
+  const Wide off = (given - expected).cwiseAbs().maxCoeff();
+  if (off == 0) return result;
+  const Wide cancelled = unit.cwiseProduct(tau.cwiseAbs() + c.cwiseAbs()).maxCoeff() /
+                         (scaled.cwiseAbs() * expected.cwiseAbs()).maxCoeff();
+  const double allowed = static_cast<double>(stable * scaled_condition(M) * (1 + cancelled));
+  keep_worse(result, {static_cast<double>(off / size), std::max(kAgreement, allowed)});
+  return result;
+}
+
+}  // namespace
+
+long double scaled_condition(const MatrixOf<long double>& M) {
+  const long double infinity = std::numeric_limits<long double>::infinity();
+  if (!M.allFinite() || M.diagonal().minCoeff() <= 0) return infinity;
+  const VectorOf<Wide> unit = M.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixOf<Wide> scaled = unit.asDiagonal() * M * unit.asDiagonal();
+  const VectorOf<Wide> values =
+      Eigen::SelfAdjointEigenSolver<MatrixOf<Wide>>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  return values.minCoeff() <= 0 ? infinity : values.maxCoeff() / values.minCoeff();
+}
+
+std::set<std::string> comparable_functions(const Description& description) {
+  std::set<std::string> all{"inverse_dynamics",
+                            "mass_matrix",
+                            "bias",
+                            "mass_matrix_and_bias",
+                            "forward_dynamics",
+                            "coordinate_rates",
+                            "energy",
+                            "body_poses",
+                            "body_jacobians",
+                            "body_inertias",
+                            "inverse_dynamics_derivatives"};
+  if (!description.frames.empty()) all.insert({"frame_poses", "frame_jacobians"});
+  if (!description.constraints.empty()) all.insert("constraints");
+  return all;
+}
+
+std::vector<Reference> taylor_references(const Description& description, const std::vector<State>& states,
+                                         const std::set<std::string>& functions) {
+  std::set<std::string> wanted = functions;
+  wanted.insert("inverse_dynamics");
+  std::vector<Reference> all;
+  for (const State& state : states) {
+    all.push_back({numeric_functions<Wide>(description, state, wanted),
+                   numeric_functions<double>(description, state, wanted),
+                   numeric_lagrangian<Wide>(description, state)});
+  }
+  return all;
+}
+
+std::vector<Comparison> compare_functions(const std::string& executable, const std::string& file,
+                                          const Description& description, const std::vector<State>& states,
+                                          const std::set<std::string>& functions) {
+  return compare_functions(executable, file, description.name, states,
+                           taylor_references(description, states, functions), functions);
+}
+
+std::vector<Comparison> compare_functions(const std::string& executable, const std::string& file,
+                                          const std::string& mechanism, const std::vector<State>& states,
+                                          const std::vector<Reference>& references,
+                                          const std::set<std::string>& functions, int seconds) {
+  Comparison base;
+  base.mechanism = mechanism;
+  base.oracle = "Taylor";
+  base.formulation = "auto";
+  base.tolerance = kAgreement;
+  std::vector<Eigen::VectorXd> tau;
+  for (const Reference& state : references) tau.emplace_back(state.exact.at("inverse_dynamics").at("tau"));
+  std::vector<std::map<std::string, Arrays>> found;
+  try {
+    found = ask_functions(executable, file, states, tau, {functions.begin(), functions.end()}, seconds);
+  } catch (const NoAnswer& failure) {
+    base.function = "all";
+    base.error = kInfinity;
+    base.verdict = Comparison::Verdict::fail;
+    base.note = failure.what();
+    return {base};
+  }
+  std::vector<Comparison> lines;
+  for (const std::string& function : functions) {
+    Judged worst;
+    if (function == "forward_dynamics") {
+      for (std::size_t i = 0; i < references.size(); ++i)
+        keep_worse(worst, judge_rates(references[i], found[i].at(function).at("qdd")));
+    } else {
+      for (const auto& [name, values] : references[0].exact.at(function))
+        keep_worse(worst, judge_array(function, name, references, found));
+    }
+    Comparison line = base;
+    line.function = function;
+    line.error = worst.error;
+    line.tolerance = worst.allowed;
+    if (!(worst.error <= worst.allowed)) line.verdict = Comparison::Verdict::fail;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace alembert::oracles

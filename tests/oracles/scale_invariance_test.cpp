@@ -1,0 +1,129 @@
+// A mechanism in other units gives the same digits: lengths times 2^k and masses times 2^m change every
+// result by an exact power of two, bit for bit, because no decision of the generator knows how long a metre
+// is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "oracles/alembert_process.hpp"
+#include "oracles/nasty_mechanism.hpp"
+#include "oracles/reference.hpp"
+#include "oracles/scaled_description.hpp"
+#include "oracles/taylor/numeric_lagrangian.hpp"
+
+namespace alembert::oracles {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Micrometres and milligrams, kilometres and tonnes, heavy matter.
+constexpr Scale kScales[] = {{-20, -20}, {10, 10}, {0, 17}};
+
+std::vector<std::map<std::string, Arrays>> results(const std::string& text, const std::vector<State>& states,
+                                                   const std::vector<Eigen::VectorXd>& tau,
+                                                   const std::vector<std::string>& functions) {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const fs::path file = fs::temp_directory_path() / ("alembert_scale_" + name + ".yaml");
+  std::ofstream(file) << text;
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.string(), states, tau, functions);
+  fs::remove(file);
+  return found;
+}
+
+/// Digits: to 1e-12 of an array's largest entry (accelerations to 1e-9, for the condition of M). Bits:
+/// exactly.
+enum class Same { digits, bits };
+
+void expect_same(Same same, const std::string& function, const Eigen::MatrixXd& found,
+                 const Eigen::MatrixXd& expected) {
+  ASSERT_EQ(found.size(), expected.size()) << function;
+  const double largest = expected.size() == 0 ? 0 : expected.cwiseAbs().maxCoeff();
+  const double within = same == Same::bits ? 0 : (function == "forward_dynamics" ? 1e-9 : 1e-12) * largest;
+  for (Eigen::Index k = 0; k < expected.size(); ++k) {
+    const double a = found.reshaped()[k], b = expected.reshaped()[k];
+    EXPECT_LE(std::abs(a - b), within) << function << " [" << k << "]: " << a << " for " << b << ", off by "
+                                       << (a - b) / largest << " of the largest";
+  }
+}
+
+void expect_powers_of_two(const std::string& given, Same same) {
+  const std::string text = with_short_numbers(given);
+  const ScaledDescription plain = scaled_description(text, {});
+  const Description description = parse_description(plain.text);
+  std::mt19937_64 random(3);
+  std::vector<State> states;
+  std::vector<Eigen::VectorXd> tau;
+  for (int i = 0; i < 2; ++i) {
+    states.push_back(random_state(description, random));
+    tau.push_back(numeric_lagrangian(description, states.back()).tau);
+  }
+  std::set<std::string> wanted{"inverse_dynamics", "mass_matrix", "bias"};
+  if (same == Same::digits) wanted = comparable_functions(description);
+  wanted.erase("coordinate_rates");  // of quaternions and speeds alone
+  const std::vector<std::string> functions(wanted.begin(), wanted.end());
+  const auto before = results(plain.text, states, tau, functions);
+  for (const Scale& scale : kScales) {
+    SCOPED_TRACE("lengths times 2^" + std::to_string(scale.length) + ", masses times 2^" +
+                 std::to_string(scale.mass));
+    const ScaledDescription scaled = scaled_description(text, scale);
+    const std::vector<int> speeds = speed_exponents(description, scaled.lengths, scale);
+    std::vector<int> back = speeds;
+    for (int& exponent : back) exponent = -exponent;
+    std::vector<State> scaled_states;
+    std::vector<Eigen::VectorXd> scaled_tau;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      scaled_states.push_back(scaled_state(description, scaled.lengths, scale, states[i]));
+      scaled_tau.emplace_back(scaled_array("inverse_dynamics", tau[i], speeds, scale));
+    }
+    const auto after = results(scaled.text, scaled_states, scaled_tau, functions);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      for (const auto& [function, arrays] : before[i]) {
+        for (const auto& [name, values] : arrays) {
+          expect_same(
+              same, function,
+              scaled_array(function, after[i].at(function).at(name), back, {-scale.length, -scale.mass}),
+              values);
+        }
+      }
+    }
+  }
+}
+
+class ScaleOfTheCatalogue : public testing::TestWithParam<std::string> {
+ protected:
+  static std::string text() {
+    std::ifstream file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/" + GetParam() + ".yaml");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+};
+
+TEST_P(ScaleOfTheCatalogue, KeepsTheDigits) {
+  expect_powers_of_two(text(), Same::digits);
+}
+TEST_P(ScaleOfTheCatalogue, KeepsTheBits) {
+  expect_powers_of_two(text(), Same::bits);
+}
+INSTANTIATE_TEST_SUITE_P(Mechanisms, ScaleOfTheCatalogue,
+                         testing::Values("bead_on_helix", "body_on_torus", "cart_pole", "chain6r_90",
+                                         "double_pendulum", "free_body", "pendulum", "puma560",
+                                         "spherical_pendulum", "stanford", "tree_every_joint"),
+                         [](const auto& test) { return test.param; });
+
+/// Seeds of nasty_mechanism: of each kind one.
+class ScaleOfNastyMechanisms : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(ScaleOfNastyMechanisms, KeepsTheDigits) {
+  std::uint64_t seed = GetParam();
+  NastyMechanism mechanism = nasty_mechanism(seed);
+  while (!mechanism.parameters.empty()) mechanism = nasty_mechanism(seed += 10);
+  expect_powers_of_two(mechanism.text, Same::digits);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, ScaleOfNastyMechanisms, testing::Range<std::uint64_t>(1, 11));
+
+}  // namespace
+}  // namespace alembert::oracles

@@ -1,0 +1,324 @@
+// Small mechanisms on which numbers went wrong once: each function of each against the Taylor oracle in long
+// double.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "oracles/reference.hpp"
+
+namespace alembert::oracles {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that goes with its name.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& text, const std::string& extension)
+      : path_(fs::temp_directory_path() /
+              ("alembert_numbers_" +
+               std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + extension)) {
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { fs::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+void expect_right(const std::string& file, const Description& description, const std::vector<State>& states) {
+  for (const Comparison& line :
+       compare_functions(ALEMBERT_EXECUTABLE, file, description, states, comparable_functions(description))) {
+    EXPECT_LE(line.error, line.tolerance) << line.function << " " << line.note;
+    EXPECT_NE(line.verdict, Comparison::Verdict::fail) << line.function << " " << line.note;
+  }
+}
+
+std::vector<State> random_states(const Description& description, int count = 3) {
+  std::mt19937_64 random(20);
+  std::vector<State> states;
+  for (int i = 0; i < count; ++i) states.push_back(random_state(description, random));
+  return states;
+}
+
+void expect_right(const std::string& text, const std::vector<State>& states) {
+  const TemporaryFile file("alembert: 1\nname: small\n" + text, ".yaml");
+  expect_right(file.path(), read_description(file.path()), states);
+}
+/// At random states.
+void expect_right(const std::string& text) {
+  expect_right(text, random_states(parse_description("name: small\n" + text)));
+}
+
+void expect_right_after_import(const std::string& urdf) {
+  const TemporaryFile robot(urdf, ".urdf"), file("", ".yaml");
+  const Run run = run_alembert(ALEMBERT_EXECUTABLE, {"import", robot.path(), "--out", file.path()}, "");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Description description = read_description(file.path());
+  expect_right(file.path(), description, random_states(description));
+}
+
+// A valve that a cam opens: closed around 0, a full opening later.
+constexpr const char* kCam = R"yaml(
+coordinates: [{name: turn, limits: [-1, 10]}]
+bodies:
+  - name: cam
+    transform: [{rotate: {axis: y, angle: turn}}]
+    inertia: {xx: 0.2, yy: 0.3, zz: 0.2}
+    mass: 2
+  - name: valve
+    transform: [{translate: [0, "0.01*turn", "0.05*(1 + tanh(25*(turn - 3.7)))"]
+}]
+    mass: 0.4
+)yaml";
+
+TEST(WrongNumbers, LiftOfACamFarFromZero) {
+  std::vector<State> states;
+  for (const double turn : {3.65, 3.7, 3.72, 0.2, 8.0}) states.push_back({{turn}, {1.5}, {-0.7}, 0});
+  expect_right(kCam, states);
+}
+
+constexpr const char* kShaken = R"yaml(
+coordinates: [swing]
+bodies:
+  - {name: table, transform: [{translate: ["0.2*exp(-12*(t - 6)^2)", 0, 0]
+}]
+}
+  - {name: bob, parent: table, transform: [{rotate: {axis: y, angle: swing}}, {translate: [0, 0, -0.7]}], mass: 1.2}
+)yaml";
+
+TEST(WrongNumbers, ShakeLongAfterTheStart) {
+  std::vector<State> states;
+  for (const double t : {5.7, 5.95, 6.0, 6.3, 0.0}) states.push_back({{0.4}, {0.6}, {1.1}, t});
+  expect_right(kShaken, states);
+}
+
+TEST(WrongNumbers, NarrowBumpUnderAParameterOfTinyDefault) {
+  const std::string text = R"yaml(
+parameters: {height: {value: 1.0e-12, runtime: true}}
+coordinates: [{name: along, limits: [0, 8]}]
+bodies:
+  - {name: cart, transform: [{translate: [along, 0, "height*exp(-((along - 4.25)/0.01)^2)"]}], mass: 3
+}
+)yaml";
+  const TemporaryFile file("alembert: 1\nname: small\n" + text, ".yaml");
+  std::vector<State> states;
+  for (const double along : {4.245, 4.25, 4.258, 1.0})
+    states.push_back({{along}, {0.8}, {0.3}, 0, {{"height", 0.02}}});
+  expect_right(file.path(), read_description(file.path(), {{"height", 0.02}}), states);
+}
+
+// What is late in each kind of factor.
+TEST(WrongNumbers, LateFunctionsInEveryFactor) {
+  const std::string step = "(1 + tanh(30*(a - 5)))";
+  const std::vector<std::string> factors{
+      "{matrix: [[\"cos(S)\", \"-sin(S)\", 0, 0.3], [\"sin(S)\", \"cos(S)\", 0, 0], [0, 0, 1, 0]]}",
+      "{inverse: [{rotate: {axis: x, angle: 0.6}}, {translate: [0, 0.1, \"S\"]}]}",
+      "{curve: {point: [\"cos(b)\", \"sin(b)\", \"0.2*b + 0.3*S\"], along: b, frame: {reference: [0.02, "
+      "0.03, 1]}}}",
+      "{surface: {point: [\"(1.5 + 0.2*S + 0.3*cos(b))*cos(c)\", \"(1.5 + 0.2*S + 0.3*cos(b))*sin(c)\", "
+      "\"0.3*sin(b)\"], along: [c, b]}}",
+      "{rotate: {axis: [1, 2, 2], angle: \"S\"}}"};
+  for (const std::string& factor : factors) {
+    std::string filled = factor;
+    for (std::size_t at; (at = filled.find('S')) != std::string::npos;) filled.replace(at, 1, step);
+    const bool b = factor.find("(b)") != std::string::npos, c = factor.find("(c)") != std::string::npos;
+    const std::string text = std::string("coordinates: [{name: a, limits: [-1, 9]}") + (b ? ", b" : "") +
+                             (c ? ", c" : "") +
+                             R"yaml(]
+bodies:
+  - {name: base, transform: [{rotate: {axis: y, angle: a}}, {translate: [0.3, 0, 0.1]}], mass: 1}
+  - {name: tip, parent: base, transform: [)yaml" +
+                             filled + R"yaml(], mass: 0.7, com: [0.1, 0.2, 0.3],
+     inertia: {xx: 0.02, yy: 0.03, zz: 0.025}}
+)yaml";
+    SCOPED_TRACE(text);
+    std::vector<State> states = random_states(parse_description("name: small\n" + text), 4);
+    for (std::size_t i = 0; i < 3; ++i) states[i].q[0] = 4.97 + 0.03 * static_cast<double>(i);
+    expect_right(text, states);
+  }
+}
+
+// The second and third axis are parallel but for what pi/2 was rounded to.
+std::string near_parallel(const std::string& tilt) {
+  return R"yaml(
+coordinates: [a, b, c]
+bodies:
+  - {name: one, transform: [{rotate: {axis: x, angle: a}}, {translate: [0, 0, 0.8]}], mass: 1.5}
+  - {name: two, parent: one, transform: [{rotate: {axis: z, angle: b}}], mass: 0.9, com: [0.1, 0, 0]}
+  - name: three
+    parent: two
+    transform: [{translate: [0.6, 0.2, 0]}, {rotate: {axis: y, angle: )yaml" +
+         tilt + R"yaml(}}, {rotate: {axis: z, angle: c}}]
+    mass: 0.8
+    com: [0.4, 0, 0.3]
+)yaml";
+}
+
+TEST(WrongNumbers, AxesParallelToSixDigits) {
+  expect_right(near_parallel("3.6732e-6"));
+}
+TEST(WrongNumbers, AxesParallelToTenDigits) {
+  expect_right(near_parallel("1.0e-09"));
+}
+TEST(WrongNumbers, AxesParallelToFourDigits) {
+  expect_right(near_parallel("-9.3e-5"));
+}
+
+// Axes at right angles, the second and third a micrometre apart where they should meet.
+TEST(WrongNumbers, AxesThatMissEachOtherByAMicrometre) {
+  expect_right(R"yaml(
+coordinates: [a, b, c]
+bodies:
+  - {name: one, transform: [{rotate: {axis: z, angle: a}}], mass: 1.2}
+  - name: two
+    parent: one
+    transform: [{rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: b}}]
+    mass: 0.9
+    com: [-0.04, -0.03, 0.07]
+  - name: three
+    parent: two
+    transform: [{translate: [1.4e-06, -0.55, 0]}, {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: c}}]
+    mass: 1.1
+    com: [0.8, 0, 0]
+)yaml");
+}
+
+std::string urdf_link(const std::string& name, const std::string& com) {
+  return "<link name='" + name + "'><inertial><origin xyz='" + com +
+         "'/><mass value='1.6'/><inertia ixx='0.21' iyy='0.17' izz='0.24' ixy='0.012' ixz='-0.02' "
+         "iyz='0.015'/></inertial></link>";
+}
+std::string urdf_joint(const std::string& name, const std::string& parent, const std::string& child,
+                       const std::string& origin, const std::string& type = "continuous") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" +
+         child + "'/><origin " + origin + "/><axis xyz='0 0 1'/>" +
+         (type == "prismatic" ? "<limit lower='-0.3' upper='0.3' effort='1' velocity='1'/>" : "") +
+         "</joint>";
+}
+std::string urdf_arm(const std::string& second, const std::string& third,
+                     const std::string& type = "continuous",
+                     const std::string& first = "xyz='0 0 0.2' rpy='1.5708 0 0'") {
+  return "<robot name='arm'><link name='base'/>" + urdf_link("one", "0.05 -0.04 0.1") +
+         urdf_link("two", "-0.1 0.02 0.07") + urdf_link("three", "0.02 -0.15 -0.1") +
+         urdf_joint("a", "base", "one", first) + urdf_joint("b", "one", "two", second) +
+         urdf_joint("c", "two", "three", third, type) + "</robot>";
+}
+
+// Ordinary joints, but right angles as 1.5708 and -1.5708, whose sum is not the end of it with a turn
+// between.
+TEST(WrongNumbers, RightAnglesOfAnExporter) {
+  expect_right_after_import(
+      urdf_arm("xyz='0.1 0.3 0' rpy='-1.5708 0 0.4'", "xyz='0.2 0.35 0.05' rpy='3.1416 0 1.5708'"));
+}
+// A SCARA: two upright axes and a spindle, each upright to six digits.
+TEST(WrongNumbers, ScaraAsExported) {
+  expect_right_after_import(
+      urdf_arm("xyz='0.325 0 0.02' rpy='0 3.14159 0'", "xyz='0.275 0 0.1' rpy='3.14159 0 0'", "prismatic"));
+}
+// Offsets of micrometres, as from CAD.
+TEST(WrongNumbers, MicrometresOfAnExporter) {
+  expect_right_after_import(urdf_arm(
+      "xyz='-1.8e-06 0 0.3'", "xyz='-2.3e-06 0 0.45' rpy='-1.5707963267948966 0 0'", "continuous", ""));
+}
+// -0.927295 is -atan2(0.4, 0.3) to six digits: the third axis passes the second one at 5e-8 m.
+TEST(WrongNumbers, AxesThatNearlyMeet) {
+  expect_right_after_import(urdf_arm("xyz='0.06 -0.4 0' rpy='0 0 -1.3'",
+                                     "xyz='0.4 0.3 0' rpy='-1.5707963267949 0 -0.927295'", "continuous",
+                                     "rpy='-1.5707963267949 0 0'"));
+}
+
+// Axis vectors of length 1e12 and 1e-9, tilts, an inverse and a pitch of 0.
+TEST(WrongNumbers, AxesAndTurnsOfAllSizes) {
+  expect_right(R"yaml(
+gravity: [0, 0, 0]
+coordinates: [a, b, c]
+bodies:
+  - name: one
+    transform: [{translate: [0.3, 0.4, 1.0e-06]}, {rotate: {axis: [0, 0, 1.0e-09], angle: 2*pi}},
+                {joint: {type: revolute, axis: [1.0e-06, 0, 1], coordinates: [a]}}]
+    mass: 1.9
+    inertia: {xx: 0.6, yy: 0.6, zz: 0.6}
+  - name: two
+    parent: one
+    transform: [{translate: [0.3, 0, -1]}, {joint: {type: helical, axis: z, pitch: 0, coordinates: [b]}}]
+    mass: 1.5
+    com: [0.2, -0.5, -0.8]
+    inertia: {xx: 0.9, yy: 0.9, zz: 0.4}
+  - name: three
+    parent: two
+    transform: [{inverse: [{rotate: {axis: y, angle: 1.5708}},
+                           {joint: {type: prismatic, axis: [0, 0, 1.0e+12], coordinates: [c]}}]}]
+    mass: 0.9
+    com: [0.3, 0.6, -0.2]
+    inertia: {xx: 4.2, yy: 3.9, zz: 4.5, xy: 1.6, xz: -1.7, yz: 1.5}
+)yaml");
+}
+// Two axes that are parallel to 1e-9, bodies of millimetres.
+TEST(WrongNumbers, MillimetresOnAxesParallelToNineDigits) {
+  expect_right(R"yaml(
+gravity: [1, 2, 3]
+coordinates: [a, b]
+bodies:
+  - {name: one, transform: [{rotate: {axis: [0, 0, 1.0e+12], angle: 1.5708}}, {joint: {type: revolute, coordinates: [a]}}]}
+  - name: two
+    parent: one
+    transform: [{rotate: {axis: x, angle: 1.0e-09}}, {translate: [-0.0009, 0.0012, 1.0e-06]},
+                {joint: {type: revolute, coordinates: [b]}}]
+    mass: 1.1
+    com: [-0.0002, -0.0007, -0.0006]
+    inertia: {xx: 7.8e-06, yy: 7.3e-06, zz: 4.6e-06, xy: -1.1e-07, xz: -8.9e-07, yz: 2.2e-06}
+)yaml");
+}
+TEST(WrongNumbers, MirrorOfMicrogramsOnAStage) {
+  expect_right(R"yaml(
+gravity: [1, 2, -9.81]
+coordinates: [a, b]
+bodies:
+  - {name: stage, transform: [{rotate: {axis: z, angle: a}}], mass: 12, com: [0.1, 0, 0], inertia: {xx: 1, yy: 1, zz: 1}}
+  - name: mirror
+    parent: stage
+    transform: [{translate: [0.15, 0.2, 0.25]}, {rotate: {axis: [1, 2, 2], angle: b}}, {rotate: {axis: y, angle: 0.4}}]
+    mass: 2.4e-07
+    com: [2.5e-05, 2.0e-05, 4.0e-05]
+    inertia: {xx: 2.6e-15, yy: 3.4e-15, zz: 4.1e-15, xy: 1.2e-15}
+)yaml");
+}
+TEST(WrongNumbers, NothingIsSingularThatIsOnlySmall) {
+  expect_right(R"yaml(
+coordinates: [x, q]
+bodies:
+  - {name: stage, transform: [{translate: [x, 0, 0]}], mass: 20}
+  - {name: mirror, transform: [{rotate: {axis: x, angle: q}}], mass: 3.0e-10, inertia: {xx: 4.0e-20, yy: 4.0e-20, zz: 4.0e-20}}
+)yaml");
+}
+TEST(WrongNumbers, NothingIsSingularThatIsNearlyParallel) {
+  expect_right(R"yaml(
+parameters: {l: {value: 0.6, runtime: true}, m: {value: 1.4, runtime: true}}
+coordinates: [a, b, c]
+bodies:
+  - {name: one, transform: [{rotate: {axis: y, angle: "a + 0.4*sin(a)"
+}
+}, {translate: [0, 0, 0.9]}], mass: 1.2
+}
+  - name: two
+    parent: one
+    transform: [{joint: {type: revolute, axis: [0, 0, 1.0e-09], coordinates: [b]}}]
+    mass: m
+    com: [l*0.25, 0.1, -0.3]
+  - name: three
+    parent: two
+    transform: [{translate: [0, 0.8, 0]}, {rotate: {axis: [1.0e-06, 0, 1], angle: 0.5}},
+                {rotate: {axis: z, angle: "tanh(c) + atan(c/2)"}}, {translate: [0, 0, "log(3 + c)"]}]
+    mass: 0.9
+)yaml");
+}
+
+}  // namespace
+}  // namespace alembert::oracles
