@@ -73,9 +73,9 @@ class ConstraintFactorization {
   /// \param x       result, n x 1
   /// \param lambda  result, k x 1; zero for redundant rows
   /// \param motion  length sqrt(u^T M u) of the motion of which P x - r is a part, if b and r alone do not
-  /// tell \return        -1, or the redundant row that P x = r fails most: its right side does not follow
-  /// from the
-  ///                others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
+  ///                tell
+  /// \return        -1, or the redundant row that P x = r fails most: its right side does not follow from
+  ///                the others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
   ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units.
   ///                x and lambda then solve the other rows. Where such a length overflows, x is NaN.
   int solve(const SpeedVector& b, const ConstraintVector& r, SpeedVector& x, ConstraintVector& lambda,

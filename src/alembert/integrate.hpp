@@ -27,14 +27,13 @@ template <class M>
 }
 
 /// Calls step() `count` times, each of which is to advance t by h, and counts time instead of adding it up:
-/// after k steps t is t_0 + k h, rounded once. Added up, a million steps of 1e-3 s end 1.7e-8 s late.
+/// after k steps t is t_0 + k h, to the last digit. Added up, a million steps of 1e-3 s end 1.7e-8 s off.
 ///
 ///   repeat_step(in.t, h, n, [&] { return rk4_step<M>(q, qd, in, h, force); });
 ///
 /// \param t  time, where the steps find it: `t` of their inputs
 /// \return   ok, or the status of the first step that failed, which is the last one called: t and what the
-/// steps
-///           advance are as it left them
+///           steps advance are as it left them
 template <class S, class Step>
 [[nodiscard]] Status repeat_step(S& t, S h, long long count, Step&& step) {
   const S start = t;
@@ -193,10 +192,11 @@ template <class System, class Coordinates, class Speeds, class Force>
 /// \param in       inputs at the start of the step; in.t advanced by h
 /// \param h        step, s; negative steps lead back in time, and one of zero advances nothing
 /// \param force    callable (t, q, qd) -> generalized forces, n_v x 1, by value or by reference to a vector
-/// that stays \param options  how constraints are kept \param report   if given, what is known of the
-/// constraints after the call \return         ok; not_finite, also of h and t; or what else went wrong at one
-/// of the four stages or in the
-///                 projection; q, qd and in are left as they were then
+///                 that stays
+/// \param options  how constraints are kept
+/// \param report   if given, what is known of the constraints after the call
+/// \return         ok; not_finite, also of h and t; or what else went wrong at one of the four stages or in
+///                 the projection; q, qd and in are left as they were then
 template <class M, class Force>
 [[nodiscard]] Status rk4_step(CoordinateVector<M>& q, SpeedVector<M>& qd, typename M::Inputs& in,
                               typename M::Scalar h, Force&& force,

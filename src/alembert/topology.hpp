@@ -264,9 +264,8 @@ template <class M>
 /// \param in, q   inputs and coordinates of M
 /// \param qd      result, n_v x 1
 /// \param change  kinetic energies before and after
-/// \return        ok; not_finite; not_positive_definite as for coordinates_of_bodies. qd and change are left
-/// as they
-///                were unless ok.
+/// \return        ok; not_finite; not_positive_definite as for coordinates_of_bodies. qd and change are as
+///                they were unless ok.
 template <class M>
 [[nodiscard]] Status speeds_of_bodies(
     const std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)>& bodies,
@@ -308,8 +307,7 @@ template <class M>
 /// \param change   how far bodies jumped and what energy was lost, if wanted
 /// \param options  bounds
 /// \return         ok, or the status of the step that failed; q and qd are left as they were then, and
-/// `change` holds
-///                 what was known before it
+///                 `change` holds what was known before it
 template <class M>
 [[nodiscard]] Status change_topology(
     const std::array<BodyMotion<typename M::Scalar>, static_cast<std::size_t>(M::kNbodies)>& bodies,
