@@ -171,22 +171,37 @@ TEST(WrongNumbers, AxesParallelToFourDigits) {
   expect_right(near_parallel("-9.3e-5"));
 }
 
-// Axes at right angles, the second and third a micrometre apart where they should meet.
+// Axes at right angles that pass each other at a micrometre or two.
 TEST(WrongNumbers, AxesThatMissEachOtherByAMicrometre) {
   expect_right(R"yaml(
-coordinates: [a, b, c]
+coordinates: [a, b, c, d]
 bodies:
-  - {name: one, transform: [{rotate: {axis: z, angle: a}}], mass: 1.2}
+  - name: one
+    transform: [{rotate: {axis: z, angle: a}}]
+    mass: 1.7
+    com: [0.03, -0.02, 0.05]
+    inertia: {xx: 0.5, yy: 0.6, zz: 0.3, xy: 0.02, xz: -0.05}
   - name: two
     parent: one
-    transform: [{rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: b}}]
-    mass: 0.9
-    com: [-0.04, -0.03, 0.07]
+    transform: [{rotate: {axis: z, angle: -0.4}}, {translate: [1.4e-06, 0.25, 0]},
+                {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: b}}]
+    mass: 1.1
+    com: [-0.04, 0.06, 0.08]
+    inertia: {xx: 0.4, yy: 0.3, zz: 0.2, xy: 0.01, yz: 0.03}
   - name: three
     parent: two
-    transform: [{translate: [1.4e-06, -0.55, 0]}, {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: c}}]
-    mass: 1.1
-    com: [0.8, 0, 0]
+    transform: [{rotate: {axis: z, angle: -1.1}}, {translate: [-2.0e-06, -0.5, 0]},
+                {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: c}}]
+    mass: 0.6
+    com: [0.3, -0.05, 0.1]
+    inertia: {xx: 0.1, yy: 0.15, zz: 0.12, xz: 0.02}
+  - name: four
+    parent: three
+    transform: [{rotate: {axis: z, angle: 0.7}}, {translate: [1.0e-06, 0.4, 0]},
+                {rotate: {axis: x, angle: pi/2}}, {rotate: {axis: z, angle: d}}]
+    mass: 0.5
+    com: [0.1, 0.15, -0.1]
+    inertia: {xx: 0.05, yy: 0.06, zz: 0.04, xy: 0.01}
 )yaml");
 }
 
