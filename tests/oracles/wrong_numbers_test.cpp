@@ -20,7 +20,7 @@ class TemporaryFile {
  public:
   TemporaryFile(const std::string& text, const std::string& extension)
       : path_(fs::temp_directory_path() /
-              ("alembert_numbers_" +
+              ("alembert_numbers_" + std::to_string(getpid()) + "_" +
                std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + extension)) {
     std::ofstream(path_) << text;
   }
