@@ -2,8 +2,8 @@
 // result by an exact power of two, bit for bit, because no decision of the generator knows how long a metre
 // is.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -26,13 +26,13 @@ constexpr Scale kScales[] = {{-20, -20}, {10, 10}, {0, 17}};
 std::vector<std::map<std::string, Arrays>> results(const std::string& text, const std::vector<State>& states,
                                                    const std::vector<Eigen::VectorXd>& tau,
                                                    const std::vector<std::string>& functions) {
-  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::replace(name.begin(), name.end(), '/', '_');
-  const fs::path file = fs::temp_directory_path() / ("alembert_scale_" + name + ".yaml");
-  std::ofstream(file) << text;
-  const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.string(), states, tau, functions);
-  fs::remove(file);
-  return found;
+  struct File {
+    fs::path path;
+    ~File() { fs::remove(path); }
+  };
+  const File file{fs::temp_directory_path() / ("alembert_scale_" + std::to_string(getpid()) + ".yaml")};
+  std::ofstream(file.path) << text;
+  return ask_functions(ALEMBERT_EXECUTABLE, file.path.string(), states, tau, functions);
 }
 
 /// Digits: to 1e-12 of an array's largest entry (accelerations to 1e-9, for the condition of M). Bits:
