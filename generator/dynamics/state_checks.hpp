@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mechanism/model.hpp"
+#include "support/error.hpp"
 
 namespace alembert {
 
@@ -16,8 +17,12 @@ void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
 class PlainEquations;
 struct Kinematics;
 
-/// Throws InputError if M is singular at the initial state and at random states, naming the coordinate
-/// without inertia.
+/// What check_mass_matrix throws where M is singular: equations that divide by it have no value, others do.
+struct SingularMassMatrix : InputError {
+  using InputError::InputError;
+};
+/// Throws SingularMassMatrix if M is singular at the initial state and at random states, naming the
+/// coordinate without inertia.
 void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain);
 
 /// Values of all symbols of the graph at a state: the initial one for `seed` 0, else a reproducible random
