@@ -307,7 +307,7 @@ class FunctionWriter {
     };
     if (!certificate_.accepts(function.error, plain)) return false;
     function.program = without_unused_inputs(std::move(function.program));
-    function.program.error = function.error.relative;
+    if (function.error.states > 0) function.program.error = function.error.relative;
     return true;
   }
 

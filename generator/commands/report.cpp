@@ -67,6 +67,7 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
       out["functions"][std::string(to_string(f.kind))] = {
           {"mul", f.count.mul},   {"add", f.count.add},     {"div", f.count.div},
           {"trig", f.count.trig}, {"other", f.count.other}, {"formulation", to_string(f.formulation)}};
+      if (f.program.error) out["functions"][std::string(to_string(f.kind))]["error"] = *f.program.error;
       if (const std::size_t n = dot_products(f.program); n > 0)
         out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
       if (const std::size_t n = operations_in_loops(f.program); n > 0)

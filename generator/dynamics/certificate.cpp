@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "dynamics/formulations.hpp"
@@ -163,6 +164,48 @@ std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind
   return arrays;
 }
 
+/// The errors of one array at states.
+class ArrayErrors {
+ public:
+  void add(const Wanted& wanted, std::span<const double> found, std::size_t columns) {
+    VectorXe here = VectorXe::Zero(wanted.values.size());
+    Extended largest = 0, difference = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Extended x = found[i];
+      if (!isfinite(x)) difference = HUGE_VAL;
+      largest = std::max(largest, Extended(abs(x)));
+      if (wanted.times) {
+        here[static_cast<Eigen::Index>(i / columns)] +=
+            x * (*wanted.times)[static_cast<Eigen::Index>(i % columns)];
+      } else {
+        here[static_cast<Eigen::Index>(i)] = x;
+      }
+    }
+    for (Eigen::Index i = 0; i < here.size() && isfinite(difference); ++i) {
+      if (!wanted.times) largest = std::max(largest, Extended(abs(wanted.values[i])));
+      difference = std::max(difference, Extended(abs(here[i] - wanted.values[i])));
+    }
+    states_.emplace_back(difference, largest);
+    size_ = std::max(size_, largest);
+  }
+
+  /// The largest relative to the entries at its state, which may be next to nothing there: a thousandth of
+  /// what they are elsewhere, then.
+  double worst() const {
+    double out = 0;
+    for (const auto& [difference, largest] : states_) {
+      if (difference < std::numeric_limits<double>::min()) continue;  // below, double precision has no digits
+      out = std::max(out,
+                     Extended(difference / std::max(largest, Extended(size_ / 1000))).convert_to<double>());
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::pair<Extended, Extended>> states_;  ///< largest difference and entry
+  Extended size_ = 0;
+};
+
 }  // namespace
 
 Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings)
@@ -172,12 +215,13 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
+  std::vector<ArrayErrors> errors(program.outputs.size());
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
   for (const std::vector<double>& values : states_) {
     if (worst.states >= kStates || (work > kWork && worst.states >= kFewest)) break;
-    const PlainEquations::State state(values.begin(), values.end());
+    const PlainEquations::State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = uniform(random) < 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());
@@ -192,35 +236,15 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     std::size_t at = 0;
     for (std::size_t a = 0; a < arrays.size(); ++a) {
       const OutputArray& output = program.outputs[a];
-      const std::size_t size = output.values.size(), columns = output.columns;
-      const std::optional<VectorXe>& times = arrays[a].times;
-      Extended largest = 0, difference = 0;
-      bool known = true;
-      VectorXe here = VectorXe::Zero(arrays[a].values.size());
-      for (std::size_t i = 0; i < size; ++i) {
-        const Extended x = found[at + i];
-        known = known && isfinite(x);
-        largest = std::max(largest, Extended(abs(x)));
-        if (times) {
-          here[static_cast<Eigen::Index>(i / columns)] +=
-              x * (*times)[static_cast<Eigen::Index>(i % columns)];
-        } else {
-          here[static_cast<Eigen::Index>(i)] = x;
-        }
-      }
-      at += size;
-      for (Eigen::Index i = 0; i < here.size(); ++i) {
-        if (!times) largest = std::max(largest, Extended(abs(arrays[a].values[i])));
-        difference = std::max(difference, Extended(abs(here[i] - arrays[a].values[i])));
-      }
-      const double relative = !known            ? HUGE_VAL
-                              : difference == 0 ? 0.0
-                                                : Extended(difference / largest).convert_to<double>();
-      if (relative > worst.relative) {
-        worst.relative = relative;
-        worst.array = output.name;
-      }
+      errors[a].add(arrays[a], {found.data() + at, output.values.size()}, output.columns);
+      at += output.values.size();
     }
+  }
+  for (std::size_t a = 0; a < errors.size(); ++a) {
+    const double relative = errors[a].worst();
+    if (relative <= worst.relative) continue;
+    worst.relative = relative;
+    worst.array = program.outputs[a].name;
   }
   return worst;
 }

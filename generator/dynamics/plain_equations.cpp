@@ -65,6 +65,21 @@ PlainEquations::PlainEquations(const Kinematics& kinematics)
       forces_(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph)),
       coordinate_rates_(kinematics.derivatives.coordinate_rate_matrix()) {}
 
+PlainEquations::State PlainEquations::state(std::span<const double> values) const {
+  State state(values.begin(), values.end());
+  for (const Coordinate& coordinate : kinematics_.mechanism.coordinates) {
+    if (coordinate.type != CoordinateType::quaternion) continue;
+    Extended norm = 0;
+    const auto at = [&](Expr symbol) -> Extended& {
+      return state[kinematics_.graph.symbol_index(symbol.ref().node())];
+    };
+    for (const Expr symbol : coordinate.symbols) norm += at(symbol) * at(symbol);
+    norm = sqrt(norm);
+    for (const Expr symbol : coordinate.symbols) at(symbol) /= norm;
+  }
+  return state;
+}
+
 VectorXe PlainEquations::forces(const State& state) const {
   return vector(forces_(state));
 }

@@ -25,6 +25,9 @@ class PlainEquations {
   /// The kinematics must outlive it.
   explicit PlainEquations(const Kinematics& kinematics);
 
+  /// These values, quaternions of unit length to all digits.
+  State state(std::span<const double> values) const;
+
   /// Q, nv.
   VectorXe forces(const State& state) const;
   /// M v: what the forces gain by rates v of the speeds.

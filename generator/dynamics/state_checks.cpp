@@ -137,8 +137,7 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
   const Mechanism& mechanism = kinematics.mechanism;
   std::optional<WithoutInertia> culprit;
   for (const unsigned seed : {0u, 1u, 2u, 3u, 4u}) {
-    const std::vector<double> state = state_values(mechanism, kinematics.graph, seed);
-    const MatrixXe M = plain.mass_matrix({state.begin(), state.end()});
+    const MatrixXe M = plain.mass_matrix(plain.state(state_values(mechanism, kinematics.graph, seed)));
     if (!std::all_of(M.reshaped().begin(), M.reshaped().end(), [](const Extended& x) { return isfinite(x); }))
       continue;
     culprit = smallest_pivot(mechanism, M, kNothing);

@@ -52,8 +52,11 @@ std::string counts_text(const Program& program) {
     text += fmt::format(", {} dot products in loops", in_loops);
   if (const std::size_t in_loops = operations_in_loops(program); in_loops > 0)
     text += fmt::format(", {} operations in loops over steps", in_loops);
-  if (!program.formulation.empty())
-    text += fmt::format(" ({} formulation)", comment_text(program.formulation));
+  if (!program.formulation.empty()) {
+    const std::string error =
+        program.error ? fmt::format("; relative error {:.2g} where it was measured", *program.error) : "";
+    text += fmt::format(" ({} formulation{})", comment_text(program.formulation), error);
+  }
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,7 @@ struct Loop {
 struct Program {
   std::string function;  ///< inverse_dynamics, mass_matrix, ...
   std::string formulation;
-  double error = 0;  ///< of results against the plain equations, relative, as measured
+  std::optional<double> error;  ///< of results against the plain equations, relative, as measured
   std::vector<Instruction> code;
   std::vector<double> constants;
   std::vector<InputSlot> inputs;

@@ -41,7 +41,7 @@ using pack::Pack;
   Pack tau[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[52];
+  Pack w[51];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -66,7 +66,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[92];
+  Pack w[83];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
@@ -93,7 +93,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack w[92];
+  Pack w[83];
   return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);

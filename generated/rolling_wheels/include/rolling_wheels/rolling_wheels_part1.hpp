@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::rolling_wheels {
 
-// inverse_dynamics: 64 multiplications, 43 additions, 8 sin/cos/tan (reduced formulation).
+// inverse_dynamics: 64 multiplications, 43 additions, 8 sin/cos/tan (reduced formulation; relative error 3.9e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -36,42 +36,42 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qd1 = qd[1];  // d(q2)
   const S t11 = S(5.92) * t10 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
   const S t12 = S(3.0833333333333335) * qd1 + S(4.0) * qd0;
+  const S t13 = t12 * t12;
   const S qdd0 = qdd[0];  // dd(q1)
   const S t2 = cosine[0];
   const S t3 = sine[0];
-  const S t13 = qdd0 * t2 - t10 * t3 + S(9.81);
-  const S t14 = t2 * t10 + qdd0 * t3;
-  const S t15 = t12 * t12;
+  const S t14 = qdd0 * t2 - t10 * t3 + S(9.81);
+  const S t15 = t2 * t10 + qdd0 * t3;
   const S qdd1 = qdd[1];  // dd(q2)
   const S t16 = S(1.48) * qdd0 + S(0.37) * qdd1;
   const S t17 = S(3.0833333333333335) * qdd1 + S(4.0) * qdd0;
-  const S t7 = sine[2];
-  const S t6 = cosine[2];
-  const S t18 = t7 * t14 + t6 * t13;
-  const S t19 = t7 * t13 - t6 * t14;
-  const S t5 = cosine[1];
+  const S t6 = sine[2];
+  const S t7 = cosine[2];
+  const S t18 = t6 * t14 - t7 * t15;
+  const S t19 = t6 * t15 + t14 * t7;
   const S t4 = sine[1];
-  const S t20 = t19 - t5 * t11 - t4 * t16;
-  const S t21 = t18 - t4 * t11 + t5 * t16;
-  const S t8 = cosine[3];
-  const S t9 = sine[3];
-  const S t22 = S(0.21) * t21 + S(0.0015143315356948757) * (t8 * t17 - t15 * t9);
-  const S t23 = S(0.21) * t20 - S(0.0015143315356948757) * (t15 * t8 + t17 * t9);
-  const S t24 = S(0.0015109200000000002) * t17 - S(0.0015143315356948757) * (t20 * t9 - t8 * t21);
-  const S t25 = S(0.37) * (t4 * t23 - t5 * t22);
+  const S t5 = cosine[1];
+  const S t20 = t19 - (t4 * t11 - t5 * t16);
+  const S t21 = t18 - (t5 * t11 + t4 * t16);
+  const S t8 = sine[3];
+  const S t9 = cosine[3];
+  const S t22 = S(0.21) * t21 - S(0.0015143315356948754) * (t17 * t8 + t13 * t9);
+  const S t23 = S(0.21) * t20 - S(0.0015143315356948754) * (t8 * t13 - t17 * t9);
+  const S t24 = S(0.0015143315356948754) * (t21 * t8 - t9 * t20) - S(0.00151092) * t17;
+  const S t25 = S(0.37) * (t4 * t22 - t5 * t23);
   const S f0 = in.wrenches[0];  // wrench(wheel).fx
   const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S t26 = f0 * t7 - t6 * f1;
-  const S t27 = f0 * t6 + f1 * t7;
-  const S t28 = t23 - (t27 + (S(0.48) * t10 - S(0.078) * qdd0));
-  const S t29 = t22 + (t26 + (S(0.312) * t10 + S(0.12) * qdd0));
+  const S t26 = t7 * f0 + t6 * f1;
+  const S t27 = t6 * f0 - t7 * f1;
+  const S t28 = t23 + (t27 + (S(0.312) * t10 + S(0.12) * qdd0));
+  const S t29 = t22 - (t26 + (S(0.48) * t10 - S(0.078) * qdd0));
   const S f5 = in.wrenches[5];  // wrench(wheel).tz
-  const S t30 = S(4.0) * (f5 + (S(0.013) * t27 - S(0.02) * t26) - (S(0.267414) * qdd0 + (S(0.03) * t18 + S(0.0195) * t19)) + (t25 - t24));
-  tau[0] = t2 * (t6 * t29 + t7 * t28 + S(1.5) * t13) + t3 * (S(1.5) * t14 - (t6 * t28 - t7 * t29)) - t30;
-  tau[1] = S(3.0833333333333335) * t24 - t25;
+  const S t30 = S(4.0) * (t25 + t24 + (f5 + (S(0.013) * t26 - S(0.02) * t27) - (S(0.267414) * qdd0 + (S(0.03) * t19 + S(0.0195) * t18))));
+  tau[0] = t2 * (t6 * t29 + t7 * t28 + S(1.5) * t14) + t3 * (t6 * t28 - t7 * t29 + S(1.5) * t15) - t30;
+  tau[1] = S(-3.0833333333333335) * t24 - t25;
 }
 
-// mass_matrix: 31 multiplications, 22 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix: 31 multiplications, 22 additions, 8 sin/cos/tan (reduced formulation; relative error 6.7e-17 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
@@ -83,28 +83,28 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   S sine[4], cosine[4];
   sines_and_cosines(4, angle, sine, cosine);
   const S t6 = sine[2];
-  const S t10 = S(0.0015143315356948757) * t6;
+  const S t10 = S(0.0015143315356948754) * t6;
   const S t7 = cosine[2];
-  const S t11 = S(0.0015143315356948757) * t7;
-  const S t4 = sine[1];
+  const S t11 = S(0.0015143315356948754) * t7;
   const S t5 = cosine[1];
-  const S t12 = t4 * t10 + t5 * t11;
+  const S t4 = sine[1];
+  const S t12 = t5 * t11 + t4 * t10;
   const S t13 = S(0.37) * t12;
-  const S t2 = sine[0];
   const S t8 = cosine[3];
+  const S t2 = cosine[0];
   const S t9 = sine[3];
-  const S t3 = cosine[0];
-  const S t14 = t2 * t8 - t9 * t3;
-  const S t15 = t8 * t3 + t2 * t9;
-  const S t16 = S(8.0) * (t14 * (S(0.0195) - (t10 + S(0.0777) * t4)) - t15 * (t11 + S(0.0777) * t5 + S(0.03)));
-  const S t17 = S(12.333333333333334) * (t13 + S(0.0015109200000000002)) + (S(3.0833333333333335) * (t11 * t15 + t10 * t14) + (S(4.0) * (t13 + S(0.028749)) + S(0.0777) * (t4 * t14 + t5 * t15)));
+  const S t3 = sine[0];
+  const S t14 = t8 * t2 + t9 * t3;
+  const S t15 = t8 * t3 - t2 * t9;
+  const S t16 = S(8.0) * ((t11 + S(0.0777) * t5 + S(0.03)) * t14 - t15 * (S(0.0195) - (t10 + S(0.0777) * t4)));
+  const S t17 = S(12.333333333333334) * (t13 + S(0.00151092)) + (S(3.0833333333333335) * (t10 * t15 + t11 * t14) + (S(4.0) * (t13 + S(0.028749)) + S(0.0777) * (t4 * t15 + t5 * t14)));
   M[1] = t17;
   M[2] = t17;
-  M[0] = S(16.0) * (S(0.74) * (t4 * (S(0.03885) * t4 + t10) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) - t16 + S(1.71);
+  M[0] = S(16.0) * (S(0.74) * (t4 * (S(0.03885) * t4 + t10) + t5 * (t11 + S(0.03885) * t5)) + S(0.06836442)) + t16 + S(1.71);
   M[3] = S(2.2816666666666667) * t12 + S(0.0431132325);
 }
 
-// bias: 49 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation).
+// bias: 49 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation; relative error 4.5e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -121,38 +121,38 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S qd1 = qd[1];  // d(q2)
   const S t11 = S(5.92) * t10 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
   const S t12 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
-  const S t2 = sine[0];
-  const S t13 = S(9.81) - t2 * t10;
-  const S t14 = S(0.0015143315356948757) * (t12 * t12);
-  const S t3 = cosine[0];
-  const S t15 = t3 * t10;
+  const S t3 = sine[0];
+  const S t13 = S(9.81) - t10 * t3;
+  const S t14 = S(0.0015143315356948754) * (t12 * t12);
+  const S t2 = cosine[0];
+  const S t15 = t2 * t10;
   const S t6 = cosine[2];
   const S t7 = sine[2];
-  const S t16 = t15 * t6 - t7 * t13;
-  const S t17 = t15 * t7 + t6 * t13;
+  const S t16 = t6 * t15 - t7 * t13;
+  const S t17 = t7 * t15 + t6 * t13;
   const S t5 = sine[1];
-  const S t18 = t11 * t5 - t17;
+  const S t18 = t17 - t11 * t5;
   const S t4 = cosine[1];
   const S t19 = t16 + t11 * t4;
   const S f0 = in.wrenches[0];  // wrench(wheel).fx
   const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S t20 = t6 * f0 + f1 * t7;
+  const S t20 = f0 * t6 + f1 * t7;
   const S t21 = t6 * f1 - f0 * t7;
   const S t8 = cosine[3];
   const S t22 = t8 * t14 + S(0.21) * t19;
   const S t9 = sine[3];
-  const S t23 = t14 * t9 + S(0.21) * t18;
-  const S t24 = t8 * t18 - t19 * t9;
-  const S t25 = S(0.37) * (t4 * t23 - t22 * t5);
-  const S t26 = t20 + S(0.48) * t10 + t22;
-  const S t27 = S(0.312) * t10 - t21 - t23;
+  const S t23 = t14 * t9 - S(0.21) * t18;
+  const S t24 = t8 * t18 + t19 * t9;
+  const S t25 = S(0.37) * (t22 * t5 - t4 * t23);
+  const S t26 = t22 + (t20 + S(0.48) * t10);
+  const S t27 = t23 + (t21 - S(0.312) * t10);
   const S f5 = in.wrenches[5];  // wrench(wheel).tz
-  const S t28 = S(4.0) * (f5 + (S(0.013) * t20 + S(0.02) * t21) + (S(0.0195) * t16 - S(0.03) * t17) + (t25 + S(0.0015143315356948757) * t24));
-  c[0] = t2 * (S(1.5) * t15 + (t6 * t26 + t7 * t27)) + t3 * (S(1.5) * t13 - (t7 * t26 - t6 * t27)) - t28;
-  c[1] = S(-0.004669188901725867) * t24 - t25;
+  const S t28 = S(4.0) * (f5 + (S(0.013) * t20 + S(0.02) * t21) + (S(0.0195) * t16 - S(0.03) * t17) - (t25 + S(0.0015143315356948754) * t24));
+  c[0] = t3 * (t6 * t26 - t7 * t27 + S(1.5) * t15) + t2 * (S(1.5) * t13 - (t6 * t27 + t7 * t26)) - t28;
+  c[1] = t25 + S(0.004669188901725866) * t24;
 }
 
-// mass_matrix_and_bias: 77 multiplications, 53 additions, 8 sin/cos/tan (reduced formulation).
+// mass_matrix_and_bias: 77 multiplications, 53 additions, 8 sin/cos/tan (reduced formulation; relative error 4.5e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -169,50 +169,50 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S qd1 = qd[1];  // d(q2)
   const S t11 = S(5.92) * t10 + qd1 * (S(2.96) * qd0 + S(0.37) * qd1);
   const S t12 = S(4.0) * qd0 + S(3.0833333333333335) * qd1;
-  const S t2 = sine[0];
-  const S t13 = S(9.81) - t2 * t10;
-  const S t3 = cosine[0];
-  const S t14 = t3 * t10;
+  const S t3 = sine[0];
+  const S t13 = S(9.81) - t3 * t10;
+  const S t2 = cosine[0];
+  const S t14 = t2 * t10;
   const S t15 = t12 * t12;
-  const S t9 = cosine[3];
   const S t8 = sine[3];
-  const S t16 = t9 * t14 - t8 * t13;
-  const S t17 = t8 * t14 + t9 * t13;
-  const S t5 = sine[1];
-  const S t18 = t17 - t5 * t11;
-  const S t4 = cosine[1];
-  const S t19 = t16 + t4 * t11;
-  const S t6 = cosine[2];
-  const S t20 = S(0.0015143315356948757) * t6;
+  const S t9 = cosine[3];
+  const S t16 = t8 * t14 + t9 * t13;
+  const S t17 = t9 * t14 - t8 * t13;
+  const S t5 = cosine[1];
+  const S t18 = t17 + t5 * t11;
+  const S t4 = sine[1];
+  const S t19 = t4 * t11 - t16;
+  const S t6 = sine[2];
+  const S t20 = S(0.0015143315356948754) * t6;
   const S t21 = t20 * t15 + S(0.21) * t19;
-  const S t7 = sine[2];
-  const S t22 = t6 * t18 + t7 * t19;
-  const S t23 = S(0.0015143315356948757) * t7;
-  const S t24 = t23 * t15 - S(0.21) * t18;
+  const S t7 = cosine[2];
+  const S t22 = t7 * t19 - t6 * t18;
+  const S t23 = S(0.0015143315356948754) * t7;
+  const S t24 = S(0.21) * t18 + t23 * t15;
   const S t25 = S(16.0) * (S(0.74) * (t5 * (t23 + S(0.03885) * t5) + t4 * (t20 + S(0.03885) * t4)) + S(0.06836442));
-  const S f0 = in.wrenches[0];  // wrench(wheel).fx
   const S f1 = in.wrenches[1];  // wrench(wheel).fy
-  const S t26 = t9 * f0 + t8 * f1;
-  const S t27 = t9 * f1 - t8 * f0;
-  const S t28 = t24 + (t27 - S(0.312) * t10);
-  const S t29 = t21 + (t26 + S(0.48) * t10);
-  const S t30 = S(0.37) * (t4 * t24 - t5 * t21);
+  const S f0 = in.wrenches[0];  // wrench(wheel).fx
+  const S t26 = t9 * f1 - t8 * f0;
+  const S t27 = t9 * f0 + t8 * f1;
+  const S t28 = t27 + S(0.48) * t10 + t24;
+  const S t29 = S(0.312) * t10 - t26 - t21;
+  const S t30 = S(0.37) * (t5 * t21 - t4 * t24);
   const S f5 = in.wrenches[5];  // wrench(wheel).tz
-  const S t31 = S(4.0) * (f5 + (S(0.013) * t26 + S(0.02) * t27) + (S(0.0195) * t16 - S(0.03) * t17) - (S(0.0015143315356948757) * t22 - t30));
-  const S t32 = t5 * t23 + t20 * t4;
-  c[0] = t3 * (S(1.5) * t13 - (t8 * t29 + t9 * t28)) + t2 * (S(1.5) * t14 + (t9 * t29 - t8 * t28)) - t31;
-  const S t34 = t2 * t8 + t3 * t9;
-  const S t35 = t8 * t3 - t2 * t9;
-  M[0] = S(8.0) * ((t20 + S(0.0777) * t4 + S(0.03)) * t34 + (S(0.0195) - (S(0.0777) * t5 + t23)) * t35) + t25 + S(1.71);
+  const S t31 = S(4.0) * (f5 + (S(0.013) * t27 + S(0.02) * t26) + (S(0.0195) * t17 - S(0.03) * t16) + (S(0.0015143315356948754) * t22 + t30));
+  const S t32 = t4 * t20 + t23 * t5;
+  c[0] = t2 * (S(1.5) * t13 + (t9 * t29 - t8 * t28)) + t3 * (t8 * t29 + t9 * t28 + S(1.5) * t14) - t31;
+  const S t34 = t2 * t8 - t9 * t3;
+  const S t35 = t8 * t3 + t2 * t9;
+  M[0] = S(8.0) * ((S(0.0195) - (S(0.0777) * t4 + t20)) * t34 + (t23 + S(0.0777) * t5 + S(0.03)) * t35) + t25 + S(1.71);
   const S t37 = S(0.37) * t32;
-  const S t38 = S(12.333333333333334) * (t37 + S(0.0015109200000000002)) - (S(0.0777) * (t5 * t35 - t4 * t34) - S(4.0) * (t37 + S(0.028749)) - S(3.0833333333333335) * (t20 * t34 - t23 * t35));
+  const S t38 = S(12.333333333333334) * (t37 + S(0.00151092)) - (S(0.0777) * (t4 * t34 - t5 * t35) - S(4.0) * (t37 + S(0.028749)) + S(3.0833333333333335) * (t20 * t34 - t23 * t35));
   M[1] = t38;
   M[2] = t38;
-  c[1] = S(0.004669188901725867) * t22 - t30;
+  c[1] = S(-0.004669188901725866) * t22 - t30;
   M[3] = S(2.2816666666666667) * t32 + S(0.0431132325);
 }
 
-// coordinate_rates: 0 multiplications, 0 additions (reduced formulation).
+// coordinate_rates: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd0 = qd[0];  // d(q1)
@@ -221,7 +221,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 42 multiplications, 24 additions, 8 sin/cos/tan (reduced formulation).
+// energy: 42 multiplications, 24 additions, 8 sin/cos/tan (reduced formulation; relative error 2e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -259,7 +259,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[0] = S(0.105) * (t21 * t21 + t22 * t22) - t19 * (S(0.00126) * t21 + S(0.00084) * t22 - S(0.00075546) * t19) + t20;
 }
 
-// body_poses: 12 multiplications, 6 additions, 8 sin/cos/tan (reduced formulation).
+// body_poses: 12 multiplications, 6 additions, 8 sin/cos/tan (reduced formulation; relative error 5.7e-15 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;
