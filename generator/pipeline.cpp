@@ -322,8 +322,8 @@ class FunctionWriter {
 };
 
 /// What a singular mass matrix does to the functions asked for (SingularMass).
-void check_singular(const Kinematics& kinematics, const PlainEquations& plain,
-                    const CompileOptions& options, std::vector<FunctionKind>& kinds) {
+void check_singular(const Kinematics& kinematics, const PlainEquations& plain, const CompileOptions& options,
+                    std::vector<FunctionKind>& kinds) {
   try {
     check_mass_matrix(kinematics, plain);
   } catch (const SingularMassMatrix& error) {
