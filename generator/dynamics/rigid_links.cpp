@@ -15,7 +15,7 @@ namespace {
 using Vector4e = Eigen::Matrix<Extended, 4, 1>;
 
 /// Feet of common normals farther than so many lengths of the links are not gone to.
-constexpr int kFar = 4;
+constexpr int kFar = 8;
 /// Parts of an inertia that are so many times as large as the whole cancel too much.
 constexpr int kMuchLarger = 64;
 
@@ -187,25 +187,23 @@ void RigidLinks::place() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     RigidLink& link = links_[i];
     if (!link.turns) continue;
-    std::optional<CommonNormal> near, any;
+    std::optional<CommonNormal> near;
+    std::optional<std::size_t> far;  // a child whose axis is nearly parallel
     for (const std::size_t child : children[i]) {
       if (!links_[child].turns) continue;
       const CommonNormal d = common_normal(links_[child].before);
-      if (!any) any = d;
-      if (!is_near(i, child, d.first_shift) || !is_near(i, child, d.last_shift)) {
-        // Nearly parallel: slid and turned as if it were, so that the next origin is beside this one.
-        continue;
+      if (is_near(i, child, d.first_shift) && is_near(i, child, d.last_shift)) {
+        near = d;
+        link.main_child = static_cast<int>(child);
+        break;
       }
-      near = d;
-      link.main_child = static_cast<int>(child);
-      break;
+      if (!far) far = child;
     }
     if (near) {
       reframe(i, turn(2, near->first_angle) * shift({0, 0, near->first_shift}));
-    } else if (any) {
-      const auto child = std::find_if(children[i].begin(), children[i].end(),
-                                      [&](std::size_t c) { return links_[c].turns; });
-      const Vector3e t = links_[*child].before.topRightCorner<3, 1>();
+    } else if (far) {
+      // Its origin beside this one, along x.
+      const Vector3e t = links_[*far].before.topRightCorner<3, 1>();
       const bool beside = hypot(t[0], t[1]) > kExtendedRounding * t.norm();
       reframe(i, turn(2, beside ? atan2(t[1], t[0]) : Extended(0)) * shift({0, 0, t[2]}));
     } else if (children[i].empty() && link.parent >= 0) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -15,6 +17,7 @@
 #include "emit/order_search.hpp"
 #include "emit/statement_layout.hpp"
 #include "program/operation.hpp"
+#include "program/passes.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -332,10 +335,27 @@ class LoopOrdering {
   std::vector<Loop> loops_;
 };
 
+/// What was verified is what is written: the same values, bit for bit, in the last order too.
+void expect_same_values(const Program& given, const Program& ordered) {
+  std::vector<double> inputs(given.inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = std::sin(1.0 + static_cast<double>(i));
+  std::size_t count = 0;
+  for (const OutputArray& output : given.outputs) count += output.values.size();
+  std::vector<double> expected(count), found(count), scratch;
+  interpret(given, inputs, expected, scratch);
+  interpret(ordered, inputs, found, scratch);
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  if (!std::ranges::equal(expected, found, {}, bits, bits))
+    throw InternalError(given.function + ": the order for registers changes values");
+}
+
 }  // namespace
 
 Program order_for_registers(const Program& program, States states) {
-  return program.loops.empty() ? Ordering(program, states).order() : LoopOrdering(program, states).order();
+  Program ordered =
+      program.loops.empty() ? Ordering(program, states).order() : LoopOrdering(program, states).order();
+  expect_same_values(program, ordered);
+  return ordered;
 }
 
 }  // namespace alembert
