@@ -271,8 +271,11 @@ class FunctionWriter {
       error = one.function.error;
     }
     throw InternalError(
-        fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
-                    to_string(kind), error.relative, error.array, kLargestError));
+        error.without_value.empty()
+            ? fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
+                          to_string(kind), error.relative, error.array, kLargestError)
+            : fmt::format("{} has no value in double precision at a state where the plain equations have one",
+                          to_string(kind)));
   }
 
  private:

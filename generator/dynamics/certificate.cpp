@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "dynamics/formulations.hpp"
+#include "dynamics/state_checks.hpp"
 #include "program/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
@@ -18,58 +18,6 @@ namespace {
 /// evaluated.
 constexpr int kStates = 10, kFewest = 3;
 constexpr double kWork = 4e6;
-
-/// Uniform in [-1, 1), the same on every platform.
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
-}
-
-/// A state of the k-th kind: around the initial one, near it, far from it; at rest, fast.
-std::vector<double> state_of_kind(const Kinematics& kinematics, int k, std::mt19937_64& random) {
-  static constexpr double kSpreads[] = {1, 3, 1e-3, 30, 1}, kSpeeds[] = {1, 5, 1, 1, 0};
-  const double spread = kSpreads[k % 5], speed = kSpeeds[k % 5];
-  const Mechanism& mechanism = kinematics.mechanism;
-  ExprGraph& graph = kinematics.graph;
-  std::vector<double> values(graph.symbol_count(), 0.0);
-  const auto set = [&](Expr symbol, double value) {
-    values[graph.symbol_index(symbol.ref().node())] = value;
-  };
-  for (const Coordinate& coordinate : mechanism.coordinates) {
-    std::vector<double> q = coordinate.initial;
-    double norm = 0;
-    for (double& x : q) {
-      const double r = uniform(random);
-      x += spread * r;
-      if (coordinate.limits) {
-        const auto [lower, upper] = *coordinate.limits;
-        // Over all of the range, where it is one.
-        if (spread >= 1 && std::isfinite(lower) && std::isfinite(upper))
-          x = lower + (upper - lower) * (0.5 + 0.5 * r);
-        x = std::clamp(x, lower, upper);
-      }
-      norm += x * x;
-    }
-    for (std::size_t a = 0; a < q.size(); ++a)
-      set(coordinate.symbols[a],
-          coordinate.type == CoordinateType::quaternion ? q[a] / std::sqrt(norm) : q[a]);
-  }
-  for (int i = 0; i < mechanism.nv; ++i) {
-    set(kinematics.derivatives.speed(i), speed * uniform(random));
-    set(kinematics.derivatives.rate(i), uniform(random));
-    set(tau_symbol(mechanism, i, graph), uniform(random));
-  }
-  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, graph)) {
-    for (const Expr e : wrench.force.entries) set(e, uniform(random));
-    for (const Expr e : wrench.torque.entries) set(e, uniform(random));
-  }
-  set(mechanism.time, k % 5 == 2 ? 0.0 : 5 + 5 * uniform(random));
-  for (const Parameter& parameter : mechanism.parameters) {
-    if (!parameter.runtime) continue;
-    const double r = uniform(random);
-    set(graph.symbol(parameter.name), parameter.value == 0 ? 0.1 * r : parameter.value * (1 + 0.3 * r));
-  }
-  return values;
-}
 
 /// Values of a program in double precision, functions of the C library rounded correctly.
 std::vector<double> run(const Program& program, std::span<const double> inputs) {
@@ -124,25 +72,35 @@ bool finite(const VectorXe& v) {
 /// One array as it should be: all of it, or its product with a vector.
 struct Wanted {
   VectorXe values;
-  std::optional<VectorXe> times;
+  std::optional<VectorXe> times = {};
+  Extended noise = 0;  ///< of the values: so much is left of what cancels
 };
 
 /// What the arrays of a function should be.
 std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
                                   const PlainEquations::State& state, const VectorXe& signs) {
+  const auto largest = [](const VectorXe& v) {
+    return v.size() == 0 ? Extended(0) : v.lpNorm<Eigen::Infinity>();
+  };
+  const auto forces = [&](std::vector<Wanted> arrays, const Extended& noise) {
+    const Extended size = largest(plain.forces(state));
+    for (Wanted& array : arrays) array.noise = noise * size;
+    return arrays;
+  };
   switch (kind) {
     case FunctionKind::inverse_dynamics:
-      return {{plain.forces(state), {}}};
+      return forces({{plain.forces(state)}}, kExtendedRounding);
     case FunctionKind::mass_matrix:
-      return {{plain.mass_times(state, signs), signs}};
+      return forces({{plain.mass_times(state, signs), signs}}, kExtendedRounding);
     case FunctionKind::bias:
-      return {{plain.bias(state), {}}};
+      return forces({{plain.bias(state)}}, kExtendedRounding);
     case FunctionKind::mass_matrix_and_bias:
-      return {{plain.mass_times(state, signs), signs}, {plain.bias(state), {}}};
+      return forces({{plain.mass_times(state, signs), signs}, {plain.bias(state)}}, kExtendedRounding);
     case FunctionKind::forward_dynamics:
-      return {{plain.accelerations(state), {}}};
+      return {{plain.accelerations(state)}};
     case FunctionKind::inverse_dynamics_derivatives:
-      return {{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}};
+      return forces({{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}},
+                    kDifferenceNoise);
     case FunctionKind::coordinate_rates:
     case FunctionKind::energy:
     case FunctionKind::body_poses:
@@ -154,11 +112,13 @@ std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind
       break;
   }
   const std::vector<Extended> all = plain.outputs(kind, state);
+  const Extended noise = kExtendedRounding * largest(Eigen::Map<const VectorXe>(
+                                                 all.data(), static_cast<Eigen::Index>(all.size())));
   std::vector<Wanted> arrays;
   Eigen::Index at = 0;
   for (const OutputArray& output : program.outputs) {
     const Eigen::Index size = static_cast<Eigen::Index>(output.values.size());
-    arrays.push_back({Eigen::Map<const VectorXe>(all.data() + at, size), {}});
+    arrays.push_back({Eigen::Map<const VectorXe>(all.data() + at, size), {}, noise});
     at += size;
   }
   return arrays;
@@ -172,7 +132,6 @@ class ArrayErrors {
     Extended largest = 0, difference = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Extended x = found[i];
-      if (!isfinite(x)) difference = HUGE_VAL;
       largest = std::max(largest, Extended(abs(x)));
       if (wanted.times) {
         here[static_cast<Eigen::Index>(i / columns)] +=
@@ -181,10 +140,11 @@ class ArrayErrors {
         here[static_cast<Eigen::Index>(i)] = x;
       }
     }
-    for (Eigen::Index i = 0; i < here.size() && isfinite(difference); ++i) {
+    for (Eigen::Index i = 0; i < here.size(); ++i) {
       if (!wanted.times) largest = std::max(largest, Extended(abs(wanted.values[i])));
       difference = std::max(difference, Extended(abs(here[i] - wanted.values[i])));
     }
+    if (difference <= wanted.noise) difference = 0;
     states_.emplace_back(difference, largest);
     size_ = std::max(size_, largest);
   }
@@ -210,8 +170,7 @@ class ArrayErrors {
 
 Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings)
     : kinematics_(kinematics), bindings_(bindings), plain_(kinematics) {
-  std::mt19937_64 random(20261124);
-  for (int k = 0; k < 4 * kStates; ++k) states_.push_back(state_of_kind(kinematics, k, random));
+  for (unsigned k = 0; k < 4 * kStates; ++k) states_.push_back(state_in_range(kinematics, k));
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
@@ -223,16 +182,20 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     if (worst.states >= kStates || (work > kWork && worst.states >= kFewest)) break;
     const PlainEquations::State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
-    for (Extended& sign : signs) sign = uniform(random) < 0 ? -1 : 1;
+    for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());
     const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
-    ++worst.states;
     std::vector<double> inputs;
     for (const SymbolBinding& binding : bindings_)
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
     const std::vector<double> found = run(program, inputs);
+    if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
+      worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
+      continue;
+    }
+    ++worst.states;
     std::size_t at = 0;
     for (std::size_t a = 0; a < arrays.size(); ++a) {
       const OutputArray& output = program.outputs[a];
@@ -249,20 +212,26 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   return worst;
 }
 
-double Certificate::plain_bound(const std::vector<OutputExpressions>& plain) const {
-  double worst = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(kStates); ++k) {
+bool Certificate::explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const {
+  double bound = kLargestError;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const bool without_value =
+        std::find(error.without_value.begin(), error.without_value.end(), k) != error.without_value.end();
+    if (!without_value && k >= static_cast<std::size_t>(kStates)) continue;
+    bool has_value = true;
     for (const OutputExpressions& output : plain) {
-      double largest = 0, error = 0;
+      double largest = 0, most = 0;
       for (const Approximate& x : evaluate_bounded(output.values, states_[k])) {
+        has_value = has_value && std::isfinite(x.value);
         largest = std::max(largest, std::abs(x.value));
-        error = std::max(error, x.error);
+        most = std::max(most, x.error);
       }
-      if (std::isfinite(largest) && error > 0)
-        worst = std::max(worst, largest > 0 ? error / largest : HUGE_VAL);
+      if (std::isfinite(largest) && most > 0)
+        bound = std::max(bound, largest > 0 ? most / largest : HUGE_VAL);
     }
+    if (without_value && has_value) return false;
   }
-  return worst;
+  return error.relative <= bound;
 }
 
 }  // namespace alembert

@@ -23,6 +23,8 @@ struct MeasuredError {
   double relative = 0;  ///< the largest of all arrays and states
   std::string array;    ///< where it is
   int states = 0;       ///< at which there were values to compare; 0: nothing is known
+  std::vector<std::size_t> without_value =
+      {};  ///< states at which the plain equations have values, the program none
 };
 
 /// Errors above it are too large, unless those of the plain equations in double precision are as large.
@@ -39,15 +41,16 @@ class Certificate {
   /// equations, of which the rounding errors are bounded if need be.
   template <class Plain>
   bool accepts(const MeasuredError& error, Plain plain) const {
-    return error.relative <= kLargestError || error.relative <= plain_bound(plain());
+    return (error.relative <= kLargestError && error.without_value.empty()) || explains(error, plain());
   }
-  /// The plain equations' own rounding errors in double precision, the largest relative to the array's
-  /// largest entry.
-  double plain_bound(const std::vector<OutputExpressions>& plain) const;
 
   const PlainEquations& plain() const { return plain_; }
 
  private:
+  /// Whether the plain equations in double precision have rounding errors as large, and no values where the
+  /// program has none (a function that overflows).
+  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
+
   const Kinematics& kinematics_;
   const std::vector<SymbolBinding>& bindings_;
   PlainEquations plain_;

@@ -17,6 +17,9 @@ namespace alembert {
 using VectorXe = Eigen::Matrix<Extended, Eigen::Dynamic, 1>;
 using MatrixXe = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// What central differences leave of the digits, relative to the forces.
+inline const Extended kDifferenceNoise = 1e-20;
+
 class PlainEquations {
  public:
   /// Values of all symbols of the graph.

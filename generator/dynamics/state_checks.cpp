@@ -9,6 +9,7 @@
 #include <random>
 
 #include "dynamics/equations.hpp"
+#include "dynamics/formulations.hpp"
 #include "dynamics/motion_tree.hpp"
 #include "dynamics/plain_equations.hpp"
 #include "symbolic/passes.hpp"
@@ -52,6 +53,53 @@ std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, u
   set(mechanism.time, 0.0);
   for (const Parameter& parameter : mechanism.parameters) {
     if (parameter.runtime) set(graph.symbol(parameter.name), parameter.value);
+  }
+  return values;
+}
+
+std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k) {
+  std::mt19937_64 random(1000 + k);
+  static constexpr double kSpreads[] = {1, 3, 1e-3, 30, 1}, kSpeeds[] = {1, 5, 1, 1, 0};
+  const double spread = kSpreads[k % 5], speed = kSpeeds[k % 5];
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  std::vector<double> values(graph.symbol_count(), 0.0);
+  const auto set = [&](Expr symbol, double value) {
+    values[graph.symbol_index(symbol.ref().node())] = value;
+  };
+  for (const Coordinate& coordinate : mechanism.coordinates) {
+    std::vector<double> q = coordinate.initial;
+    double norm = 0;
+    for (double& x : q) {
+      const double r = uniform(random);
+      x += spread * r;
+      if (coordinate.limits) {
+        const auto [lower, upper] = *coordinate.limits;
+        // Over all of the range, where it is one.
+        if (spread >= 1 && std::isfinite(lower) && std::isfinite(upper))
+          x = lower + (upper - lower) * (0.5 + 0.5 * r);
+        x = std::clamp(x, lower, upper);
+      }
+      norm += x * x;
+    }
+    for (std::size_t a = 0; a < q.size(); ++a)
+      set(coordinate.symbols[a],
+          coordinate.type == CoordinateType::quaternion ? q[a] / std::sqrt(norm) : q[a]);
+  }
+  for (int i = 0; i < mechanism.nv; ++i) {
+    set(kinematics.derivatives.speed(i), speed * uniform(random));
+    set(kinematics.derivatives.rate(i), uniform(random));
+    set(tau_symbol(mechanism, i, graph), uniform(random));
+  }
+  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, graph)) {
+    for (const Expr e : wrench.force.entries) set(e, uniform(random));
+    for (const Expr e : wrench.torque.entries) set(e, uniform(random));
+  }
+  set(mechanism.time, k % 5 == 2 ? 0.0 : 5 + 5 * uniform(random));
+  for (const Parameter& parameter : mechanism.parameters) {
+    if (!parameter.runtime) continue;
+    const double r = uniform(random);
+    set(graph.symbol(parameter.name), parameter.value == 0 ? 0.1 * r : parameter.value * (1 + 0.3 * r));
   }
   return values;
 }
@@ -136,8 +184,12 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
   constexpr double kNothing = 1e-30;  // of 50 digits
   const Mechanism& mechanism = kinematics.mechanism;
   std::optional<WithoutInertia> culprit;
-  for (const unsigned seed : {0u, 1u, 2u, 3u, 4u}) {
-    const MatrixXe M = plain.mass_matrix(plain.state(state_values(mechanism, kinematics.graph, seed)));
+  // Where nothing is near the initial state there may be something elsewhere.
+  std::vector<std::vector<double>> states;
+  for (unsigned k = 0; k < 5; ++k) states.push_back(state_values(mechanism, kinematics.graph, k));
+  for (unsigned k = 0; k < 10; ++k) states.push_back(state_in_range(kinematics, k));
+  for (const std::vector<double>& state : states) {
+    const MatrixXe M = plain.mass_matrix(plain.state(state));
     if (!std::all_of(M.reshaped().begin(), M.reshaped().end(), [](const Extended& x) { return isfinite(x); }))
       continue;
     culprit = smallest_pivot(mechanism, M, kNothing);

@@ -30,6 +30,10 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
 /// parameters have their defaults.
 std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
 
+/// Values of all symbols at the k-th of a sequence of reproducible states: over the limits, near the initial
+/// state, far from it; slow, fast, at rest; runtime parameters within a third of their defaults.
+std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k);
+
 /// A coordinate for which a mass matrix has no inertia of its own.
 struct WithoutInertia {
   const Coordinate* coordinate = nullptr;

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::body_on_torus {
 
-// inverse_dynamics: 63 multiplications, 48 additions, 4 sin/cos/tan (reduced formulation; relative error 2.9e-16 where it was measured).
+// inverse_dynamics: 63 multiplications, 48 additions, 4 sin/cos/tan (reduced formulation; relative error 2e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -73,7 +73,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = S(-1.1) * (S(0.308) * t32 + S(0.01565247584249853) * (t4 * (t18 + t20) - t3 * t23) - S(0.77) * qdd0) - t33;
 }
 
-// mass_matrix: 20 multiplications, 14 additions, 4 sin/cos/tan (reduced formulation; relative error 1.1e-16 where it was measured).
+// mass_matrix: 20 multiplications, 14 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
@@ -105,7 +105,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[8] = S(0.00205);
 }
 
-// bias: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation; relative error 2.4e-16 where it was measured).
+// bias: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -153,7 +153,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = t3 * t25 + t4 * t26 + (t6 * (S(0.13712) * t5) + S(0.308) * t27);
 }
 
-// mass_matrix_and_bias: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation; relative error 2.4e-16 where it was measured).
+// mass_matrix_and_bias: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -228,7 +228,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[2] = qd2;
 }
 
-// energy: 36 multiplications, 22 additions, 4 sin/cos/tan (reduced formulation; relative error 6.2e-16 where it was measured).
+// energy: 36 multiplications, 22 additions, 4 sin/cos/tan (reduced formulation; relative error 1.3e-15 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -257,7 +257,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[0] = S(0.5) * (t10 * (S(1.6632) * t10 + (S(0.01088) * t5 - S(0.00034) * t9)) + t15) + t14;
 }
 
-// body_poses: 19 multiplications, 6 additions, 6 sin/cos/tan (reduced formulation; relative error 2.1e-16 where it was measured).
+// body_poses: 19 multiplications, 6 additions, 6 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::four_bar_knee {
 
-// inverse_dynamics: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.7e-15 where it was measured).
+// inverse_dynamics: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -114,7 +114,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[1] = t71 - t50 * t68;
 }
 
-// mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.2e-15 where it was measured).
+// mass_matrix: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.1e-15 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::acos;
@@ -165,7 +165,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[2] = t37;
 }
 
-// bias: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.7e-15 where it was measured).
+// bias: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -256,7 +256,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[1] = t69 - t66 * t50;
 }
 
-// mass_matrix_and_bias: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.8e-15 where it was measured).
+// mass_matrix_and_bias: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -370,7 +370,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[1] = qd1;
 }
 
-// energy: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 2.5e-15 where it was measured).
+// energy: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -424,7 +424,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[1] = S(-33.354) * (S(0.006) * (t31 * t0 - t32 * t1) - (S(0.19) * (t32 * t0 + t31 * t1) + (t29 * t1 - t27 * t0))) - t36;
 }
 
-// body_poses: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 5.1e-16 where it was measured).
+// body_poses: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using ::std::acos;
@@ -484,7 +484,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[21] = S(0.0);
 }
 
-// frame_poses: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 5.1e-16 where it was measured).
+// frame_poses: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
 template <class S>
 void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
   using ::std::acos;
@@ -531,7 +531,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   F[9] = S(0.0);
 }
 
-// frame_jacobians: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.7e-16 where it was measured).
+// frame_jacobians: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
 template <class S>
 void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
   using ::std::acos;

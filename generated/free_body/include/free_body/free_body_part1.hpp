@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::free_body {
 
-// inverse_dynamics: 90 multiplications, 115 additions (reduced formulation; relative error 4.8e-16 where it was measured).
+// inverse_dynamics: 90 multiplications, 115 additions (reduced formulation; relative error 3e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -120,7 +120,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[5] = S(0.185) * t28 + S(0.111) * t30 + (S(0.23333) * t38 + (S(0.19925) * t37 + (S(0.02655) * (t32 - t36) - (S(0.0488) * t39 - S(0.02488) * t41)))) - t64;
 }
 
-// mass_matrix: 27 multiplications, 24 additions (reduced formulation; relative error 6.5e-17 where it was measured).
+// mass_matrix: 27 multiplications, 24 additions (reduced formulation; relative error 6.9e-17 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   const S q4 = q[4];  // turn.y
@@ -195,7 +195,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[35] = S(0.43258);
 }
 
-// bias: 75 multiplications, 91 additions (reduced formulation; relative error 1.6e-16 where it was measured).
+// bias: 75 multiplications, 91 additions (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -274,7 +274,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[0] = t49 + t49 - t6 * t37 - (t58 + t58);
 }
 
-// mass_matrix_and_bias: 93 multiplications, 100 additions (reduced formulation; relative error 1.6e-16 where it was measured).
+// mass_matrix_and_bias: 93 multiplications, 100 additions (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -398,7 +398,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   M[35] = S(0.43258);
 }
 
-// coordinate_rates: 15 multiplications, 8 additions (reduced formulation; relative error 1.1e-16 where it was measured).
+// coordinate_rates: 15 multiplications, 8 additions (reduced formulation; relative error 1e-16 where it was measured).
 template <class S>
 void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] S* qdot) {
   const S qd4 = qd[4];  // d(turn).y
@@ -423,7 +423,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[2] = qd2;
 }
 
-// energy: 48 multiplications, 47 additions (reduced formulation; relative error 2.4e-16 where it was measured).
+// energy: 48 multiplications, 47 additions (reduced formulation; relative error 2.5e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -469,7 +469,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[0] = S(0.5) * (qd4 * (S(0.02655) * qd3 + S(0.30293) * qd4 + S(0.02488) * qd5) + qd3 * (S(0.33701) * qd3 + S(0.02655) * qd4 - S(0.0488) * qd5) + t27) + t26;
 }
 
-// body_poses: 9 multiplications, 21 additions (reduced formulation; relative error 4e-16 where it was measured).
+// body_poses: 9 multiplications, 21 additions (reduced formulation; relative error 2.9e-16 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   const S q4 = q[4];  // turn.y
@@ -511,7 +511,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[11] = q2;
 }
 
-// frame_poses: 15 multiplications, 27 additions (reduced formulation; relative error 4.2e-16 where it was measured).
+// frame_poses: 15 multiplications, 27 additions (reduced formulation; relative error 2.9e-16 where it was measured).
 template <class S>
 void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
   const S q4 = q[4];  // turn.y
@@ -555,7 +555,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   F[6] = t14 + t14;
 }
 
-// frame_jacobians: 48 multiplications, 41 additions (reduced formulation; relative error 5.1e-16 where it was measured).
+// frame_jacobians: 48 multiplications, 41 additions (reduced formulation; relative error 4.5e-16 where it was measured).
 template <class S>
 void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
   const S q4 = q[4];  // turn.y

@@ -57,27 +57,27 @@ extern const double puma560_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [6] is the result.
-   Operations: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).
+   Operations: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation; relative error 3.5e-16 where it was measured).
  */
 int puma560_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t, const double* parameters,
                              const double* wrenches, double* tau);
 
 /* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
    M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
-   Operations: 91 multiplications, 76 additions, 8 sin/cos/tan (reduced formulation; relative error 1.3e-16 where it was measured).
+   Operations: 91 multiplications, 76 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
  */
 int puma560_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
-   Operations: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
+   Operations: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).
  */
 int puma560_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                  double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [6 x 6], symmetric and written in full, and c [6] are the results.
-   Operations: 256 multiplications, 194 additions, 10 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
+   Operations: 256 multiplications, 194 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).
  */
 int puma560_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                  const double* wrenches, double* M, double* c);
@@ -90,27 +90,27 @@ int puma560_coordinate_rates(const double* q, const double* qd, double* qdot);
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 126 multiplications, 80 additions, 10 sin/cos/tan (reduced formulation; relative error 3.7e-16 where it was measured).
+   Operations: 126 multiplications, 80 additions, 10 sin/cos/tan (reduced formulation; relative error 7.3e-16 where it was measured).
  */
 int puma560_energy(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                    double* e);
 
 /* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
    body's axes and p, m, is its origin. W [6 x 3 x 4] is the result.
-   Operations: 63 multiplications, 30 additions, 12 sin/cos/tan (reduced formulation; relative error 2.1e-16 where it was measured).
+   Operations: 63 multiplications, 30 additions, 12 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
  */
 int puma560_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
 /* Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
    are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
-   Operations: 64 multiplications, 33 additions, 12 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
+   Operations: 64 multiplications, 33 additions, 12 sin/cos/tan (reduced formulation; relative error 2.5e-16 where it was measured).
  */
 int puma560_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
 /* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 6 matrix J, row by row, such that J qd is
    its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
    prescribed in time adds. J [1 x 6 x 6] is the result.
-   Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 2.1e-16 where it was measured).
+   Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
  */
 int puma560_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);
 

@@ -19,7 +19,7 @@
 
 namespace alembert::mechanisms::puma560 {
 
-// inverse_dynamics: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).
+// inverse_dynamics: 184 multiplications, 148 additions, 10 sin/cos/tan (reduced formulation; relative error 3.5e-16 where it was measured).
 template <class S>
 void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const S* qdd,
                       [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* tau) {
@@ -140,7 +140,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[1] = S(0.0731264) * t88 + (S(0.03605184) * t29 + (S(0.12059664) * t12 - S(0.0016704) * t13 + S(0.0070992) * (t25 - t87))) + S(0.1044) * t34 - (S(0.4318) * t86 - t94);
 }
 
-// mass_matrix: 91 multiplications, 76 additions, 8 sin/cos/tan (reduced formulation; relative error 1.3e-16 where it was measured).
+// mass_matrix: 91 multiplications, 76 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using detail::sines_and_cosines;
@@ -238,7 +238,7 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   M[34] = S(0.0);
 }
 
-// bias: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
+// bias: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -335,7 +335,7 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   c[2] = -t68;
 }
 
-// mass_matrix_and_bias: 256 multiplications, 194 additions, 10 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
+// mass_matrix_and_bias: 256 multiplications, 194 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -531,7 +531,7 @@ void coordinate_rates([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   qdot[5] = qd5;
 }
 
-// energy: 126 multiplications, 80 additions, 10 sin/cos/tan (reduced formulation; relative error 3.7e-16 where it was measured).
+// energy: 126 multiplications, 80 additions, 10 sin/cos/tan (reduced formulation; relative error 7.3e-16 where it was measured).
 template <class S>
 void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
             [[maybe_unused]] S* e) {
@@ -600,7 +600,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   e[1] = S(0.8829) * (S(0.032) * (t7 * t48 - t6 * (t4 * t49)) + t51) - t52;
 }
 
-// body_poses: 63 multiplications, 30 additions, 12 sin/cos/tan (reduced formulation; relative error 2.1e-16 where it was measured).
+// body_poses: 63 multiplications, 30 additions, 12 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
 template <class S>
 void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* W) {
   using detail::sines_and_cosines;
@@ -721,7 +721,7 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[10] = S(1.0);
 }
 
-// frame_poses: 64 multiplications, 33 additions, 12 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
+// frame_poses: 64 multiplications, 33 additions, 12 sin/cos/tan (reduced formulation; relative error 2.5e-16 where it was measured).
 template <class S>
 void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* F) {
   using detail::sines_and_cosines;
@@ -775,7 +775,7 @@ void frame_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   F[9] = t11 * t27 + t10 * t34;
 }
 
-// frame_jacobians: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 2.1e-16 where it was measured).
+// frame_jacobians: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
 template <class S>
 void frame_jacobians([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* J) {
   using detail::sines_and_cosines;

@@ -55,7 +55,7 @@ extern const double spherical_pendulum_default_parameters[0 + 1];
 
 /* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
    tau [3] is the result.
-   Operations: 60 multiplications, 75 additions (reduced formulation; relative error 2.7e-16 where it was measured).
+   Operations: 60 multiplications, 75 additions (reduced formulation; relative error 6.7e-16 where it was measured).
  */
 int spherical_pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                         const double* parameters, const double* wrenches, double* tau);
@@ -69,34 +69,34 @@ int spherical_pendulum_mass_matrix(const double* q, double t, const double* para
 
 /* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
    tau = M(q) qdd + c(q, qd). c [3] is the result, in units of tau.
-   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.9e-16 where it was measured).
+   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.2e-15 where it was measured).
  */
 int spherical_pendulum_bias(const double* q, const double* qd, double t, const double* parameters,
                             const double* wrenches, double* c);
 
 /* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
    M [3 x 3], symmetric and written in full, and c [3] are the results.
-   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.9e-16 where it was measured).
+   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.2e-15 where it was measured).
  */
 int spherical_pendulum_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);
 
 /* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
    qdot [4] is the result, per second.
-   Operations: 15 multiplications, 8 additions (reduced formulation; relative error 2.6e-16 where it was measured).
+   Operations: 15 multiplications, 8 additions (reduced formulation; relative error 1.7e-16 where it was measured).
  */
 int spherical_pendulum_coordinate_rates(const double* q, const double* qd, double* qdot);
 
 /* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
    e [2] is the result, in J.
-   Operations: 23 multiplications, 15 additions (reduced formulation; relative error 1.5e-15 where it was measured).
+   Operations: 23 multiplications, 15 additions (reduced formulation; relative error 3.4e-16 where it was measured).
  */
 int spherical_pendulum_energy(const double* q, const double* qd, double t, const double* parameters,
                               const double* wrenches, double* e);
 
 /* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
    body's axes and p, m, is its origin. W [1 x 3 x 4] is the result.
-   Operations: 9 multiplications, 21 additions (reduced formulation; relative error 3.8e-16 where it was measured).
+   Operations: 9 multiplications, 21 additions (reduced formulation; relative error 2e-16 where it was measured).
  */
 int spherical_pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches,
                                   double* W);
