@@ -16,8 +16,8 @@ namespace {
 
 /// States for each function of a small mechanism, and what they may take of a large one: nodes that are
 /// evaluated.
-constexpr int kStates = 10, kFewest = 3;
-constexpr double kWork = 4e6;
+constexpr int kMeasuredStates = 10, kFewestStates = 3;
+constexpr double kMeasuringWork = 4e6;
 
 /// Values of a program in double precision, functions of the C library rounded correctly.
 std::vector<double> run(const Program& program, std::span<const double> inputs) {
@@ -170,7 +170,7 @@ class ArrayErrors {
 
 Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings)
     : kinematics_(kinematics), bindings_(bindings), plain_(kinematics) {
-  for (unsigned k = 0; k < 4 * kStates; ++k) states_.push_back(state_in_range(kinematics, k));
+  for (unsigned k = 0; k < 4 * kMeasuredStates; ++k) states_.push_back(state_in_range(kinematics, k));
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
@@ -179,7 +179,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   std::mt19937_64 random(1);
   double work = 0;
   for (const std::vector<double>& values : states_) {
-    if (worst.states >= kStates || (work > kWork && worst.states >= kFewest)) break;
+    if (worst.states >= kMeasuredStates || (work > kMeasuringWork && worst.states >= kFewestStates)) break;
     const PlainEquations::State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
@@ -217,7 +217,7 @@ bool Certificate::explains(const MeasuredError& error, const std::vector<OutputE
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const bool without_value =
         std::find(error.without_value.begin(), error.without_value.end(), k) != error.without_value.end();
-    if (!without_value && k >= static_cast<std::size_t>(kStates)) continue;
+    if (!without_value && k >= static_cast<std::size_t>(kMeasuredStates)) continue;
     bool has_value = true;
     for (const OutputExpressions& output : plain) {
       double largest = 0, most = 0;

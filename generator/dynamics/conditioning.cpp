@@ -12,13 +12,13 @@ namespace alembert {
 
 namespace {
 
-constexpr unsigned kStates = 4;
+constexpr unsigned kBoundedStates = 4;
 constexpr double kWorse = 16;
 
 }  // namespace
 
 Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> plain) {
-  for (unsigned seed = 1; seed <= kStates; ++seed)
+  for (unsigned seed = 1; seed <= kBoundedStates; ++seed)
     states_.push_back(state_values(kinematics.mechanism, kinematics.graph, seed));
   most_ = bounds(plain);
   const std::size_t n = static_cast<std::size_t>(kinematics.mechanism.nv);

@@ -16,8 +16,8 @@ namespace alembert {
 namespace {
 
 constexpr double kSameProduct = 1e-15;  ///< products of motions at a state, relative
-constexpr unsigned kStates = 8;
-constexpr unsigned kPoints = kIdentityPoints;
+constexpr unsigned kPeelingStates = 8;
+constexpr unsigned kPeelingPoints = kIdentityPoints;
 
 /// p^2/|p|^2 of the element p of four symbols, which is of unit length.
 void make_unit(std::vector<Modular>& point, const std::array<std::uint32_t, 4>& symbols) {
@@ -36,12 +36,12 @@ void make_unit(std::vector<Modular>& point, const std::array<std::uint32_t, 4>& 
 PeelingStates::PeelingStates(const Mechanism& mechanism, const std::vector<Motion>& motions, ExprGraph& graph)
     : graph_(graph) {
   const auto index = [&](Expr symbol) { return graph.symbol_index(symbol.ref().node()); };
-  for (unsigned k = 0; k < kStates; ++k) {
+  for (unsigned k = 0; k < kPeelingStates; ++k) {
     std::vector<double> state = state_values(mechanism, graph, 101 + k);
     state[index(mechanism.time)] = 0.3 + 0.21 * k;
     states_.push_back(std::move(state));
   }
-  for (unsigned k = 0; k < kPoints; ++k) {
+  for (unsigned k = 0; k < kPeelingPoints; ++k) {
     std::vector<Modular> point = random_modular_point(graph.symbol_count(), 0x7065656c + k);
     for (const Coordinate& coordinate : mechanism.coordinates) {
       if (coordinate.type != CoordinateType::quaternion) continue;
