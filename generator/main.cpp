@@ -256,7 +256,12 @@ int run(int argc, char** argv) {
   command =
       add_reader(app, "check", "load, derive both formulations and test the laws they must obey", common);
   add_passes(command, common);
-  command->callback([&] { result = run_check(common); });
+  CheckOptions check;
+  command
+      ->add_option("--states", check.states,
+                   "also measure the error of every function against the plain equations at so many states")
+      ->check(CLI::Range(1, 1'000'000));
+  command->callback([&] { result = run_check(common, check); });
 
   ImportOptions import;
   command = app.add_subcommand("import", "describe a robot that is given as URDF");

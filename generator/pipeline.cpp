@@ -376,7 +376,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   }
 
   const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
-  const Certificate certificate(kinematics, bindings);
+  const Certificate certificate(kinematics, bindings, options.states);
   std::vector<FunctionKind> kinds =
       options.functions.empty() ? default_functions(mechanism) : options.functions;
   check_singular(kinematics, certificate.plain(), options, kinds);

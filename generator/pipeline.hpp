@@ -42,9 +42,10 @@ struct CompileOptions {
   std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
   SingularMass singular = SingularMass::refuse_where_solved;
   std::function<void(const Warnings&)> warn;  ///< is told what is doubtful
-  std::ostream* talk = nullptr;               ///< time, nodes and operations of each stage (--verbose)
-  std::ostream* dump = nullptr;               ///< what a stage made (--dump)
-  std::string dump_stage;                     ///< load, kinematics, equations, lower, optimise or schedule
+  std::optional<int> states;     ///< at which functions are measured (certificate.hpp); nothing: a few
+  std::ostream* talk = nullptr;  ///< time, nodes and operations of each stage (--verbose)
+  std::ostream* dump = nullptr;  ///< what a stage made (--dump)
+  std::string dump_stage;        ///< load, kinematics, equations, lower, optimise or schedule
 };
 
 struct CompiledFunction {

@@ -159,12 +159,27 @@ int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& pa
   return 0;
 }
 
+/// The certificate of every function, at as many states as are asked for. Its warnings are those of the laws.
+void report_errors(const std::shared_ptr<const SourceText>& source, const Passes& passes, int states) {
+  CompileOptions options;
+  options.passes = passes;
+  options.singular = SingularMass::leave_out;
+  options.states = states;
+  options.functions.assign(all_function_kinds().begin(), all_function_kinds().end());
+  for (const CompiledFunction& function : compile_mechanism(source, options).functions) {
+    fmt::print("{}: relative error {:.2g} at {} states\n", to_string(function.kind), function.error.relative,
+               function.error.states);
+  }
+}
+
 }  // namespace
 
-int run_check(const CommonOptions& common) {
+int run_check(const CommonOptions& common, const CheckOptions& options) {
   const std::shared_ptr<const SourceText> source = read_source(common.file);
   try {
-    return check_laws(source, common.passes, common.strict);
+    const int result = check_laws(source, common.passes, common.strict);
+    if (options.states > 0) report_errors(source, common.passes, options.states);
+    return result;
   } catch (const std::domain_error& error) {
     fail_without_value(source, error);
   }

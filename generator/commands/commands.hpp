@@ -61,7 +61,10 @@ struct EvaluateOptions {
 };
 int run_evaluate(const CommonOptions& common, const EvaluateOptions& options);
 
-int run_check(const CommonOptions& common);
+struct CheckOptions {
+  int states = 0;  ///< at which every function is measured against the plain equations; 0: not at all
+};
+int run_check(const CommonOptions& common, const CheckOptions& options);
 
 struct ImportOptions {
   std::string out = "-";  ///< file to be written; `-` is standard output

@@ -168,9 +168,15 @@ class ArrayErrors {
 
 }  // namespace
 
-Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings)
-    : kinematics_(kinematics), bindings_(bindings), plain_(kinematics) {
-  for (unsigned k = 0; k < 4 * kMeasuredStates; ++k) states_.push_back(state_in_range(kinematics, k));
+Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
+                         std::optional<int> states)
+    : kinematics_(kinematics),
+      bindings_(bindings),
+      plain_(kinematics),
+      most_(states.value_or(kMeasuredStates)),
+      work_(states ? HUGE_VAL : kMeasuringWork) {
+  // More than are wanted: the equations may have no value at some.
+  for (int k = 0; k < 4 * most_; ++k) states_.push_back(state_in_range(kinematics, static_cast<unsigned>(k)));
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
@@ -179,7 +185,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   std::mt19937_64 random(1);
   double work = 0;
   for (const std::vector<double>& values : states_) {
-    if (worst.states >= kMeasuredStates || (work > kMeasuringWork && worst.states >= kFewestStates)) break;
+    if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
     const PlainEquations::State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
@@ -217,7 +223,7 @@ bool Certificate::explains(const MeasuredError& error, const std::vector<OutputE
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const bool without_value =
         std::find(error.without_value.begin(), error.without_value.end(), k) != error.without_value.end();
-    if (!without_value && k >= static_cast<std::size_t>(kMeasuredStates)) continue;
+    if (!without_value && k >= static_cast<std::size_t>(most_)) continue;
     bool has_value = true;
     for (const OutputExpressions& output : plain) {
       double largest = 0, most = 0;

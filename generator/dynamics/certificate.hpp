@@ -32,8 +32,9 @@ inline constexpr double kLargestError = 1e-10;
 
 class Certificate {
  public:
-  /// All must outlive it.
-  Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings);
+  /// All must outlive it. `states`: at how many to measure; nothing: at ten, three of very large mechanisms.
+  Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
+              std::optional<int> states = {});
 
   /// The program has all bindings as inputs.
   MeasuredError measure(const Program& program, FunctionKind kind) const;
@@ -54,6 +55,8 @@ class Certificate {
   const Kinematics& kinematics_;
   const std::vector<SymbolBinding>& bindings_;
   PlainEquations plain_;
+  int most_;                                 ///< states to measure at
+  double work_;                              ///< nodes that may be evaluated for more than the fewest
   std::vector<std::vector<double>> states_;  ///< values of all symbols
 };
 

@@ -166,6 +166,17 @@ TEST(Check, HasTheOptionsThatItObeys) {
   }
 }
 
+TEST(Check, MeasuresEveryFunctionAtAsManyStatesAsAreAskedFor) {
+  const TemporaryFolder folder;
+  const std::string file = mechanism_file("double_pendulum");
+  const CommandResult result = alembert(folder, "check --states 57 " + file);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const std::string function : {"inverse_dynamics", "forward_dynamics", "inverse_dynamics_derivatives"})
+    EXPECT_THAT(result.out,
+                testing::ContainsRegex(function + ": relative error [0-9.]+e-1[4-7] at 57 states"));
+  EXPECT_EQ(alembert(folder, "check --states 0 " + file).exit_code, 1);
+}
+
 TEST(Check, ReportsTheLaws) {
   const TemporaryFolder folder;
   const CommandResult result = alembert(folder, "check " + mechanism_file("tree_every_joint"));
