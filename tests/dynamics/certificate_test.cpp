@@ -1,0 +1,78 @@
+// What is written is measured: right programs are near the plain equations, and one that is wrong in any
+// constant by a hundred-millionth is not. Forms that lose digits are told by their bounds.
+#include "dynamics/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/conditioning.hpp"
+#include "dynamics/formulations.hpp"
+#include "dynamics/mechanism_file.hpp"
+#include "program/passes.hpp"
+#include "symbolic/identity.hpp"
+
+namespace alembert::test {
+namespace {
+
+class Certified : public testing::TestWithParam<FunctionKind> {};
+
+TEST_P(Certified, ProgramsAreMeasured) {
+  const auto loaded = LoadedMechanism::file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/puma560.yaml");
+  const Kinematics kinematics = loaded.kinematics();
+  const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  const Certificate certificate(kinematics, bindings);
+  Program program =
+      optimize(lower("function", function_outputs(kinematics, equations, GetParam()), bindings));
+  const MeasuredError right = certificate.measure(program, GetParam());
+  EXPECT_EQ(right.states, 10);
+  EXPECT_LT(right.relative, 1e-13);
+  ASSERT_FALSE(program.constants.empty());
+  // Of the constants the one that matters most.
+  double worst = 0;
+  for (double& constant : program.constants) {
+    const double given = constant;
+    constant *= 1 + 1e-8;
+    worst = std::max(worst, certificate.measure(program, GetParam()).relative);
+    constant = given;
+  }
+  EXPECT_GT(worst, kLargestError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Functions, Certified,
+                         testing::Values(FunctionKind::inverse_dynamics, FunctionKind::mass_matrix,
+                                         FunctionKind::bias, FunctionKind::forward_dynamics,
+                                         FunctionKind::energy, FunctionKind::body_poses,
+                                         FunctionKind::inverse_dynamics_derivatives),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+TEST(Conditioning, SumsOfWhatCancelsAreTold) {
+  const auto loaded =
+      LoadedMechanism::file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/double_pendulum.yaml");
+  const Kinematics kinematics = loaded.kinematics();
+  ExprGraph& graph = *loaded.graph;
+  const std::vector<Expr> plain = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, graph);
+  const Conditioning conditioning(kinematics, plain);
+  EXPECT_TRUE(conditioning.is_good(plain));
+  // The same values by way of others that are a million times as large.
+  std::vector<Expr> roundabout = plain;
+  const Expr far = graph.integer(1000000) * cos(loaded.mechanism->coordinates[0].symbols[0]);
+  roundabout[1] = sqrt((roundabout[1] + far) * (roundabout[1] + far)) - far;
+  EXPECT_FALSE(conditioning.is_good(roundabout));
+}
+
+TEST(Identity, IsProvedAndNotSampled) {
+  ExprGraph graph;
+  const Expr q = graph.symbol("q");
+  EXPECT_TRUE(vanishes(sin(q) * sin(q) + cos(q) * cos(q) - graph.one(), 1));
+  // Zero to rounding wherever q is small, and zero nowhere.
+  EXPECT_FALSE(vanishes(graph.one() + tanh(graph.integer(20) * (q - graph.rational(Rational(9, 2)))), 1));
+  EXPECT_FALSE(vanishes(exp(graph.integer(-1000) * (q - graph.integer(5)) * (q - graph.integer(5))), 1));
+  // The sign of a root is unknown.
+  EXPECT_FALSE(vanishes(sqrt(q * q + graph.integer(2) * q + graph.one()) - q - graph.one(), 1));
+  // Numbers that differ in the 17th digit differ.
+  EXPECT_TRUE(vanishes(sqrt(graph.integer(2)) * sqrt(graph.integer(2)) - graph.integer(2), 1));
+  EXPECT_FALSE(vanishes(sqrt(graph.integer(2)) - graph.real(1.4142135623730951), 1));
+}
+
+}  // namespace
+}  // namespace alembert::test
