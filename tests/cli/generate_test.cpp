@@ -170,18 +170,24 @@ TEST(Generate, KilledRunsLeaveNothingToTheNext) {
   const TemporaryFolder folder;
   const std::vector<Version> versions = two_versions(folder);
   const std::string out = folder / "out", command = ALEMBERT_EXECUTABLE " generate ";
+  // Killed at any time of a run, however long runs take here.
   const std::string script = folder.write("killed.sh", R"(
+start=$(date +%s%N)
+)" + command + versions[0].file + " --parts 4 --out-dir " + (folder / "timed") +
+                                                           R"(
+span=$(((($(date +%s%N) - start) / 1000000 + 2) * 3 / 2))
 for i in $(seq 120); do
   )" + command + "$(if [ $((i % 2)) = 0 ]; then echo " + versions[0].file +
                                                            "; else echo " + versions[1].file +
                                                            "; fi) --parts 4 --out-dir " + out + R"( &
-  sleep 0.0$((RANDOM % 2))$((RANDOM % 10))
+  delay=$((RANDOM % span))
+  sleep $((delay / 1000)).$(printf %03d $((delay % 1000)))
   kill -KILL $! 2> /dev/null
   wait $! 2> /dev/null
   )" + command + mechanism_file("pendulum") + " --out-dir " +
                                                            out + R"( || exit 1
   cp -r )" + out + " " + folder / "trial" + "$i\ndone\n");
-  ASSERT_EQ(run_command(folder, "bash " + script, "", 120).exit_code, 0);
+  ASSERT_EQ(run_command(folder, "bash " + script, "", 240).exit_code, 0);
   std::size_t files = 0;
   for (int i = 1; i <= 120; ++i) {
     std::map<std::string, std::string> texts = texts_below(folder / ("trial" + std::to_string(i)));
