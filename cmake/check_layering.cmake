@@ -10,14 +10,15 @@ set(allowed_urdf mechanism)
 # Programs are independent of expressions except where one becomes the other, or is compared with it.
 set(allowed_program passes:symbolic lower:symbolic verify:symbolic error_bound:symbolic optimize:symbolic expression_operation:symbolic
                     exact_comparison:symbolic to_expressions:symbolic)
-set(allowed_dynamics differentiation symbolic mechanism program)
-set(allowed_emit program mechanism)
+set(allowed_functions program mechanism)
+set(allowed_dynamics functions differentiation symbolic mechanism program)
+set(allowed_emit functions program mechanism)
 set(allowed_viewer dynamics mechanism symbolic)
 # Commands integrate and solve by the algorithms that users get.
-set(allowed_commands pipeline urdf emit viewer program dynamics mechanism symbolic src)
-set(allowed_pipeline emit program dynamics mechanism symbolic)
-set(allowed_main pipeline emit program dynamics mechanism commands)
-set(rooms support symbolic differentiation mechanism urdf program dynamics emit viewer commands)
+set(allowed_commands pipeline functions urdf emit viewer program dynamics mechanism symbolic src)
+set(allowed_pipeline functions emit program dynamics mechanism symbolic)
+set(allowed_main pipeline functions emit program dynamics mechanism commands)
+set(rooms support symbolic differentiation mechanism urdf program functions dynamics emit viewer commands)
 
 set(failures 0)
 set(includes 0)

@@ -72,7 +72,7 @@ std::string input_source(const InputSlot& slot) {
 /// Writes the statements of a layout.
 class Writer {
  public:
-  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes,
+  Writer(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
          Registers registers)
       : program_(program), signature_(signature), layout_(program, sizes, grain_of(program, registers)) {
     if (grain_of(program, registers) == Grain::operations) plan_.emplace(program_, layout_);
@@ -554,7 +554,7 @@ class Writer {
   }
 
   const Program& program_;
-  const FunctionSignature& signature_;
+  const OutputFunction& signature_;
   StatementLayout layout_;
   std::optional<RegisterPlan> plan_;
   std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place
@@ -569,8 +569,8 @@ class Writer {
 
 }  // namespace
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes, Registers registers) {
+FunctionBody function_body(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
+                           Registers registers) {
   Writer writer(program, signature, sizes, registers);
   if (writer.possible()) return writer.write();
   Program straight = program;

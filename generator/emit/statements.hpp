@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/function_signature.hpp"
+#include "emit/argument_lists.hpp"
 #include "emit/statement_layout.hpp"
 #include "program/program.hpp"
 
@@ -40,7 +40,7 @@ struct FunctionBody {
 /// ALEMBERT_FROM_MEMORY.
 enum class Registers { compiled, planned };
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
+FunctionBody function_body(const Program& program, const OutputFunction& signature,
                            const BlockSizes& sizes = {}, Registers registers = Registers::compiled);
 
 }  // namespace alembert
