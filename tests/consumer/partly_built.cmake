@@ -65,6 +65,10 @@ message(STATUS \"command: \${command}\")
 run(output ${CMAKE_COMMAND} -S ${WORK}/finds -B ${WORK}/found ${tools} "-DCMAKE_PREFIX_PATH=${prefix}")
 expect("${output}" "command: .*/pre fix/bin/alembert\n")
 
+# An example, copied out of the installed mechanisms.
+file(COPY "${prefix}/share/alembert/mechanisms/examples/controller" DESTINATION ${WORK})
+run(output ${CMAKE_COMMAND} -S ${WORK}/controller -B ${WORK}/controller_build ${tools} "-DCMAKE_PREFIX_PATH=${prefix}")
+
 # Debian packages of the same.
 find_program(dpkg_deb dpkg-deb)
 if(dpkg_deb)
