@@ -9,8 +9,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "dynamics/checks/state_checks.hpp"
 #include "dynamics/function_builders.hpp"
-#include "dynamics/state_checks.hpp"
 #include "functions/array_shape.hpp"
 #include "mechanism/extreme_number.hpp"
 #include "mechanism/load.hpp"

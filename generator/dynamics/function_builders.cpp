@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "dynamics/constraints.hpp"
-#include "dynamics/force_derivatives.hpp"
-#include "dynamics/formulations.hpp"
+#include "dynamics/choice/force_derivatives.hpp"
+#include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/formulations.hpp"
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
 #include "symbolic/passes.hpp"

@@ -5,7 +5,7 @@
 
 #include "emit/argument_lists.hpp"
 #include "emit/function_docs.hpp"
-#include "emit/literals.hpp"
+#include "emit/statements/literals.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "emit/literals.hpp"
+#include "emit/statements/literals.hpp"
 #include "functions/array_shape.hpp"
 
 namespace alembert {

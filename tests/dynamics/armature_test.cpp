@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "dynamics/checks/plain_equations.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/plain_equations.hpp"
 
 namespace alembert::test {
 namespace {

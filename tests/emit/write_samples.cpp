@@ -6,8 +6,8 @@
 
 #include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
+#include "emit/files/write_files.hpp"
 #include "emit/sample.hpp"
-#include "emit/write_files.hpp"
 #include "functions/array_shape.hpp"
 
 namespace {
