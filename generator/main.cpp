@@ -182,6 +182,9 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
       ->delimiter(',');
+  command->add_option("--language", generate.language, "c++, or c: C99, for one scalar type (default double)")
+      ->check(CLI::IsMember({"c++", "c"}))
+      ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default alembert::mechanisms)");
   command
       ->add_option("--batch", generate.batch,
