@@ -78,6 +78,9 @@ std::string definition(const WrittenFunction& function, const std::string& numbe
   const std::vector<CodeBlock>& blocks = function.body.blocks;
   const bool cut = blocks.size() > 1;
   const std::vector<std::string_view> arguments = argument_names(signature);
+  const auto reads = [&](std::string_view word) {
+    return std::ranges::any_of(blocks, [&](const CodeBlock& b) { return has_word(b.statement_lines, word); });
+  };
   std::string statements = blocks[0].statement_lines;
   if (cut) {
     statements = fmt::format("{} w[{}];\n", number, std::max<std::size_t>(function.body.crossing, 1));
@@ -86,9 +89,9 @@ std::string definition(const WrittenFunction& function, const std::string& numbe
   }
   const std::string checks = c_null_check(signature, "0");
   std::string defaults;
-  if (has_word(statements, "parameters"))
+  if (reads("parameters"))
     defaults += fmt::format("if (parameters == 0) parameters = {}_default_parameters;\n", common.at("name"));
-  if (has_word(statements, "wrenches"))
+  if (reads("wrenches"))
     defaults += fmt::format("if (wrenches == 0) wrenches = {}_no_wrenches;\n", common.at("name"));
   const std::string start = fmt::format("int {}(", name);
   return (cut ? block_functions(function, name, number, common) : "") +
