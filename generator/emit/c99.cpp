@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/literals.hpp"
 #include "emit/names.hpp"
+#include "emit/statements/literals.hpp"
 #include "mechanism/names.hpp"
 
 namespace alembert {

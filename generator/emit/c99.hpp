@@ -6,7 +6,7 @@
 #include <string>
 
 #include "emit/function_signature.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/model.hpp"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/literals.hpp"
-#include "emit/syntax.hpp"
+#include "emit/statements/literals.hpp"
+#include "emit/statements/syntax.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {

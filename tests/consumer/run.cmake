@@ -56,6 +56,13 @@ foreach(component runtime generator)
   run(output ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component ${component})
 endforeach()
 
+file(GLOB_RECURSE built "${BUILD}/generated/*alembert_catalogue.a")
+file(GLOB_RECURSE catalogue "${prefix}/*alembert_catalogue.a" "${prefix}/alembert-catalogue-targets.cmake")
+list(LENGTH catalogue catalogue_files)
+if(built AND NOT catalogue_files EQUAL 2)
+  message(FATAL_ERROR "the catalogue was built and is not installed: ${catalogue}")
+endif()
+
 run(output ${CMAKE_COMMAND} -S "${source}" -B "${build}" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Debug
     -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} --warn-uninitialized -Werror=dev)
 build_and_expect(3 TRUE)

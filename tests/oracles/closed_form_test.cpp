@@ -4,12 +4,14 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <fstream>
 #include <string>
 
 #include "oracles/comparison.hpp"
 #include "oracles/random_mechanism.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 #include "oracles/taylor/poses.hpp"
+#include "oracles/urdf/newton_euler.hpp"
 
 namespace alembert::oracles {
 namespace {
@@ -240,6 +242,23 @@ void expect_derivatives(const char* text, double x, double f, double f1, double 
   EXPECT_NEAR(y.value, f, 1e-14) << text;
   EXPECT_NEAR(y.first, 2 * f1, 1e-13) << text;
   EXPECT_NEAR(y.second, 4 * f2 - 3 * f1, 1e-13) << text;
+}
+
+/// A point mass at the end of a slide that hangs from a link `world`, which the file may declare or not.
+TEST(ClosedForm, UndeclaredWorldOfUrdf) {
+  const std::string file = ::testing::TempDir() + "alembert_undeclared_world.urdf";
+  for (const std::string world : {"", "<link name=\"world\"/>"}) {
+    std::ofstream(file) << "<robot name=\"slide\">" << world
+                        << "<link name=\"mass\"><inertial><mass value=\"2\"/><inertia ixx=\"0\" iyy=\"0\" "
+                           "izz=\"0\"/></inertial></link>"
+                           "<joint name=\"slide\" type=\"prismatic\"><parent link=\"world\"/><child "
+                           "link=\"mass\"/><axis xyz=\"0 0 1\"/></joint></robot>";
+    const UrdfTree tree = read_urdf_tree(file, false);
+    EXPECT_EQ(tree.bodies.size(), 2U);
+    const Dynamics found = newton_euler_dynamics<double>(tree, {{0.3}, {1}, {0.5}, 0});
+    EXPECT_NEAR(found.mass_matrix(0, 0), 2, kTolerance);
+    EXPECT_NEAR(found.tau[0], 2 * (kG + 0.5), 2 * kG * kTolerance);
+  }
 }
 
 TEST(Jet, Derivatives) {

@@ -62,10 +62,13 @@ void keep_worse(Judged& worst, const Judged& other) {
   if (other.error / other.allowed > worst.error / worst.allowed) worst = other;
 }
 
-/// 1/sqrt of M's diagonal.
+/// 1/sqrt of M's diagonal; of its largest entry, for coordinates that move no mass.
 Eigen::VectorXd unit_of(const Reference& state) {
-  const VectorOf<Wide> diagonal = state.dynamics.mass_matrix.diagonal();
-  return diagonal.cwiseMax(std::numeric_limits<Wide>::min()).cwiseSqrt().cwiseInverse().cast<double>();
+  VectorOf<Wide> diagonal = state.dynamics.mass_matrix.diagonal();
+  const Wide largest = diagonal.maxCoeff();
+  for (Wide& x : diagonal)
+    if (x <= 0) x = largest > 0 ? largest : 1;
+  return diagonal.cwiseSqrt().cwiseInverse().cast<double>();
 }
 
 /// One array at all states.

@@ -92,6 +92,13 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
     bodies[link.attribute("name").value()] = static_cast<int>(tree.bodies.size());
     tree.bodies.push_back(body_with_inertia(link));
   }
+  // Some tools know the world as a link that no file declares.
+  for (const pugi::xml_node joint : robot.children("joint")) {
+    const std::string parent = joint.child("parent").attribute("link").value();
+    if (parent != "world" || bodies.count(parent) != 0) continue;
+    bodies[parent] = static_cast<int>(tree.bodies.size());
+    tree.bodies.emplace_back().name = parent;
+  }
   std::vector<bool> is_child(tree.bodies.size(), false);
   std::vector<std::pair<std::string, pugi::xml_node>> mimics;
   tree.linkages.emplace_back();  // of the root
