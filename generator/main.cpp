@@ -17,6 +17,7 @@
 
 #include "commands/commands.hpp"
 #include "emit/emit.hpp"
+#include "import/importers.hpp"
 #include "mechanism/load.hpp"
 
 namespace alembert {
@@ -264,8 +265,8 @@ int run(int argc, char** argv) {
   command->callback([&] { result = run_check(common, check); });
 
   ImportOptions import;
-  command = app.add_subcommand("import", "describe a robot that is given as URDF");
-  command->add_option("file", common.file, "URDF; - is standard input")->required();
+  command = app.add_subcommand("import", "describe a robot that is given as " + importable_formats());
+  command->add_option("file", common.file, importable_formats() + "; - is standard input")->required();
   command->add_option("--out", import.out, "description to write; - is standard output")
       ->capture_default_str();
   command

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/certificate.hpp"
+#include "dynamics/checks/certificate.hpp"
 #include "dynamics/equations.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"

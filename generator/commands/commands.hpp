@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "commands/start_state.hpp"
 #include "dynamics/equations.hpp"
+#include "import/common/described.hpp"
 #include "pipeline.hpp"
-#include "urdf/describe.hpp"
+#include "simulation/start_state.hpp"
 
 namespace alembert {
 

@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "commands/commands.hpp"
-#include "commands/interpreted_mechanism.hpp"
-#include "emit/batch.hpp"
 #include "emit/emit.hpp"
-#include "emit/waiting_file.hpp"
-#include "emit/write_files.hpp"
+#include "emit/files/waiting_file.hpp"
+#include "emit/files/write_files.hpp"
+#include "emit/statements/batch.hpp"
 #include "mechanism/load.hpp"
+#include "simulation/interpreted_mechanism.hpp"
 
 namespace alembert {
 

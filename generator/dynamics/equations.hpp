@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/motion_tree.hpp"
-#include "dynamics/program_lengths.hpp"
-#include "dynamics/speed_derivatives.hpp"
+#include "dynamics/choice/program_lengths.hpp"
+#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "program/passes.hpp"
 #include "symbolic/expr.hpp"

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "emit/batch.hpp"
 #include "emit/function_signature.hpp"
-#include "emit/literals.hpp"
 #include "emit/names.hpp"
-#include "emit/register_order.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/batch.hpp"
+#include "emit/statements/literals.hpp"
+#include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/names.hpp"
 #include "program/passes.hpp"
+#include "registers/register_order.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

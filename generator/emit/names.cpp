@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/literals.hpp"
+#include "emit/statements/literals.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
