@@ -1,4 +1,4 @@
-// Stages `kinematics` and `equations`: typed mechanism in, equations of motion and what else can be asked for
+// Stages `kinematics` and `equations`: typed mechanism in, equations of motion and the other output functions
 // out.
 //
 // Letters: q coordinates, u speeds (qd), ud their rates (qdd), qdot = N(q) u; M(q) ud + c(q, u, t) = Q.

@@ -1,4 +1,4 @@
-// Stage `reroll`: steps that do the same become iterations of loops. Scheduled program in; the same
+// Stage `reroll`: repeated steps become iterations of loops. Scheduled program in; the same
 // operations out, ordered so that iterations follow each other, with the loops beside them.
 //
 // First sums and products are put together alike in all steps (align_sums). Values that correspond
@@ -44,8 +44,8 @@ struct Body {
   std::size_t saved() const { return steps.empty() ? 0 : (steps.size() - 1) * steps[0].size(); }
 };
 
-/// Steps `begin`, ..., `end` - 1. If they are a loop, so many values need no code of their own; of others in
-/// these steps, which may stand in the way, there are so many.
+/// Steps `begin`, ..., `end` - 1 as a loop. `saved`: values that the loop removes from the code. `others`:
+/// values of these steps that may block it.
 struct Range {
   int begin, end;
   std::size_t saved, others;
