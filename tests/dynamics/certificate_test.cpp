@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/choice/conditioning.hpp"
+#include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/recursions/formulations.hpp"
 #include "program/passes.hpp"

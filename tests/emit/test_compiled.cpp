@@ -341,10 +341,6 @@ TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {
   namespace evil = alembert::mechanisms::sample_evil;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Arguments a = random_arguments(all::kNq, all::kNv, seed);
-    evil::Inputs<double> in;
-    in.t = a.in.t;
-    in.parameters = a.in.parameters;
-    in.wrenches = a.in.wrenches;
     const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
     std::map<std::string, std::vector<double>> plain;
     {
@@ -356,6 +352,10 @@ TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {
 #include "sample_calls.inc"
     }
     namespace m = evil;
+    evil::Inputs<double> in;
+    in.t = a.in.t;
+    in.parameters = a.in.parameters;
+    in.wrenches = a.in.wrenches;
     const auto visit = [&](const char* function, const auto& call) {
       std::vector<double> same(200);
       call(same.data());
