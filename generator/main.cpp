@@ -256,6 +256,14 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command->add_flag("--json", report.json, "as JSON");
   add_compiler_options(command, common);
+  CLI::Option* memory =
+      command
+          ->add_option("--memory", report.memory,
+                       "double or float: also bytes of code and stack, of C99 compiled by --compiler")
+          ->check(CLI::IsMember({"double", "float"}));
+  command->add_option("--compiler", report.compiler, "C compiler for --memory, with its flags")
+      ->needs(memory)
+      ->capture_default_str();
   command->callback([&] { result = run_report(common, report); });
 
   EvaluateOptions evaluate;

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands/commands.hpp"
+#include "commands/memory.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
@@ -52,6 +54,8 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
     std::ranges::copy_if(all_function_kinds(), std::back_inserter(functions), is_of_dynamics);
   CompiledMechanism compiled = compile(common, functions, singular);
   const Mechanism& mechanism = *compiled.mechanism;
+  std::optional<MechanismMemory> memory;
+  if (!options.memory.empty()) memory = measured_memory(compiled, options.memory, options.compiler);
   const std::size_t rows = constraint_rows(mechanism).size();
   if (rows == 0) {
     std::erase_if(compiled.functions,
@@ -72,6 +76,11 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
         out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
       if (const std::size_t n = operations_in_loops(f.program); n > 0)
         out["functions"][std::string(to_string(f.kind))]["in_loops"] = n;
+    }
+    for (std::size_t f = 0; memory && f < compiled.functions.size(); ++f) {
+      auto& function = out["functions"][std::string(to_string(compiled.functions[f].kind))];
+      function["code_bytes"] = memory->functions[f].code;
+      function["stack_bytes"] = memory->functions[f].stack;
     }
     fmt::print("{}\n", out.dump(2));
     return 0;
@@ -96,6 +105,15 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
                  common.loop_operations);
   }
   fmt::print("\n{}", kConvention);
+  if (!memory) return 0;
+  fmt::print("\nC99 for {}, compiled by `{}`: bytes of code, of stack\n", options.memory, options.compiler);
+  for (std::size_t f = 0; f < compiled.functions.size(); ++f)
+    fmt::print("{:<{}} {:>7} {:>7}\n", to_string(compiled.functions[f].kind), width,
+               memory->functions[f].code, memory->functions[f].stack);
+  fmt::print(
+      "shared code {}, constants and names {}. The stack is what the compiler says of frames, those of\n"
+      "sin, cos and other functions of the C library apart.\n",
+      memory->shared_code, memory->constants);
   return 0;
 }
 
