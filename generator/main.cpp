@@ -281,13 +281,27 @@ int run(int argc, char** argv) {
       ->excludes(print_outputs)
       ->group(kBuildGroup);
   add_compiler_options(command, common);
-  command->callback([&] { result = run_generate(common, generate); });
+  command->callback([&] {
+    if (generate.language == "c" && !(generate.name_space.empty() && generate.batch.empty() &&
+                                      generate.batch_instructions.empty() && generate.parts == 0))
+      throw CLI::ValidationError("--language c",
+                                 "has no --namespace, --batch, --batch-instructions and --parts");
+    result = run_generate(common, generate);
+  });
 
   ReportOptions report;
   command = add_reader(app, "report", "count the operations of each function", common);
   add_functions(command, report.functions, "functions to count (default: those of dynamics)");
   command->add_flag("--json", report.json, "as JSON");
   add_compiler_options(command, common);
+  CLI::Option* memory =
+      command
+          ->add_option("--memory", report.memory,
+                       "double or float: also bytes of code and stack, of C99 compiled by --compiler")
+          ->check(CLI::IsMember({"double", "float"}));
+  command->add_option("--compiler", report.compiler, "C compiler for --memory, with its flags")
+      ->needs(memory)
+      ->capture_default_str();
   command->callback([&] { result = run_report(common, report); });
 
   EvaluateOptions evaluate;

@@ -3,8 +3,10 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands/commands.hpp"
+#include "commands/memory.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
@@ -29,6 +31,8 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
   }
   const CompiledMechanism compiled = compile(common, choice.kinds, choice.inapplicable);
   const Mechanism& mechanism = *compiled.mechanism;
+  std::optional<MechanismMemory> memory;
+  if (!options.memory.empty()) memory = measured_memory(compiled, options.memory, options.compiler);
   const std::size_t rows = constraint_rows(mechanism).size();
   if (options.json) {
     nlohmann::ordered_json out;
@@ -45,6 +49,11 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
         out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
       if (const std::size_t n = operations_in_loops(f.program); n > 0)
         out["functions"][std::string(to_string(f.kind))]["in_loops"] = n;
+    }
+    for (std::size_t f = 0; memory && f < compiled.functions.size(); ++f) {
+      auto& function = out["functions"][std::string(to_string(compiled.functions[f].kind))];
+      function["code_bytes"] = memory->functions[f].code;
+      function["stack_bytes"] = memory->functions[f].stack;
     }
     fmt::print("{}\n", out.dump(2));
     return 0;
@@ -69,6 +78,15 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
                  common.loop_operations);
   }
   fmt::print("\n{}", kConvention);
+  if (!memory) return 0;
+  fmt::print("\nC99 for {}, compiled by `{}`: bytes of code, of stack\n", options.memory, options.compiler);
+  for (std::size_t f = 0; f < compiled.functions.size(); ++f)
+    fmt::print("{:<{}} {:>7} {:>7}\n", to_string(compiled.functions[f].kind), width,
+               memory->functions[f].code, memory->functions[f].stack);
+  fmt::print(
+      "shared code {}, constants and names {}. The stack is what the compiler says of frames, those of\n"
+      "sin, cos and other functions of the C library apart.\n",
+      memory->shared_code, memory->constants);
   return 0;
 }
 

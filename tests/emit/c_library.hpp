@@ -16,6 +16,9 @@
 
 #include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
+#include "functions/function_table.hpp"
+#include "mechanism/load.hpp"
+#include "pipeline.hpp"
 
 namespace sample {
 
@@ -40,6 +43,19 @@ inline void put(std::span<const alembert::EmittedFile> files, const std::string&
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << file.text;
   }
+}
+
+/// A description compiled to programs of all functions that give anything for it.
+inline alembert::CompiledMechanism all_functions(const std::string& path,
+                                                 alembert::CompileOptions options = {}) {
+  for (const alembert::OutputFunction& row : alembert::kOutputFunctions) options.functions.emplace_back(row);
+  options.inapplicable = alembert::Inapplicable::leave_out;
+  return alembert::compile_mechanism(alembert::read_source(path), options);
+}
+inline std::vector<alembert::Program> programs_of(const alembert::CompiledMechanism& compiled) {
+  std::vector<alembert::Program> programs;
+  for (const alembert::CompiledFunction& function : compiled.functions) programs.push_back(function.program);
+  return programs;
 }
 
 /// C that calls a function by its place in a list: call(i, arguments, t, parameters, wrenches, results).
