@@ -18,6 +18,12 @@ string(REGEX REPLACE "/$" "" relative_prefix "${relative_prefix}")
 configure_file(cmake/alembert.pc.in ${PROJECT_BINARY_DIR}/package/alembert.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/alembert.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT runtime)
 
+# The package of Python that runs the command, where Debian's Python looks.
+if(TARGET alembert)
+  install(DIRECTORY src/python/alembert DESTINATION lib/python3/dist-packages COMPONENT generator
+          FILES_MATCHING PATTERN *.py PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
+
 foreach(component runtime generator)
   if(EXISTS ${PROJECT_SOURCE_DIR}/LICENSE AND (component STREQUAL runtime OR TARGET alembert))
     set(document_package_runtime libalembert-dev)

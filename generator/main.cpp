@@ -249,8 +249,9 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command
       ->add_option("--language", generate.language,
-                   "c++; or c: the C interface with C99 behind it, for one scalar type (default: double)")
-      ->check(CLI::IsMember({"c++", "c"}))
+                   "c++; or c: the C interface with C99 behind it, for one scalar type (default: double); or "
+                   "python: the same and a module over it")
+      ->check(CLI::IsMember({"c++", "c", "python"}))
       ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command
@@ -282,9 +283,9 @@ int run(int argc, char** argv) {
       ->group(kBuildGroup);
   add_compiler_options(command, common);
   command->callback([&] {
-    if (generate.language == "c" && !(generate.name_space.empty() && generate.batch.empty() &&
-                                      generate.batch_instructions.empty() && generate.parts == 0))
-      throw CLI::ValidationError("--language c",
+    if (generate.language != "c++" && !(generate.name_space.empty() && generate.batch.empty() &&
+                                        generate.batch_instructions.empty() && generate.parts == 0))
+      throw CLI::ValidationError("--language " + generate.language,
                                  "has no --namespace, --batch, --batch-instructions and --parts");
     result = run_generate(common, generate);
   });

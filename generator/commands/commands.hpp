@@ -46,7 +46,7 @@ std::string function_list();
 
 struct GenerateOptions {
   std::string out_dir;
-  std::string language = "c++";  ///< or c
+  std::string language = "c++";  ///< or c, python
   std::string depfile, stamp;
   std::string name_space;
   std::vector<std::string> functions;

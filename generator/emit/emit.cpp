@@ -11,6 +11,7 @@
 #include "emit/eigen_members.hpp"
 #include "emit/function_docs.hpp"
 #include "emit/names.hpp"
+#include "emit/python.hpp"
 #include "emit/statements/batch.hpp"
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
@@ -90,10 +91,10 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
     if (std::ranges::count(options.scalars, scalar) > 1)
       fail(fmt::format("the scalar type {} is given twice", scalar));
   }
-  if (options.language == Language::c && options.scalars.size() > 1)
-    fail("C is written for one scalar type: expected double or float");
-  if (options.language == Language::c && !options.batch.empty())
-    fail("functions over many states are written in C++ only");
+  const bool over_c = options.language != Language::cpp;
+  if (over_c && options.scalars.size() > 1)
+    fail("C and Python are written for one scalar type: expected double or float");
+  if (over_c && !options.batch.empty()) fail("functions over many states are written in C++ only");
   if (options.parts < 0 || options.parts > kMaxParts)
     fail(fmt::format("the number of parts must be 1 to {}", kMaxParts));
 }
@@ -309,9 +310,12 @@ std::vector<EmittedFile> c_files(const Mechanism& mechanism, std::span<const Pro
   common.insert({{"banner", banner_of(mechanism)},
                  {"guard", fmt::format("#ifndef {0}\n#define {0}\n", guard)},
                  {"end_guard", "\n#endif\n"}});
-  return {
+  std::vector<EmittedFile> files = {
       {fmt::format("include/{0}/{0}.h", mechanism.name), c_header(mechanism, functions, "", number, common)},
       {fmt::format("src/{}.c", mechanism.name), c99_source(mechanism, functions, number, common)}};
+  if (options.language == Language::python)
+    std::ranges::move(python_files(mechanism, functions, files, number, common), std::back_inserter(files));
+  return files;
 }
 
 }  // namespace
@@ -333,7 +337,7 @@ std::vector<std::string> emitted_paths(const std::string& name, int parts) {
 std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
                                         const EmitOptions& options) {
   check_options(mechanism, options);
-  if (options.language == Language::c) return c_files(mechanism, programs, options);
+  if (options.language != Language::cpp) return c_files(mechanism, programs, options);
   const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());
   Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);
   common["scalar_list"] = fmt::format("{}", fmt::join(options.scalars, " and "));

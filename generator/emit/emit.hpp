@@ -16,7 +16,7 @@ struct EmittedFile {
   std::string text;
 };
 
-enum class Language { cpp, c };
+enum class Language { cpp, c, python };
 
 struct EmitOptions {
   Language language = Language::cpp;
@@ -57,6 +57,12 @@ std::string_view generator_version();
 ///
 ///     include/name/name.h           the same C interface
 ///     src/name.c                    its definitions
+///
+/// to which Language::python adds
+///
+///     src/name_states.c             functions of C over many states
+///     python/name.py                the module over a library of both
+///     python/name.pyi               its types
 ///
 /// The same input gives the same bytes. Long functions (BlockSizes in statement_layout.hpp) are cut into
 /// blocks; loops are blocks of their own. If all coordinates are real and no program gives coordinate_rates,

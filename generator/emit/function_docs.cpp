@@ -21,12 +21,7 @@ std::string paragraph(std::string_view text, std::size_t indent = 0) {
 }  // namespace
 
 std::string result_with_shape(const ResultArray& result, const Mechanism& mechanism) {
-  const ArrayShape shape = array_shape(result, mechanism);
-  std::vector<std::size_t> sizes;
-  const bool several = result.per != Per::mechanism;
-  if (several) sizes.push_back(shape.blocks);
-  if (!several || result.rows != Extent(1)) sizes.push_back(shape.rows);
-  if (result.columns != Extent(1)) sizes.push_back(shape.columns);
+  const std::vector<std::size_t> sizes = natural_shape(result, mechanism);
   return fmt::format("{} [{}]{}", result.name, fmt::join(sizes, " x "),
                      sizes.size() > 1 ? ", row by row" : "");
 }

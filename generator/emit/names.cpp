@@ -16,6 +16,7 @@ namespace alembert {
 namespace {
 
 constexpr std::size_t kWidth = 110;
+constexpr const char* kCppInfinity = "::std::numeric_limits<double>::infinity()";
 
 struct Names {
   std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints;
@@ -79,11 +80,11 @@ std::vector<std::string> initial_speeds(const Mechanism& mechanism, std::string_
   return out;
 }
 
-std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
+std::vector<std::string> limits(const Mechanism& mechanism, bool lower, const std::string& infinity) {
   std::vector<std::string> out;
-  const auto text = [lower](double value) {
+  const auto text = [&](double value) {
     if (value == std::numeric_limits<double>::infinity() || value == -std::numeric_limits<double>::infinity())
-      return std::string(lower ? "-" : "") + "::std::numeric_limits<double>::infinity()";
+      return (lower ? "-" : "") + infinity;
     return number_literal(value);
   };
   for (const Coordinate& c : mechanism.coordinates)
@@ -98,6 +99,14 @@ std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view 
   std::vector<std::string> out;
   for (const ConstraintRow& row : constraint_rows(mechanism))
     out.emplace_back(row.type == ConstraintType::holonomic ? yes : no);
+  return out;
+}
+
+/// Where quaternions begin in q.
+std::vector<std::string> quaternion_offsets(const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    if (c.type == CoordinateType::quaternion) out.push_back(std::to_string(c.first_q));
   return out;
 }
 
@@ -135,9 +144,6 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
 
 Slots cpp_constant_slots(const Mechanism& mechanism) {
   const Names names = names_of(mechanism);
-  std::vector<std::string> quaternions;
-  for (const Coordinate& c : mechanism.coordinates)
-    if (c.type == CoordinateType::quaternion) quaternions.push_back(std::to_string(c.first_q));
   return {
       {"name_literal", string_literal(mechanism.name)},
       {"coordinate_names", cpp_array(literals(names.coordinates))},
@@ -148,9 +154,9 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"wrench_names", cpp_array(literals(names.wrench_bodies))},
       {"initial", cpp_array(initial_coordinates(mechanism, "double"))},
       {"initial_speeds", cpp_array(initial_speeds(mechanism, "double"))},
-      {"lower_limits", cpp_array(limits(mechanism, true))},
-      {"upper_limits", cpp_array(limits(mechanism, false))},
-      {"quaternion_offsets", cpp_array(quaternions)},
+      {"lower_limits", cpp_array(limits(mechanism, true, kCppInfinity))},
+      {"upper_limits", cpp_array(limits(mechanism, false, kCppInfinity))},
+      {"quaternion_offsets", cpp_array(quaternion_offsets(mechanism))},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
       {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})", "double"))},
@@ -171,6 +177,30 @@ Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, cons
       {"initial", c_array(initial_coordinates(mechanism, number), "")},
       {"initial_speeds", c_array(initial_speeds(mechanism, number), "")},
       {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}", number), c_literal(0, number))},
+  };
+}
+
+Slots python_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  const auto tuple = [](const std::vector<std::string>& items) {
+    return fmt::format("({}{})", wrapped(items), items.size() == 1 ? "," : "");
+  };
+  const auto list = [](const std::vector<std::string>& items) { return fmt::format("[{}]", wrapped(items)); };
+  return {
+      {"coordinate_names", tuple(literals(names.coordinates))},
+      {"speed_names", tuple(literals(names.speeds))},
+      {"body_names", tuple(literals(names.bodies))},
+      {"frame_names", tuple(literals(names.frames))},
+      {"parameter_names", tuple(literals(names.parameters))},
+      {"wrench_names", tuple(literals(names.wrench_bodies))},
+      {"constraint_names", tuple(literals(names.constraints))},
+      {"holonomic", tuple(holonomic(mechanism, "True", "False"))},
+      {"quaternion_offsets", tuple(quaternion_offsets(mechanism))},
+      {"initial", list(initial_coordinates(mechanism, "double"))},
+      {"initial_speeds", list(initial_speeds(mechanism, "double"))},
+      {"lower_limits", list(limits(mechanism, true, "numpy.inf"))},
+      {"upper_limits", list(limits(mechanism, false, "numpy.inf"))},
+      {"parameter_defaults", list(parameter_defaults(mechanism, "{}", "double"))},
   };
 }
 

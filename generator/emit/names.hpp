@@ -16,4 +16,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
 Slots cpp_constant_slots(const Mechanism& mechanism);
 Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null);
 
+/// Tuples and lists of Python.
+Slots python_constant_slots(const Mechanism& mechanism);
+
 }  // namespace alembert

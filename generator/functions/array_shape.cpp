@@ -43,6 +43,16 @@ ArrayShape array_shape(const ResultArray& result, const Mechanism& mechanism) {
           number_of(result.columns, mechanism)};
 }
 
+std::vector<std::size_t> natural_shape(const ResultArray& result, const Mechanism& mechanism) {
+  const ArrayShape shape = array_shape(result, mechanism);
+  std::vector<std::size_t> sizes;
+  const bool several = result.per != Per::mechanism;
+  if (several) sizes.push_back(shape.blocks);
+  if (!several || result.rows != Extent(1)) sizes.push_back(shape.rows);
+  if (result.columns != Extent(1)) sizes.push_back(shape.columns);
+  return sizes;
+}
+
 TableShape table_shape(const ResultArray& result, const Mechanism& mechanism) {
   const ArrayShape shape = array_shape(result, mechanism);
   if (result.per == Per::mechanism || has_speed_columns(result))

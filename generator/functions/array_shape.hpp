@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
@@ -15,6 +16,10 @@ struct ArrayShape {
   std::size_t size() const { return blocks * rows * columns; }
 };
 ArrayShape array_shape(const ResultArray& result, const Mechanism& mechanism);
+
+/// Its sizes as an array of several dimensions: a number of blocks where there may be several, and no columns
+/// or rows where there is one by definition.
+std::vector<std::size_t> natural_shape(const ResultArray& result, const Mechanism& mechanism);
 
 /// Whether the columns of a result stand for speeds: those of M, P and Jacobians.
 constexpr bool has_speed_columns(const ResultArray& result) {

@@ -1,0 +1,95 @@
+"""alembert.load: cache, processes side by side, URDF, errors."""
+import os
+import pathlib
+import subprocess
+import sys
+import warnings
+
+import alembert
+import numpy as np
+import pytest
+from conftest import ROOT
+
+URDF = """<robot name="stick"><link name="base"><inertial><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><link name="rod"><inertial><origin xyz="0 0 -0.5"/><mass value="{mass}"/>
+<inertia ixx="0.1" iyy="0.1" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>
+<limit lower="-1" upper="2" effort="1" velocity="1"/></joint></robot>"""
+
+
+def folders(cache):
+    return sorted(path.name for path in cache.iterdir())
+
+
+def test_what_is_in_the_cache_is_not_compiled_again(tmp_path, monkeypatch):
+    pendulum = ROOT / "mechanisms" / "pendulum.yaml"
+    first = alembert.load(pendulum, cache=tmp_path)
+    assert len(folders(tmp_path)) == 1
+    stamp = os.stat(first.__file__).st_mtime_ns
+    assert alembert.load(pendulum, cache=tmp_path) is first
+    assert os.stat(first.__file__).st_mtime_ns == stamp and len(folders(tmp_path)) == 1
+    assert alembert.load(pendulum, "inverse_dynamics", cache=tmp_path) is not first
+    assert len(folders(tmp_path)) == 2
+    other = tmp_path / "p.yaml"
+    other.write_text(pendulum.read_text() + "\n# another text\n")
+    alembert.load(other, cache=tmp_path / "c")
+    alembert.load(pendulum, cache=tmp_path / "c")
+    assert len(folders(tmp_path / "c")) == 2
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "home"))
+    alembert.load(pendulum, "default")
+    assert len(folders(tmp_path / "home" / "alembert")) == 1
+
+
+def test_processes_at_once_share_a_cache(tmp_path):
+    code = (f"import sys; sys.path.insert(0, {str(ROOT / 'src' / 'python')!r}); import alembert\n"
+            f"m = alembert.load({str(ROOT / 'mechanisms' / 'double_pendulum.yaml')!r}, cache={str(tmp_path)!r})\n"
+            "print(m.mass_matrix(m.initial_coordinates).sum())")
+    running = [subprocess.Popen([sys.executable, "-B", "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+               for _ in range(3)]
+    said = [process.communicate() for process in running]
+    assert [process.returncode for process in running] == [0, 0, 0], said
+    assert len({out for out, _ in said}) == 1
+    assert len(folders(tmp_path)) == 1
+
+
+def test_urdf(tmp_path):
+    robot = tmp_path / "stick.urdf"
+    robot.write_text(URDF.format(mass=2))
+    m = alembert.load(robot, cache=tmp_path / "cache")
+    assert (m.name, m.nq) == ("stick", 1) and m.upper_limits.tolist() == [2]
+    assert np.allclose(m.mass_matrix([0.3]), 0.1 + 2 * 0.25)
+    free = alembert.load(robot, cache=tmp_path / "cache", root="floating")
+    assert free.nv > m.nv
+    robot.write_text(URDF.format(mass=3))
+    assert np.allclose(alembert.load(robot, cache=tmp_path / "cache").mass_matrix([0.3]), 0.1 + 3 * 0.25)
+
+
+def test_errors_have_the_text_of_the_generator(tmp_path, monkeypatch):
+    wrong = tmp_path / "wrong.yaml"
+    wrong.write_text((ROOT / "mechanisms" / "pendulum.yaml").read_text().replace("    mass:", "    maas:", 1))
+    with pytest.raises(alembert.Error, match=r"wrong\.yaml:\d+:\d+: error: .*maas"):
+        alembert.load(wrong, cache=tmp_path / "cache")
+    assert folders(tmp_path / "cache") == []
+    with pytest.raises(alembert.Error, match="inverse_dynamics"):
+        alembert.load(ROOT / "mechanisms" / "pendulum.yaml", "inverse_dynamix", cache=tmp_path / "cache")
+    with pytest.raises(FileNotFoundError):
+        alembert.load(tmp_path / "none.yaml")
+    with pytest.raises(ValueError, match="for URDF"):
+        alembert.load(ROOT / "mechanisms" / "pendulum.yaml", root="floating")
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(alembert.Error, match="no-such-compiler: .*Set CC to a C compiler"):
+        alembert.load(ROOT / "mechanisms" / "pendulum.yaml", cache=tmp_path / "cache")
+    monkeypatch.setenv("ALEMBERT_EXECUTABLE", "no-such-command")
+    with pytest.raises(alembert.Error, match="ALEMBERT_EXECUTABLE is no-such-command"):
+        alembert.load(ROOT / "mechanisms" / "pendulum.yaml", cache=tmp_path / "cache")
+
+
+def test_warnings_are_given_each_time(tmp_path):
+    robot = tmp_path / "stick.urdf"
+    robot.write_text(URDF.format(mass=0).replace('"0.1"', '"0"').replace('"0.01"', '"0"'))
+    for _ in range(2):
+        with pytest.warns(UserWarning, match="warning"):
+            alembert.load(robot, cache=tmp_path / "cache")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        alembert.load(robot, cache=tmp_path / "cache", massless="armature=0.1")
