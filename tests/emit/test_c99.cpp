@@ -13,6 +13,7 @@
 #include "emit/c_library.hpp"
 #include "emit/c_state.hpp"
 #include "emit/sample.hpp"
+#include "mechanism/names.hpp"
 #include "pipeline.hpp"
 #include "program/passes.hpp"
 
@@ -128,6 +129,16 @@ TEST(C99, HeaderIsThatOfTheInterfaceOfCpp) {
   EXPECT_EQ(declarations(c[0].text), declarations(same->text));
   for (const char* word : {"std::", "nullptr", "Eigen", "template", "malloc", "#include <c"})
     EXPECT_THAT(c[1].text, testing::Not(HasSubstr(word)));
+}
+
+TEST(C99, KeywordsAreNoNames) {
+  for (const char* keyword :
+       {"auto",   "break",  "case",     "char",       "const",    "continue", "default",  "do",
+        "double", "else",   "enum",     "extern",     "float",    "for",      "goto",     "if",
+        "inline", "int",    "long",     "register",   "restrict", "return",   "short",    "signed",
+        "sizeof", "static", "struct",   "switch",     "typedef",  "union",    "unsigned", "void",
+        "while",  "_Bool",  "_Complex", "_Imaginary", "volatile"})
+    EXPECT_NE(alembert::objection_to_mechanism_name(keyword), "") << keyword;
 }
 
 TEST(C99, OneScalarAndNoBatches) {
