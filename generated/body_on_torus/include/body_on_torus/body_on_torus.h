@@ -103,8 +103,8 @@ int body_on_torus_energy(const double* q, const double* qd, double t, const doub
                          const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [1 x 3 x 4], row by row: for each body of body_on_torus_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 19 multiplications, 6 additions, 6 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
  */
 int body_on_torus_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

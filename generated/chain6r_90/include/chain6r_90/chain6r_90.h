@@ -103,8 +103,8 @@ int chain6r_90_energy(const double* q, const double* qd, double t, const double*
                       double* e);
 
 /* Poses of the bodies in the world.
-   W [6 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [6 x 3 x 4], row by row: for each body of chain6r_90_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 56 multiplications, 25 additions, 12 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
  */
 int chain6r_90_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

@@ -103,8 +103,8 @@ int double_pendulum_energy(const double* q, const double* qd, double t, const do
                            const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [2 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [2 x 3 x 4], row by row: for each body of double_pendulum_body_names the matrix [R p]: the columns of R are
+     the body's axes, p is its origin, m.
    Operations: 6 multiplications, 2 additions, 4 sin/cos/tan (reduced formulation; relative error 9.5e-17 where it was measured).
  */
 int double_pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

@@ -103,8 +103,8 @@ int moving_base_energy(const double* q, const double* qd, double t, const double
                        double* e);
 
 /* Poses of the bodies in the world.
-   W [3 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [3 x 3 x 4], row by row: for each body of moving_base_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 23 multiplications, 7 additions, 8 sin/cos/tan (reduced formulation; relative error 7.7e-16 where it was measured).
  */
 int moving_base_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

@@ -103,8 +103,8 @@ int pendulum_energy(const double* q, const double* qd, double t, const double* p
                     double* e);
 
 /* Poses of the bodies in the world.
-   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [1 x 3 x 4], row by row: for each body of pendulum_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation; relative error 5e-17 where it was measured).
  */
 int pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

@@ -104,8 +104,8 @@ int runtime_parameters_energy(const double* q, const double* qd, double t, const
                               const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [2 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [2 x 3 x 4], row by row: for each body of runtime_parameters_body_names the matrix [R p]: the columns of R are
+     the body's axes, p is its origin, m.
    Operations: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
  */
 int runtime_parameters_body_poses(const double* q, double t, const double* parameters, const double* wrenches,

@@ -103,8 +103,8 @@ int tori_mated_energy(const double* q, const double* qd, double t, const double*
                       double* e);
 
 /* Poses of the bodies in the world.
-   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [1 x 3 x 4], row by row: for each body of tori_mated_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 44 multiplications, 21 additions, 10 sin/cos/tan (reduced formulation; relative error 1.4e-16 where it was measured).
  */
 int tori_mated_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
