@@ -10,6 +10,7 @@
 
 #include "emit/statements/literals.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/names.hpp"
 
 namespace alembert {
 namespace {
@@ -107,6 +108,65 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
   return out;
 }
 
+/// A named index, such as that of a frame in kFrameNames.
+struct Index {
+  std::string name;
+  int value;
+};
+
+/// Named indices of one kind; `type` is that of the generated code.
+struct Indices {
+  std::string type;
+  std::vector<Index> items;
+};
+
+std::vector<Indices> indices_of(const Mechanism& mechanism) {
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
+                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}}};
+  const auto add = [&out](std::size_t kind, const std::string& name, int value) {
+    // A macro would be replaced, and a class has no member of its own name.
+    const bool taken = !objection_to_mechanism_name(name).empty() || name == out[kind].type;
+    out[kind].items.push_back({taken ? name + "_" : name, value});
+  };
+  const auto add_next = [&](std::size_t kind, const std::string& name) {
+    add(kind, name, static_cast<int>(out[kind].items.size()));
+  };
+  for (const Coordinate& c : mechanism.coordinates) {
+    add(0, c.name, c.first_q);
+    add(1, c.name, c.first_speed);
+  }
+  for (const Body& body : mechanism.bodies) {
+    add_next(2, body.name);
+    if (body.external_wrench) add_next(5, body.name);
+  }
+  for (const Frame& frame : mechanism.frames) add_next(3, frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) add_next(4, parameter.name);
+  std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
+  return out;
+}
+
+/// `struct Frame { enum : int { tool = 0 }; };` and so on, a line each.
+std::string index_structs(const Mechanism& mechanism) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism)) {
+    std::vector<std::string> items;
+    for (const Index& index : indices.items) items.push_back(fmt::format("{} = {}", index.name, index.value));
+    const std::string list = wrapped(items);
+    out += fmt::format("{}struct {} {{ enum : int {{{}{} }}; }};", out.empty() ? "" : "\n", indices.type,
+                       list.starts_with('\n') ? "" : " ", list);
+  }
+  return out;
+}
+
+/// The same as members of a class: `using Frame = ::NAMESPACE::Frame;`.
+std::string index_aliases(const Mechanism& mechanism, const std::string& full_namespace) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism))
+    out += fmt::format("{0}using {1} = ::{2}::{1};", out.empty() ? "" : "\n", indices.type, full_namespace);
+  return out;
+}
+
 }  // namespace
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
@@ -127,6 +187,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},
+      {"index_aliases", index_aliases(mechanism, full_namespace)},
   };
 }
 
@@ -148,6 +209,7 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"lower_limits", cpp_array(limits(mechanism, true))},
       {"upper_limits", cpp_array(limits(mechanism, false))},
       {"quaternion_offsets", cpp_array(quaternions)},
+      {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
       {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})"))},
