@@ -208,6 +208,11 @@ int run(int argc, char** argv) {
       ->add_option("--scalars", generate.scalars,
                    "scalar types to compile for: double, float (default: both)")
       ->delimiter(',');
+  command
+      ->add_option("--language", generate.language,
+                   "c++; or c: the C interface with C99 behind it, for one scalar type (default: double)")
+      ->check(CLI::IsMember({"c++", "c"}))
+      ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command
       ->add_option("--batch", generate.batch,

@@ -37,6 +37,7 @@ std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
 
 struct GenerateOptions {
   std::string out_dir;
+  std::string language = "c++";  ///< or c
   std::string depfile, stamp;
   std::string name_space;
   std::vector<std::string> functions;

@@ -75,6 +75,10 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
+  if (options.language == "c") {
+    emit.language = Language::c;
+    emit.scalars = {"double"};
+  }
   if (!options.scalars.empty()) emit.scalars = options.scalars;
   for (const std::string& name : options.batch) {
     if (name != "default") emit.batch.push_back(name);

@@ -1,5 +1,6 @@
 // A program as statements: which values get a name, which are written into the expression that uses them, and
-// how a long function is cut into blocks. In: Program. Out: lines of C++ over a scalar type S.
+// how a long function is cut into blocks. In: Program. Out: lines of C++ over a scalar type S,
+// or of another language (syntax.hpp).
 //
 // A value is written into its user if it has one use only and the expression stays small; the operations and
 // their association stay those of the program, so that compiled code gives the interpreter's results bit for
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "emit/function_signature.hpp"
+#include "emit/statements/syntax.hpp"
 #include "program/program.hpp"
 #include "registers/statement_layout.hpp"
 
@@ -41,6 +43,7 @@ struct FunctionBody {
 enum class Registers { compiled, planned };
 
 FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes = {}, Registers registers = Registers::compiled);
+                           const BlockSizes& sizes = {}, Registers registers = Registers::compiled,
+                           const Syntax& syntax = cpp_syntax());
 
 }  // namespace alembert
