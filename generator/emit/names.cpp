@@ -111,6 +111,39 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
   return out;
 }
 
+/// What the functions take besides the state, in the comment of the C interface.
+std::string c_inputs(const std::string& mechanism, std::size_t parameters, std::size_t wrenches) {
+  const std::string first =
+      parameters == 0
+          ? "parameters  NULL: there are no runtime parameters"
+          : fmt::format(
+                "parameters  [{}] runtime parameters in SI units; NULL for the values of the description",
+                parameters);
+  const std::string second = wrenches == 0 ? "wrenches    NULL: no body takes an external wrench"
+                                           : fmt::format(
+                                                 "wrenches    [{} x 6] per body of {}_wrench_body_names the "
+                                                 "force x y z at its centre of mass, N, and the torque\n"
+                                                 "            x y z, N m, both in world axes; NULL for none",
+                                                 wrenches, mechanism);
+  return first + "\n" + second;
+}
+
+/// The same as members of Inputs in C++; where there are none, arrays of no elements.
+std::string cpp_inputs(const std::vector<std::string>& parameter_defaults, std::size_t wrenches) {
+  const std::string first = parameter_defaults.empty()
+                                ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
+                                : "/// Runtime parameters in SI units, in the order of kParameterNames; the "
+                                  "values of the description unless changed.\n"
+                                  "::std::array<S, kParameterCount> parameters = " +
+                                      cpp_array(parameter_defaults) + ";";
+  const std::string second = wrenches == 0
+                                 ? "::std::array<S, 0> wrenches = {};  ///< no body takes an external wrench"
+                                 : "/// Six per body of kWrenchBodyNames: force x y z at its centre of mass, "
+                                   "N, and torque x y z, N m, both in world axes.\n"
+                                   "::std::array<S, 6 * kWrenchCount> wrenches = {};";
+  return first + "\n" + second;
+}
+
 /// A named index, such as that of a frame in kFrameNames.
 struct Index {
   std::string name;
@@ -190,6 +223,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},
+      {"c_inputs", c_inputs(mechanism.name, names.parameters.size(), names.wrench_bodies.size())},
       {"index_aliases", index_aliases(mechanism, full_namespace)},
   };
 }
@@ -215,7 +249,8 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
-      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})", "double"))},
+      {"cpp_inputs",
+       cpp_inputs(parameter_defaults(mechanism, "S({})", "double"), names.wrench_bodies.size())},
   };
 }
 
