@@ -242,7 +242,13 @@ int run(int argc, char** argv) {
       ->excludes(print_outputs)
       ->group(kBuildGroup);
   add_compiler_options(command, common);
-  command->callback([&] { result = run_generate(common, generate); });
+  command->callback([&] {
+    if (generate.language == "c" && !(generate.name_space.empty() && generate.batch.empty() &&
+                                      generate.batch_instructions.empty() && generate.parts == 0))
+      throw CLI::ValidationError("--language c",
+                                 "has no --namespace, --batch, --batch-instructions and --parts");
+    result = run_generate(common, generate);
+  });
 
   ReportOptions report;
   command = add_reader(app, "report", "count the operations of each function", common);

@@ -16,6 +16,8 @@
 
 #include "emit/emit.hpp"
 #include "emit/function_signature.hpp"
+#include "mechanism/load.hpp"
+#include "pipeline.hpp"
 
 namespace sample {
 
@@ -40,6 +42,23 @@ inline void put(std::span<const alembert::EmittedFile> files, const std::string&
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << file.text;
   }
+}
+
+/// A description compiled to programs of all functions that give anything for it.
+inline alembert::CompiledMechanism all_functions(const std::string& path,
+                                                 alembert::CompileOptions options = {}) {
+  alembert::ExprGraph graph;
+  const alembert::Mechanism mechanism = alembert::load_mechanism(alembert::read_source(path), graph);
+  for (const alembert::FunctionKind kind : alembert::all_function_kinds())
+    if (alembert::array_size(alembert::find_signature(to_string(kind))->results[0].size, mechanism) > 0)
+      options.functions.push_back(kind);
+  options.singular = alembert::SingularMass::leave_out;
+  return alembert::compile_mechanism(alembert::read_source(path), options);
+}
+inline std::vector<alembert::Program> programs_of(const alembert::CompiledMechanism& compiled) {
+  std::vector<alembert::Program> programs;
+  for (const alembert::CompiledFunction& function : compiled.functions) programs.push_back(function.program);
+  return programs;
 }
 
 /// C that calls a function by its place in a list: call(i, arguments, t, parameters, wrenches, results).
