@@ -13,7 +13,7 @@ Arguments; arrays must not overlap:
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of bead_on_helix_wrench_body_names the force x y z at its centre of mass, N, and the torque
               x y z, N m, both in world axes; NULL for none
 

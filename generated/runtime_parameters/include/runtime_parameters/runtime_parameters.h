@@ -14,8 +14,7 @@ Arguments; arrays must not overlap:
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
   parameters  [4] runtime parameters in SI units; NULL for the values of the description
-  wrenches    [0 x 6] per body of runtime_parameters_wrench_body_names the force x y z at its centre of mass, N, and the torque
-              x y z, N m, both in world axes; NULL for none
+  wrenches    NULL: no body takes an external wrench
 
 Angles are in rad and lengths in m.
 */
