@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "differentiation/partials.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

@@ -5,7 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "emit/common_slots.hpp"
 #include "emit/function_signature.hpp"
-#include "emit/names.hpp"
 #include "emit/statements/batch.hpp"
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/names.hpp"
-#include "program/passes.hpp"
+#include "program/count.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/loops/reroll.hpp"
 #include "registers/register_order.hpp"
 #include "support/error.hpp"
 

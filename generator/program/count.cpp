@@ -1,4 +1,6 @@
 // Stage `count`: program in, operation counts out, by the convention in program.hpp.
+#include "program/count.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "program/operation.hpp"
-#include "program/passes.hpp"
 
 namespace alembert {
 namespace {

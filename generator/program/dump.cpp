@@ -1,4 +1,6 @@
 // Stage `dump`: program in, text out, one instruction a line, for people and for comparing two programs.
+#include "program/dump.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -6,7 +8,6 @@
 #include <string_view>
 
 #include "program/operation.hpp"
-#include "program/passes.hpp"
 
 namespace alembert {
 namespace {

@@ -4,6 +4,8 @@
 // Besides `verify` the only stage of this room that knows expressions. The order of everything follows
 // `postorder`, which is structural, so that the program does not depend on the order in which the expressions
 // were built.
+#include "program/lower.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,10 +13,12 @@
 
 #include "program/expression_operation.hpp"
 #include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "program/sign_placement.hpp"
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 namespace {

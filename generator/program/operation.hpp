@@ -3,11 +3,16 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "program/program.hpp"
 
 namespace alembert {
+
+/// A division takes about as long as four multiplies. So two divisions by one value (8) are worth a
+/// reciprocal and two multiplies (6).
+inline constexpr std::size_t kDivisionWeight = 4;
 
 /// Number of operands that are values of other instructions (0 for constants and inputs).
 constexpr int operand_count(Operation op) {

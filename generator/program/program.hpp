@@ -102,13 +102,4 @@ struct Program {
   std::uint32_t dot_product_code = 0;     ///< instructions that they are, the last ones of the code
 };
 
-/// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add;
-/// divisions and sin/cos/tan are listed apart (a constant offset inside a sin/cos argument belongs to that
-/// call and counts nowhere else: sin(q + c) is one trig); everything that is computed from constants alone is
-/// folded. `other`: sqrt, exp, pow, ...
-struct OperationCount {
-  std::size_t mul = 0, add = 0, div = 0, trig = 0, other = 0;
-  std::size_t arithmetic() const { return mul + add; }
-};
-
 }  // namespace alembert

@@ -13,8 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "program/count.hpp"
+#include "program/interpret.hpp"
 #include "program/operation.hpp"
-#include "program/passes.hpp"
 #include "registers/list_schedule.hpp"
 #include "registers/order_search.hpp"
 #include "registers/statement_layout.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

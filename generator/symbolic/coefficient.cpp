@@ -1,9 +1,12 @@
 // Coefficient of a symbol in expressions that are linear in it (Algorithm 1 of Guenter and Lee, corrected).
 // In: roots and a symbol. Out: d with root = d*x + rest for each root, or NotLinear.
+#include "symbolic/coefficient.hpp"
+
 #include <stdexcept>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

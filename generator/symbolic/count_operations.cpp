@@ -1,8 +1,10 @@
 // Operation counts of expressions. In: roots. Out: adds, multiplies, divisions, trigonometric and other
 // calls, each node once. Subtractions are adds; signs and products with 1 are free; 2x is one add; constants
 // are folded; a constant offset inside the argument of sin, cos or tan belongs to that call.
+#include "symbolic/count_operations.hpp"
+
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

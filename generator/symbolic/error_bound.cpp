@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/node_index.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

@@ -7,6 +7,8 @@
 // that has none, and for quotients by zero, the value is a hash of the operands, so that equal operands still
 // give equal values. Which of the two roots is taken says nothing about the sign of a real root: whoever
 // compares roots must check signs otherwise.
+#include "symbolic/evaluate_modular.hpp"
+
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -16,13 +18,6 @@
 namespace alembert {
 namespace modular {
 namespace {
-
-constexpr std::uint64_t scramble(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
 
 // An element of the prime field that stands for an opaque value.
 std::uint64_t hash(Op op, Modular a, Modular b = {}) {
@@ -72,27 +67,6 @@ Modular odd(Op op, Modular x, Modular with = {}) {
 }
 
 }  // namespace
-
-Modular from_rational(Rational x) {
-  const std::uint64_t n = reduce(static_cast<std::uint64_t>(x.numerator < 0 ? -x.numerator : x.numerator));
-  const std::uint64_t d = reduce(static_cast<std::uint64_t>(x.denominator));
-  const std::uint64_t value = d == 1 ? n : d == 0 ? reduce(scramble(n)) : multiply(n, inverse(d));
-  return {x.numerator < 0 ? negate(value) : value, 0};
-}
-
-std::optional<Modular> root(Modular x) {
-  if (x.im == 0) {
-    const Root r = root(x.re);
-    return r.imaginary ? Modular{0, r.value} : Modular{r.value, 0};
-  }
-  const Root norm = root(add(multiply(x.re, x.re), multiply(x.im, x.im)));
-  if (norm.imaginary) return std::nullopt;
-  // (u + v i)^2 = x with u^2 = (re +- norm)/2, v = im/(2u); exactly one of the two signs gives a square.
-  Root u = root(halve(add(x.re, norm.value)));
-  if (u.imaginary) u = root(halve(subtract(x.re, norm.value)));
-  const Modular out{u.value, multiply(x.im, inverse(add(u.value, u.value)))};
-  return is_upper(out) ? negate(out) : out;
-}
 
 std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
                             std::span<const Modular> symbols) {

@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/node_index.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

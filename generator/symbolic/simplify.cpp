@@ -3,13 +3,17 @@
 // Candidates are made by rewriting every node as a polynomial (polynomial.hpp), once with sums kept whole
 // inside products and once multiplied out, reduced by the identities of the circle and factored again; value
 // numbering runs between them. A candidate is taken only if it needs fewer operations.
+#include "symbolic/simplify.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "symbolic/count_operations.hpp"
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
 #include "symbolic/polynomial.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -1,9 +1,11 @@
 // Simultaneous substitution. In: roots and pairs (symbol, expression). Out: the roots with every such symbol
 // replaced, rebuilt by the rules of construction.
+#include "symbolic/substitute.hpp"
+
 #include <stdexcept>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

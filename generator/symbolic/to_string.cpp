@@ -1,8 +1,8 @@
 // Infix text of expressions. In: an expression and a limit. Out: text with as few parentheses as precedence
 // allows, cut at the limit: work is bounded by it, whatever the depth and the sharing of the expression.
-#include <fmt/format.h>
+#include "symbolic/to_string.hpp"
 
-#include "symbolic/passes.hpp"
+#include <fmt/format.h>
 
 namespace alembert {
 namespace {

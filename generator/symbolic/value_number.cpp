@@ -7,6 +7,8 @@
 // expressions without roots has a chance below 2^-100. The sign of a root is arbitrary in the field, so that
 // sqrt(x^2 + 2xy + y^2) agrees with x + y at every second point: matches that involve roots are confirmed at
 // many more points and in double precision, where roots are positive.
+#include "symbolic/value_number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +16,11 @@
 #include <stdexcept>
 
 #include "symbolic/close_constants.hpp"
+#include "symbolic/count_operations.hpp"
 #include "symbolic/error_bound.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "symbolic/expr.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert::test {
 

@@ -7,9 +7,15 @@
 #include <vector>
 
 #include "differentiation/complex_evaluation.hpp"
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/random_functions.hpp"
-#include "symbolic/passes.hpp"
+#include "differentiation/reverse.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "differentiation/complex_evaluation.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/partials.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 namespace {

@@ -10,10 +10,14 @@
 #include <cmath>
 
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/outputs.hpp"
 #include "dynamics/sleigh.hpp"
+#include "dynamics/tree/symbols.hpp"
 #include "mechanism/constraint_rows.hpp"
-#include "program/passes.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
+#include "program/verify/verify.hpp"
 
 namespace alembert::test {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "emit/function_signature.hpp"
 #include "program/operation.hpp"
-#include "program/passes.hpp"
 #include "program/program_maker.hpp"
 
 namespace sample {

@@ -18,7 +18,8 @@
 #include "alembert/energy.hpp"
 #include "alembert/mechanism.hpp"
 #include "emit/sample.hpp"
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
+#include "program/loops/dot_products.hpp"
 #include "runtime/allocation_counter.hpp"
 
 namespace {

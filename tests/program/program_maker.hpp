@@ -11,9 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "program/count.hpp"
+#include "program/interpret.hpp"
 #include "program/operation.hpp"
-#include "program/passes.hpp"
-#include "program/verify/error_bound.hpp"
+#include "program/verify/operation_error.hpp"
 
 namespace alembert {
 

@@ -3,6 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
 #include "symbolic/expr.hpp"
 #include "symbolic/same.hpp"
 

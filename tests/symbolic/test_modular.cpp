@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

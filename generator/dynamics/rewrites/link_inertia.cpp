@@ -6,7 +6,8 @@
 #include <span>
 #include <unordered_map>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/extended.hpp"
 #include "symbolic/identity.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 

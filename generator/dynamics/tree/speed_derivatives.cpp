@@ -6,7 +6,8 @@
 #include <map>
 
 #include "differentiation/jacobian.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 

@@ -5,6 +5,8 @@
 // that is a product without other use is a list of factors (divisors among them, marked). All terms with a
 // factor in common form a group, worth the multiplies that collecting it saves. The best group is taken
 // first, until none gains anything; what is left inside the brackets is a chain of its own in the next round.
+#include "program/rewrite/factor_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -17,7 +19,6 @@
 
 #include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
 
 namespace alembert {
 namespace {

@@ -1,16 +1,22 @@
 // Stage `optimise`: program in, equal program out that never costs more.
+#include "program/rewrite/optimize.hpp"
+
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "program/count.hpp"
+#include "program/lower.hpp"
 #include "program/operation.hpp"
-#include "program/passes.hpp"
-#include "program/rewrite/rewrites.hpp"
+#include "program/rewrite/factor_sums.hpp"
+#include "program/rewrite/share_divisions.hpp"
+#include "program/rewrite/share_products.hpp"
+#include "program/sign_placement.hpp"
 #include "program/to_expressions.hpp"
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -1,5 +1,7 @@
 // Rewrite of stage `optimise`: fewer divisions. In: a value program. Out: the same values with shared
 // reciprocals and merged quotients. See rewrites.hpp.
+#include "program/rewrite/share_divisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +11,6 @@
 
 #include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
 
 namespace alembert {
 namespace {

@@ -1,6 +1,8 @@
 // Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value
 // program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
 // See rewrites.hpp.
+#include "program/rewrite/share_products.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -10,7 +12,6 @@
 
 #include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
 
 namespace alembert {
 namespace {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "program/to_expressions.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

@@ -1,0 +1,174 @@
+// Writes names and constants of a mechanism.
+#include "emit/common_slots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "emit/statements/literals.hpp"
+#include "mechanism/constraint_rows.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::size_t kWidth = 110;
+
+struct Names {
+  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints;
+};
+
+Names names_of(const Mechanism& mechanism) {
+  Names names;
+  for (const Coordinate& c : mechanism.coordinates) switch (c.type) {
+      case CoordinateType::real:
+        names.coordinates.push_back(c.name);
+        names.speeds.push_back("d(" + c.name + ")");
+        break;
+      case CoordinateType::quaternion:
+        for (const char* axis : {".x", ".y", ".z", ".w"}) names.coordinates.push_back(c.name + axis);
+        for (const char* axis : {".x", ".y", ".z"}) names.speeds.push_back("d(" + c.name + ")" + axis);
+        break;
+    }
+  for (const Body& body : mechanism.bodies) {
+    names.bodies.push_back(body.name);
+    if (body.external_wrench) names.wrench_bodies.push_back(body.name);
+  }
+  for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) names.parameters.push_back(parameter.name);
+  for (const ConstraintRow& row : constraint_rows(mechanism)) names.constraints.push_back(row.name);
+  return names;
+}
+
+std::string wrapped(const std::vector<std::string>& items) {
+  const std::string list = fmt::format("{}", fmt::join(items, ", "));
+  return list.size() < 60 ? list : "\n    " + wrap_list(list, 4, 4, kWidth);
+}
+
+/// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
+std::string cpp_array(const std::vector<std::string>& items) {
+  return items.empty() ? "{}" : fmt::format("{{{{{}}}}}", wrapped(items));
+}
+
+std::string c_array(std::vector<std::string> items, const std::string& last) {
+  if (!last.empty()) items.push_back(last);
+  return fmt::format("{{{}}}", wrapped(items));
+}
+
+std::vector<std::string> literals(const std::vector<std::string>& names) {
+  std::vector<std::string> out;
+  for (const std::string& name : names) out.push_back(string_literal(name));
+  return out;
+}
+
+std::vector<std::string> initial_coordinates(const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial) out.push_back(number_literal(value));
+  return out;
+}
+
+std::vector<std::string> initial_speeds(const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial_speed) out.push_back(number_literal(value));
+  return out;
+}
+
+std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
+  std::vector<std::string> out;
+  const auto text = [lower](double value) {
+    if (value == std::numeric_limits<double>::infinity() || value == -std::numeric_limits<double>::infinity())
+      return std::string(lower ? "-" : "") + "::std::numeric_limits<double>::infinity()";
+    return number_literal(value);
+  };
+  for (const Coordinate& c : mechanism.coordinates)
+    for (int i = 0; i < c.nq(); ++i) {
+      const double none = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
+      out.push_back(text(!c.limits ? none : lower ? c.limits->first : c.limits->second));
+    }
+  return out;
+}
+
+std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view yes, std::string_view no) {
+  std::vector<std::string> out;
+  for (const ConstraintRow& row : constraint_rows(mechanism))
+    out.emplace_back(row.type == ConstraintType::holonomic ? yes : no);
+  return out;
+}
+
+std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const std::string& format) {
+  std::vector<std::string> out;
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) out.push_back(fmt::format(fmt::runtime(format), number_literal(parameter.value)));
+  return out;
+}
+
+}  // namespace
+
+Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
+  const Names names = names_of(mechanism);
+  std::size_t quaternions = 0;
+  for (const Coordinate& c : mechanism.coordinates)
+    quaternions += c.type == CoordinateType::quaternion ? 1 : 0;
+  return {
+      {"name", mechanism.name},
+      {"namespace", full_namespace},
+      {"nq", std::to_string(mechanism.nq)},
+      {"nv", std::to_string(mechanism.nv)},
+      {"body_count", std::to_string(names.bodies.size())},
+      {"frame_count", std::to_string(names.frames.size())},
+      {"parameter_count", std::to_string(names.parameters.size())},
+      {"wrench_count", std::to_string(names.wrench_bodies.size())},
+      {"quaternion_count", std::to_string(quaternions)},
+      {"constraint_count", std::to_string(names.constraints.size())},
+      {"coordinate_list", name_list(names.coordinates)},
+      {"speed_list", name_list(names.speeds)},
+  };
+}
+
+Slots cpp_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  std::vector<std::string> quaternions;
+  for (const Coordinate& c : mechanism.coordinates)
+    if (c.type == CoordinateType::quaternion) quaternions.push_back(std::to_string(c.first_q));
+  return {
+      {"name_literal", string_literal(mechanism.name)},
+      {"coordinate_names", cpp_array(literals(names.coordinates))},
+      {"speed_names", cpp_array(literals(names.speeds))},
+      {"body_names", cpp_array(literals(names.bodies))},
+      {"frame_names", cpp_array(literals(names.frames))},
+      {"parameter_names", cpp_array(literals(names.parameters))},
+      {"wrench_names", cpp_array(literals(names.wrench_bodies))},
+      {"initial", cpp_array(initial_coordinates(mechanism))},
+      {"initial_speeds", cpp_array(initial_speeds(mechanism))},
+      {"lower_limits", cpp_array(limits(mechanism, true))},
+      {"upper_limits", cpp_array(limits(mechanism, false))},
+      {"quaternion_offsets", cpp_array(quaternions)},
+      {"constraint_names", cpp_array(literals(names.constraints))},
+      {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
+      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})"))},
+  };
+}
+
+Slots c_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  return {
+      {"coordinate_names", c_array(literals(names.coordinates), "nullptr")},
+      {"speed_names", c_array(literals(names.speeds), "nullptr")},
+      {"body_names", c_array(literals(names.bodies), "nullptr")},
+      {"frame_names", c_array(literals(names.frames), "nullptr")},
+      {"parameter_names", c_array(literals(names.parameters), "nullptr")},
+      {"wrench_names", c_array(literals(names.wrench_bodies), "nullptr")},
+      {"constraint_names", c_array(literals(names.constraints), "nullptr")},
+      {"holonomic", c_array(holonomic(mechanism, "1", "0"), "0")},
+      {"initial", c_array(initial_coordinates(mechanism), "")},
+      {"initial_speeds", c_array(initial_speeds(mechanism), "")},
+      {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
+  };
+}
+
+}  // namespace alembert
