@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string>
 
-#include "program/operation.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 

@@ -8,33 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace alembert {
+#include "support/operation.hpp"
 
-enum class Operation : std::uint8_t {
-  constant,  ///< constants[a]
-  input,     ///< inputs[a]
-  add,
-  sub,
-  mul,
-  div,
-  neg,
-  sqrt,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  atan2,
-  exp,
-  log,
-  abs,
-  sign,
-  sinh,
-  cosh,
-  tanh,
-  pow,
-};
+namespace alembert {
 
 /// No instruction, no node.
 inline constexpr std::uint32_t kNone = ~std::uint32_t{0};

@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "program/operation.hpp"
 #include "program/value_graph.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

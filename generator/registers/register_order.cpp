@@ -15,11 +15,11 @@
 
 #include "program/count.hpp"
 #include "program/interpret.hpp"
-#include "program/operation.hpp"
 #include "registers/list_schedule.hpp"
 #include "registers/order_search.hpp"
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

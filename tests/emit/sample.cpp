@@ -7,8 +7,8 @@
 #include <random>
 
 #include "emit/function_signature.hpp"
-#include "program/operation.hpp"
 #include "program/program_maker.hpp"
+#include "support/operation.hpp"
 
 namespace sample {
 

@@ -13,8 +13,7 @@
 
 #include "program/count.hpp"
 #include "program/interpret.hpp"
-#include "program/operation.hpp"
-#include "program/verify/operation_error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 

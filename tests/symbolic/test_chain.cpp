@@ -47,8 +47,9 @@ TEST(Chain, WithQuotientsAndSines) {
 }
 
 TEST(Chain, OfEveryFunction) {
-  for (const Op op :
-       {Op::sqrt, Op::sin, Op::cos, Op::tan, Op::atan, Op::exp, Op::abs, Op::sinh, Op::cosh, Op::tanh}) {
+  for (const Operation op :
+       {Operation::sqrt, Operation::sin, Operation::cos, Operation::tan, Operation::atan, Operation::exp,
+        Operation::abs, Operation::sinh, Operation::cosh, Operation::tanh}) {
     ExprGraph graph;
     const Expr a = graph.symbol("a"), b = graph.symbol("b");
     Expr e = a;

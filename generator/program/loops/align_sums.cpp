@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "program/loops/similar_values.hpp"
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

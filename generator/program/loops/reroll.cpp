@@ -20,7 +20,7 @@
 #include "program/loops/align_sums.hpp"
 #include "program/loops/signs.hpp"
 #include "program/loops/similar_values.hpp"
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

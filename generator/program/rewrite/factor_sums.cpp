@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {
@@ -47,7 +47,7 @@ struct Group {
 
 std::size_t product_cost(std::size_t multiply, std::size_t divide) {
   const std::size_t muls = (multiply > 1 ? multiply - 1 : 0) + (divide > 1 ? divide - 1 : 0);
-  return muls + (divide > 0 ? kDivisionWeight : 0);
+  return muls + (divide > 0 ? facts(Operation::div).weight : 0);
 }
 
 class SumFactoring : NodeRewrite {
@@ -316,7 +316,7 @@ class SumFactoring : NodeRewrite {
     if (has_number && number != 0) ++brackets;
     if (brackets == 0) return static_cast<std::ptrdiff_t>(before + 1);
     const bool unit = brackets == 1 && has_number && std::abs(number) == 1;
-    const std::size_t outside = divides ? kDivisionWeight : (unit ? 0 : 1);
+    const std::size_t outside = divides ? facts(Operation::div).weight : (unit ? 0 : 1);
     return static_cast<std::ptrdiff_t>(before) - static_cast<std::ptrdiff_t>(inside + brackets - 1 + outside);
   }
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

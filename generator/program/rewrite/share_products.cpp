@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -17,13 +17,12 @@
 #include <string>
 #include <vector>
 
-#include "program/expression_operation.hpp"
 #include "program/interpret.hpp"
 #include "program/lower.hpp"
-#include "program/operation.hpp"
 #include "program/verify/exact_comparison.hpp"
-#include "program/verify/operation_error.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
+#include "symbolic/error_bound.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {
