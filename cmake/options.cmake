@@ -21,6 +21,7 @@ option(ALEMBERT_BUILD_FUZZERS "Build the libFuzzer target of the loader (clang)"
 option(ALEMBERT_BUILD_GALLERY "Add the target gallery: pages and pictures of the paper's mechanisms (npm, Chromium)" OFF)
 set(ALEMBERT_BUILD_VIEWER ${auto} CACHE STRING "Bundle the page of `simulate --html` (npm): AUTO, ON or OFF")
 set_property(CACHE ALEMBERT_BUILD_VIEWER PROPERTY STRINGS AUTO ON OFF)
+option(ALEMBERT_REQUIRE_ARM "Make it an error if C99 cannot be tested on a Cortex-M4F: arm-none-eabi-gcc and qemu-system-arm" OFF)
 option(ALEMBERT_REQUIRE_VIEWER "Make it an error if pages cannot be tested in a browser" OFF)
 option(ALEMBERT_WERROR "Treat warnings as errors" OFF)
 set(ALEMBERT_SANITIZE "" CACHE STRING "Sanitizers for everything, for example address,undefined")

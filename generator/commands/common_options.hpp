@@ -26,10 +26,19 @@ struct CommonOptions {
 };
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
-                          SingularMass singular = SingularMass::refuse_where_solved);
+                          Inapplicable inapplicable = Inapplicable::refuse);
 
-/// The functions with these names, as `--functions` takes them; a name that is unknown or given twice is an
-/// InputError.
-std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
+/// Functions, and what becomes of those among them that the mechanism has none of.
+struct FunctionChoice {
+  std::vector<FunctionKind> kinds;
+  Inapplicable inapplicable = Inapplicable::refuse;
+};
+
+/// The functions with these names, as `--functions` takes them; `all` stands for all that the mechanism has.
+/// A name that is unknown or given twice is an InputError.
+FunctionChoice function_choice(const std::vector<std::string>& names);
+
+/// The table of functions, for `--functions help`.
+std::string function_list();
 
 }  // namespace alembert

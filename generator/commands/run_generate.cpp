@@ -14,6 +14,7 @@
 #include "emit/statements/batch.hpp"
 #include "mechanism/load.hpp"
 #include "simulation/interpreted_mechanism.hpp"
+#include "simulation/start_state.hpp"
 
 namespace alembert {
 
@@ -73,10 +74,15 @@ std::vector<RunFile> run_files(const std::string& description, const GenerateOpt
 }  // namespace
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
-  const CompiledMechanism compiled = compile(common, function_kinds(options.functions));
+  const FunctionChoice choice = function_choice(options.functions);
+  const CompiledMechanism compiled = compile(common, choice.kinds, choice.inapplicable);
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
+  if (options.language == "c") {
+    emit.language = Language::c;
+    emit.scalars = {"double"};
+  }
   if (!options.scalars.empty()) emit.scalars = options.scalars;
   for (const std::string& name : options.batch) {
     if (name != "default") emit.batch.push_back(name);

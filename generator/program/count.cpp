@@ -1,4 +1,4 @@
-// Stage `count`: program in, operation counts out, by the convention in program.hpp.
+// Stage `count`: program in, operation counts out, by the convention in the header.
 #include "program/count.hpp"
 
 #include <algorithm>

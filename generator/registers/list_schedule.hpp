@@ -18,8 +18,8 @@ struct ScheduledStatement {
 };
 
 /// What a choice is worth: a register that becomes free, a value that is in none, an operation between the
-/// choice and the last result that hangs on it. The set of registers gives up the value that was used last
-/// the longest ago.
+/// choice and the last result that depends on it. The register file evicts the least recently used
+/// value.
 struct ScheduleWeights {
   std::size_t registers;
   int freed, missing, height;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "alembert/consistent_state.hpp"
+#include "mechanism/load.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 
 namespace alembert {
@@ -88,6 +89,32 @@ std::string changes(const Mechanism& mechanism, const EvaluationState& before, c
   return out.text();
 }
 
+/// Throws at the expression of the description that has no value at the given coordinates, if there is one: a
+/// linkage in closed form that cannot close there, say.
+void explain_no_value(const Mechanism& mechanism, const EvaluationState& state) {
+  ExprGraph graph;
+  try {
+    static_cast<void>(load_mechanism(Document(mechanism.where.source), graph, state.q));
+  } catch (const InputError& error) {
+    std::string at;
+    for (const Coordinate& c : mechanism.coordinates) {
+      if (c.nq() == 1)
+        at += fmt::format("{}{} = {:.6g}", at.empty() ? "" : ", ", c.name,
+                          state.q[static_cast<std::size_t>(c.first_q)]);
+    }
+    throw InputError(error.where(), error.message(),
+                     fmt::format("--q starts at {}: the mechanism cannot be put together there", at));
+  }
+}
+
+/// Whether M and c have values at a state.
+bool has_dynamics(const InterpretedMechanism& system, const Eigen::VectorXd& q, const Eigen::VectorXd& u) {
+  Eigen::MatrixXd M;
+  Eigen::VectorXd c;
+  system.mass_matrix_and_bias(q, u, M, c);
+  return M.allFinite() && c.allFinite();
+}
+
 }  // namespace
 
 EvaluationState start_state(const CompiledMechanism& compiled, const StartOptions& options,
@@ -96,9 +123,10 @@ EvaluationState start_state(const CompiledMechanism& compiled, const StartOption
   const EvaluationState given = given_state(compiled, options);
   const ProjectionOptions<double, Eigen::Dynamic> projection = projection_options(mechanism, options.hold);
   const InterpretedMechanism system(compiled, given);
-  if (system.nc() == 0) return given;
   Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(given.q.data(), system.nq());
   Eigen::VectorXd u = Eigen::Map<const Eigen::VectorXd>(given.qd.data(), system.nv());
+  if (!options.q.empty() && !has_dynamics(system, q, u)) explain_no_value(mechanism, given);
+  if (system.nc() == 0) return given;
   const auto row = [&](int index) -> const ConstraintRow& {
     return system.rows()[static_cast<std::size_t>(index)];
   };

@@ -13,8 +13,11 @@ Interval ExprGraph::bounds(Ref x) const {
     constexpr std::int64_t kExact = std::int64_t{1} << 53;
     const double value = r.to_double();
     const bool exact = r.numerator <= kExact && (r.denominator & (r.denominator - 1)) == 0;
-    const Interval plain = exact ? Interval{value, value} : Interval{interval::down(value), interval::up(value)};
-    return n.op == Operation::rational ? plain : interval::product(plain, {interval::kPi, interval::up(interval::kPi)});
+    const Interval plain =
+        exact ? Interval{value, value} : Interval{interval::down(value), interval::up(value)};
+    return n.op == Operation::rational
+               ? plain
+               : interval::product(plain, {interval::kPi, interval::up(interval::kPi)});
   };
   const auto leaf = [this](std::uint32_t id) { return nodes_[id].arity() == 0; };
   const auto known = [&](Ref r) -> Interval {

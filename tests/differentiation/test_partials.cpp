@@ -10,6 +10,7 @@
 #include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/partials.hpp"
+#include "differentiation/reverse.hpp"
 #include "support/error.hpp"
 #include "symbolic/evaluate.hpp"
 

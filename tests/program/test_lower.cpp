@@ -11,6 +11,7 @@
 #include "program/schedule.hpp"
 #include "program/verify/verify.hpp"
 #include "support/error.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 namespace {

@@ -49,8 +49,9 @@ TEST_P(EveryOperation, HasItsValueAsAnExpressionAndAsAProgram) {
   const OperationCount n = count(program);
   EXPECT_EQ(n.arithmetic() + n.div + n.trig + n.other, facts(GetParam()).counted == Counted::free ? 0u : 1u);
   EXPECT_NE(dump(program).find(name()), std::string::npos) << dump(program);
-  if (is_call(GetParam()))
+  if (is_call(GetParam())) {
     EXPECT_NE(to_string(value).find(name() + "("), std::string::npos) << to_string(value);
+  }
 
   ExprGraph other;
   const auto back = to_expressions(program, other);
@@ -82,8 +83,12 @@ TEST_P(EveryOperation, KeepsItsParityModuloAPrime) {
   const std::vector<Expr> both{value, apply(GetParam(), -x, y)};
   const std::vector<Modular> values = evaluate_modular(both, random_modular_point(2, 1));
   EXPECT_NE(values[0], Modular{});
-  if (parity(GetParam()) == Parity::even) EXPECT_EQ(values[0], values[1]);
-  if (parity(GetParam()) == Parity::odd) EXPECT_EQ(values[0], modular::negate(values[1]));
+  if (parity(GetParam()) == Parity::even) {
+    EXPECT_EQ(values[0], values[1]);
+  }
+  if (parity(GetParam()) == Parity::odd) {
+    EXPECT_EQ(values[0], modular::negate(values[1]));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryOperation, [] {

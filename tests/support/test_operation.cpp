@@ -19,9 +19,13 @@ TEST(OperationTable, HasARowForEachOperationAndNoNameTwice) {
     const OperationFacts& row = kOperationFacts[i];
     EXPECT_EQ(static_cast<std::size_t>(row.operation), i);
     EXPECT_EQ(row.name.empty(), is_leaf(row.operation)) << i;
-    if (is_call(row.operation)) EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    if (is_call(row.operation)) {
+      EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    }
     EXPECT_EQ(row.weight == 0, row.counted == Counted::free) << row.name;
-    if (row.in_language) EXPECT_TRUE(is_call(row.operation)) << row.name;
+    if (row.in_language) {
+      EXPECT_TRUE(is_call(row.operation)) << row.name;
+    }
   }
   EXPECT_EQ(names.size(), 16u);
 }
@@ -32,9 +36,15 @@ TEST(OperationTable, ParitiesAreThoseOfTheValues) {
     for (const double x : kPoints) {
       const double value = apply(row.operation, x, 0.0), mirrored = apply(row.operation, -x, 0.0);
       if (std::isnan(value) || std::isnan(mirrored)) continue;
-      if (row.parity == Parity::odd) EXPECT_EQ(mirrored, -value) << row.name;
-      if (row.parity == Parity::even) EXPECT_EQ(mirrored, value) << row.name;
-      if (row.parity == Parity::none) EXPECT_NE(std::abs(mirrored), std::abs(value)) << row.name;
+      if (row.parity == Parity::odd) {
+        EXPECT_EQ(mirrored, -value) << row.name;
+      }
+      if (row.parity == Parity::even) {
+        EXPECT_EQ(mirrored, value) << row.name;
+      }
+      if (row.parity == Parity::none) {
+        EXPECT_NE(std::abs(mirrored), std::abs(value)) << row.name;
+      }
     }
   }
 }

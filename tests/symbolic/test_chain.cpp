@@ -1,8 +1,16 @@
 // Depth: every pass works on a chain of a million nodes, so none recurses on it.
 #include <cmath>
 
+#include "symbolic/coefficient.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/substitute.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -38,20 +38,14 @@ class Certificate {
 
   /// The program has all bindings as inputs.
   MeasuredError measure(const Program& program, FunctionKind kind) const;
-  /// Whether a measured error is small enough; `plain` gives the expressions of the function by the plain
-  /// equations, of which the rounding errors are bounded if need be.
-  template <class Plain>
-  bool accepts(const MeasuredError& error, Plain plain) const {
-    return (error.relative <= kLargestError && error.without_value.empty()) || explains(error, plain());
-  }
+  /// Whether a measured error is small enough: below kLargestError, or below the bound of the rounding errors
+  /// that the plain equations have in double precision, and without a value only where these have none (a
+  /// function that overflows).
+  bool accepts(const MeasuredError& error, FunctionKind kind) const;
 
   const PlainEquations& plain() const { return plain_; }
 
  private:
-  /// Whether the plain equations in double precision have rounding errors as large, and no values where the
-  /// program has none (a function that overflows).
-  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
-
   const Kinematics& kinematics_;
   const std::vector<SymbolBinding>& bindings_;
   PlainEquations plain_;

@@ -39,6 +39,11 @@ struct Passes {
   double effort = 1;         ///< work spent on trying further choices of these, one after another; 0: none
 };
 
+/// None of them: the equations as they are.
+constexpr Passes plain_passes() {
+  return {false, false, false, false, true, 0};
+}
+
 /// Equations of motion by one formulation.
 struct EquationsOfMotion {
   Formulation formulation;

@@ -1,4 +1,4 @@
-// What else can be asked for: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
+// Output functions besides the dynamics: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
 #include "dynamics/recursions/outputs.hpp"
 
 #include <algorithm>

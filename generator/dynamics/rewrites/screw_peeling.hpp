@@ -1,4 +1,4 @@
-// Screw peeling: motions of any spelling in, products of plane rotations and shifts out where they are such.
+// Screw peeling: motions of any spelling in; where they are screws, products of plane rotations and shifts out.
 //
 // A frame on a torus, a mate, a matrix or a composition is often a product of screws in disguise. If the
 // spatial twist (D_k A) A^-1 is the same in all states, A = exp(xi q_k) A' and q_k is gone from A': it is

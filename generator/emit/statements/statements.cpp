@@ -49,7 +49,7 @@ std::string input_local(const InputSlot& slot) {
   throw InternalError("emit: input of unknown kind");
 }
 
-std::string input_source(const InputSlot& slot) {
+std::string input_source(const InputSlot& slot, const Syntax& syntax) {
   switch (slot.kind) {
     case ArgumentKind::q:
       return fmt::format("q[{}]", slot.index);
@@ -60,11 +60,11 @@ std::string input_source(const InputSlot& slot) {
     case ArgumentKind::tau:
       return fmt::format("tau[{}]", slot.index);
     case ArgumentKind::time:
-      return "in.t";
+      return syntax.inputs + "t";
     case ArgumentKind::parameter:
-      return fmt::format("in.parameters[{}]", slot.index);
+      return fmt::format("{}parameters[{}]", syntax.inputs, slot.index);
     case ArgumentKind::wrench:
-      return fmt::format("in.wrenches[{}]", slot.index);
+      return fmt::format("{}wrenches[{}]", syntax.inputs, slot.index);
   }
   throw InternalError("emit: input of unknown kind");
 }
@@ -72,9 +72,12 @@ std::string input_source(const InputSlot& slot) {
 /// Writes the statements of a layout.
 class Writer {
  public:
-  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes,
-         Registers registers)
-      : program_(program), signature_(signature), layout_(program, sizes, grain_of(program, registers)) {
+  Writer(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
+         Registers registers, const Syntax& syntax)
+      : program_(program),
+        signature_(signature),
+        syntax_(syntax),
+        layout_(program, sizes, grain_of(program, registers)) {
     if (grain_of(program, registers) == Grain::operations) plan_.emplace(program_, layout_);
   }
 
@@ -104,7 +107,7 @@ class Writer {
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
     if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_)
-      states_[0].lines.insert(0, fmt::format("S w[{}];\n", layout_.crossing()));
+      states_[0].lines.insert(0, fmt::format("{} w[{}];\n", syntax_.number, layout_.crossing()));
     for (std::size_t b = 0; b < body_.blocks.size(); ++b) finish(b);
     body_.crossing = plan_ ? plan_->crossing() : layout_.crossing();
     return std::move(body_);
@@ -130,6 +133,11 @@ class Writer {
     ++body_.blocks[block].statements;
   }
 
+  void define(std::uint32_t block, std::string_view name, std::string_view value,
+              std::string_view comment = "") {
+    line(block, fmt::format("const {} {} = {};{}", syntax_.number, name, value, comment));
+  }
+
   void store(std::uint32_t block, std::uint32_t array, std::uint32_t index, std::string_view value) {
     line(block, fmt::format("{}[{}] = {};", signature_.results[array].name, index, value));
   }
@@ -142,7 +150,8 @@ class Writer {
 
   /// Where memory has a value, as the plan reads it.
   std::string element_of(std::uint32_t v, std::uint32_t block) const {
-    if (program_.code[v].op == Operation::input) return input_source(program_.inputs[program_.code[v].a]);
+    if (program_.code[v].op == Operation::input)
+      return input_source(program_.inputs[program_.code[v].a], syntax_);
     if (layout_.angle(v) != kNoPlace && layout_.block(v) == block) return from_trig_call(v);
     const std::uint32_t place = !layout_.table_places(v).empty() ? layout_.table_places(v).front()
                                 : layout_.place(v) != kNoPlace   ? layout_.place(v)
@@ -180,7 +189,7 @@ class Writer {
       const int again = times_named_[name]++;
       if (again > 0) name += fmt::format("_{}", again + 1);
       const std::string comment = input ? "  // " + comment_text(program_.inputs[c.a].name) : "";
-      line(block, fmt::format("const S {} = {};{}", name, element_of(v, block), comment));
+      define(block, name, element_of(v, block), comment);
       text_in_plan_[v] = std::move(name);
     }
   }
@@ -251,19 +260,21 @@ class Writer {
     const std::uint32_t block = layout_.block(loop.first);
     if (body.columns > 0) {
       std::string numbers;
-      for (const double c : body.constants) numbers += number_literal(c) + ", ";
+      for (const double c : body.constants) numbers += syntax_.table_constant(c) + ", ";
       numbers.resize(numbers.size() - 2);
-      line(block, fmt::format("static constexpr double table[] = {{\n    {}}};", wrap_list(numbers, 4, 4)));
+      line(block, fmt::format("{} {} table[] = {{\n    {}}};", syntax_.table, syntax_.table_number,
+                              wrap_list(numbers, 4, 4)));
     }
     // What an iteration hands to the next, by value and element.
     std::map<std::pair<std::uint32_t, std::int64_t>, std::string> carried;
     for (const auto& pair : body.operands)
       for (const LoopOperand& o : pair)
         if (o.kind == LoopOperand::Kind::carried)
-          carried.try_emplace({o.index, o.element.first}, read_carried(block, o, "S"));
+          carried.try_emplace({o.index, o.element.first}, read_carried(block, o, ""));
     line(block, fmt::format("for (int k = 0; k < {}; ++k) {{", loop.count));
     indent_ = "  ";
-    if (body.columns > 0) line(block, fmt::format("const double* const row = table + {} * k;", body.columns));
+    if (body.columns > 0)
+      line(block, fmt::format("const {}* const row = table + {} * k;", syntax_.table_number, body.columns));
     for (std::uint32_t v = loop.first; v < loop.first + loop.length; ++v) write_value(v);
     for (const auto& [from, name] : carried)
       line(block, fmt::format("{} = t{};", name, layout_.number(loop.first + from.first)));
@@ -279,9 +290,9 @@ class Writer {
     return fmt::format("{} {} {}", e.first, e.step < 0 ? '-' : '+', moving);
   }
 
-  static std::string array_text(ArgumentKind kind, const Element& e) {
+  std::string array_text(ArgumentKind kind, const Element& e) const {
     InputSlot slot{kind, 0, ""};
-    std::string text = input_source(slot);
+    std::string text = input_source(slot, syntax_);
     const std::size_t index = text.rfind("[0]");
     return index == std::string::npos ? text : text.substr(0, index + 1) + index_text(e) + "]";
   }
@@ -298,31 +309,31 @@ class Writer {
       case LoopOperand::Kind::literal:
         return operand(value, block, least);
       case LoopOperand::Kind::constant:
-        return fmt::format("S(row[{}])", o.index);
+        return syntax_.row_entry(o.index);
       case LoopOperand::Kind::input:
         return read_once(block, array_text(o.array, o.element));
       case LoopOperand::Kind::memory:
         return read_once(block, fmt::format("w[{}]", index_text(o.element)));
       case LoopOperand::Kind::carried:
-        return read_carried(block, o, "const S");
+        return read_carried(block, o, "const ");
     }
     throw InternalError("emit: operand of unknown kind");
   }
 
   /// The name of an element that a loop reads.
   std::string read_once(std::uint32_t block, const std::string& element) {
-    return named_element(block, element, element, "const S");
+    return named_element(block, element, element, "const ");
   }
   /// The name of what iterations hand over, which begins as an element of w.
-  std::string read_carried(std::uint32_t block, const LoopOperand& o, std::string_view type) {
+  std::string read_carried(std::uint32_t block, const LoopOperand& o, std::string_view qualifier) {
     return named_element(block, fmt::format("{} {}", o.index, o.element.first),
-                         fmt::format("w[{}]", o.element.first), type);
+                         fmt::format("w[{}]", o.element.first), qualifier);
   }
   std::string named_element(std::uint32_t block, const std::string& key, const std::string& element,
-                            std::string_view type) {
+                            std::string_view qualifier) {
     auto& names = states_[block].elements;
     const auto [entry, fresh] = names.try_emplace(key, fmt::format("x{}", names.size()));
-    if (fresh) line(block, fmt::format("{} {} = {};", type, entry->second, element));
+    if (fresh) line(block, fmt::format("{}{} {} = {};", qualifier, syntax_.number, entry->second, element));
     return entry->second;
   }
 
@@ -341,6 +352,13 @@ class Writer {
     const std::size_t rows = products.right.size() / products.terms;
     for (std::size_t i = 0; i < products.runs.size(); ++i) {
       const DotProducts::Run& run = products.runs[i];
+      if (!syntax_.templates) {
+        line(block, fmt::format("{}({}, w + {}, w + {}, {}, {}, {} + {}, {}, {} + {}, {});",
+                                syntax_.function("dot_products"), products.terms,
+                                tables.left + products.terms * run.left, tables.right + run.right, rows,
+                                run.count, result, run.first, run.stride, result, run.mirror, run.step));
+        continue;
+      }
       const bool two = i + 1 < products.runs.size() && is_row_below(run, products.runs[i + 1]);
       const std::string head = two ? fmt::format("{}, ", products.runs[i + 1].right - run.right) : "";
       const std::string first = run.mirrored() ? fmt::format("{} + {}, ", result, run.first) : "";
@@ -356,26 +374,24 @@ class Writer {
   /// values are used once and then dropped.
   std::string operand(std::uint32_t v, std::uint32_t block, Binding least) {
     const Instruction& instruction = program_.code[v];
-    if (instruction.op == Operation::constant)
-      return fmt::format("S({})", number_literal(program_.constants[instruction.a]));
+    if (instruction.op == Operation::constant) return syntax_.constant(program_.constants[instruction.a]);
     if (const auto planned = text_in_plan_.find(v); plan_ && planned != text_in_plan_.end())
       return planned->second;
     if (instruction.op == Operation::input) {
       const InputSlot& slot = program_.inputs[instruction.a];
       // Two inputs of a program may be the same element.
       if (states_[block].inputs.emplace(slot.kind, slot.index).second)
-        line(block, fmt::format("const S {} = {};  // {}", input_local(slot), input_source(slot),
-                                comment_text(slot.name)));
+        define(block, input_local(slot), input_source(slot, syntax_), "  // " + comment_text(slot.name));
       return input_local(slot);
     }
     if (layout_.named(v)) {
       // Not only the last block is written to: what is written into a user belongs to the user's block.
       if (layout_.block(v) != block && states_[block].loaded.insert(v).second) {
-        line(block, fmt::format("const S t{} = w[{}];", layout_.number(v), layout_.place(v)));
+        define(block, fmt::format("t{}", layout_.number(v)), fmt::format("w[{}]", layout_.place(v)));
       }
       const std::string name = fmt::format("t{}", layout_.number(v));
       if (layout_.angle(v) != kNoPlace && layout_.block(v) == block && states_[block].loaded.insert(v).second)
-        line(block, fmt::format("const S {} = {};", name, from_trig_call(v)));
+        define(block, name, from_trig_call(v));
       return name;
     }
     std::string text = std::move(text_[v]);
@@ -410,15 +426,16 @@ class Writer {
     } else {
       for (const std::uint32_t angle : angles)
         list += (list.empty() ? "" : ", ") + operand(angle, block, Binding::sum);
-      line(block, fmt::format("const S angle[] = {{{}}};", list));
+      line(block, fmt::format("const {} angle[] = {{{}}};", syntax_.number, list));
     }
     const std::size_t sines = layout_.trig_place();
+    const std::string name = syntax_.function("sines_and_cosines");
     if (sines != kNoPlace) {
-      line(block, fmt::format("sines_and_cosines({}, {}, w + {}, w + {});", angles.size(), source, sines,
+      line(block, fmt::format("{}({}, {}, w + {}, w + {});", name, angles.size(), source, sines,
                               sines + angles.size()));
     } else {
-      line(block, fmt::format("S sine[{0}], cosine[{0}];", angles.size()));
-      line(block, fmt::format("sines_and_cosines({}, {}, sine, cosine);", angles.size(), source));
+      line(block, fmt::format("{0} sine[{1}], cosine[{1}];", syntax_.number, angles.size()));
+      line(block, fmt::format("{}({}, {}, sine, cosine);", name, angles.size(), source));
     }
     states_[block].calls.emplace("sines_and_cosines");
   }
@@ -435,8 +452,8 @@ class Writer {
     const Instruction& c = program_.code[v];
     if (v == layout_.trig_call()) write_trig_call(block);
     if (layout_.angle(v) != kNoPlace) return from_trig_call(v);
-    const std::string_view name = operation_name(c.op);
-    states_[block].calls.emplace(name);
+    const std::string name = syntax_.function(operation_name(c.op));
+    states_[block].calls.emplace(operation_name(c.op));
     const std::string a = operand_of(v, 0, block, Binding::sum);
     if (operand_count(c.op) == 1) return fmt::format("{}({})", name, a);
     const std::string b = operand_of(v, 1, block, Binding::sum);
@@ -484,7 +501,7 @@ class Writer {
     // What comes from the call for all angles gets its name where it is first used.
     const bool from_arrays = layout_.angle(v) != kNoPlace;
     const std::string name = from_arrays ? text : fmt::format("t{}", layout_.number(v));
-    if (!from_arrays) line(block, fmt::format("const S {} = {};", name, text));
+    if (!from_arrays) define(block, name, text);
     if (plan_ && !from_arrays) {
       text_in_plan_[v] = name;
       ++times_named_[name];
@@ -505,7 +522,7 @@ class Writer {
     for (const auto& [array, e] : body.results[i])
       targets.push_back(fmt::format("{}[{}]", signature_.results[array].name, index_text(e)));
     const std::string name = fmt::format("t{}", layout_.number(v));
-    line(block, fmt::format("const S {} = {};", name, text));
+    define(block, name, text);
     for (const std::string& target : targets) line(block, fmt::format("{} = {};", target, name));
   }
 
@@ -516,15 +533,16 @@ class Writer {
       block.calls_sign |= name == "sign";
       block.calls_sines_and_cosines |= name == "sines_and_cosines";
       block.calls_dot_products |= name == "dot_products";
-      const bool own = name == "sign" || name == "sines_and_cosines" || name == "dot_products";
-      block.using_lines += fmt::format("using {}::{};\n", own ? "detail" : "::std", name);
+      if (syntax_.templates)
+        block.using_lines += fmt::format("using {}::{};\n", is_helper(name) ? "detail" : "::std", name);
     }
     block.statement_lines += state.lines;
     state.lines.clear();
   }
 
   const Program& program_;
-  const FunctionSignature& signature_;
+  const OutputFunction& signature_;
+  const Syntax& syntax_;
   StatementLayout layout_;
   std::optional<RegisterPlan> plan_;
   std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place
@@ -539,13 +557,13 @@ class Writer {
 
 }  // namespace
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes, Registers registers) {
-  Writer writer(program, signature, sizes, registers);
+FunctionBody function_body(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
+                           Registers registers, const Syntax& syntax) {
+  Writer writer(program, signature, sizes, registers, syntax);
   if (writer.possible()) return writer.write();
   Program straight = program;
   straight.loops.clear();
-  return Writer(straight, signature, sizes, registers).write();
+  return Writer(straight, signature, sizes, registers, syntax).write();
 }
 
 }  // namespace alembert

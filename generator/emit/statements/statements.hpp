@@ -1,5 +1,6 @@
 // A program as statements: which values get a name, which are written into the expression that uses them, and
-// how a long function is cut into blocks. In: Program. Out: lines of C++ over a scalar type S.
+// how a long function is cut into blocks. In: Program. Out: lines of C++ over a scalar type S,
+// or of another language (syntax.hpp).
 //
 // A value is written into its user if it has one use only and the expression stays small; the operations and
 // their association stay those of the program, so that compiled code gives the interpreter's results bit for
@@ -11,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "emit/function_signature.hpp"
+#include "emit/argument_lists.hpp"
+#include "emit/statements/syntax.hpp"
 #include "program/program.hpp"
 #include "registers/statement_layout.hpp"
 
@@ -40,7 +42,8 @@ struct FunctionBody {
 /// ALEMBERT_FROM_MEMORY.
 enum class Registers { compiled, planned };
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes = {}, Registers registers = Registers::compiled);
+FunctionBody function_body(const Program& program, const OutputFunction& signature,
+                           const BlockSizes& sizes = {}, Registers registers = Registers::compiled,
+                           const Syntax& syntax = cpp_syntax());
 
 }  // namespace alembert

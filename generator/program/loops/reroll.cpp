@@ -1,4 +1,4 @@
-// Stage `reroll`: steps that do the same become iterations of loops. Scheduled program in; the same
+// Stage `reroll`: repeated steps become iterations of loops. Scheduled program in; the same
 // operations out, ordered so that iterations follow each other, with the loops beside them.
 //
 // First sums and products are put together alike in all steps (align_sums). Values that correspond
@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t kFewestValues = 16;
 
 // So many ranges of steps are tried for a loop, those first that would be best if all went well.
-constexpr std::size_t kTries = 100;
+constexpr std::size_t kLoopTries = 100;
 
 // Sweeps along a chain: forward dynamics has three.
 constexpr int kMostSweeps = 6;
@@ -47,8 +47,8 @@ struct Body {
   std::size_t saved() const { return steps.empty() ? 0 : (steps.size() - 1) * steps[0].size(); }
 };
 
-/// Steps `begin`, ..., `end` - 1. If they are a loop, so many values need no code of their own; of others in
-/// these steps, which may stand in the way, there are so many.
+/// Steps `begin`, ..., `end` - 1 as a loop. `saved`: values that the loop removes from the code. `others`:
+/// values of these steps that may block it.
 struct Range {
   int begin, end;
   std::size_t saved, others;
@@ -216,7 +216,7 @@ class Rerolling {
     while (!ranges.empty()) {
       Body best;
       Range from{};
-      std::size_t tries = kTries;
+      std::size_t tries = kLoopTries;
       for (const Range& range : ranges) {
         if (tries-- == 0) break;
         if (range.saved <= best.saved()) continue;

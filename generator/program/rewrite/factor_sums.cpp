@@ -1,5 +1,5 @@
 // Rewrite of stage `optimise`: common factors of sums. In: a value program. Out: the same values with fewer
-// operations. See rewrites.hpp.
+// operations. See the header.
 //
 // A chain is a maximal tree of sums whose inner nodes have no other use; its leaves are terms, and a term
 // that is a product without other use is a list of factors (divisors among them, marked). All terms with a

@@ -1,5 +1,5 @@
 // Rewrite of stage `optimise`: fewer divisions. In: a value program. Out: the same values with shared
-// reciprocals and merged quotients. See rewrites.hpp.
+// reciprocals and merged quotients. See the header.
 #include "program/rewrite/share_divisions.hpp"
 
 #include <algorithm>

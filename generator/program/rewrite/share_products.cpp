@@ -1,6 +1,6 @@
 // Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value
 // program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
-// See rewrites.hpp.
+// See the header.
 #include "program/rewrite/share_products.hpp"
 
 #include <algorithm>
