@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "emit/argument_lists.hpp"
+#include "emit/common_slots.hpp"
 #include "emit/function_docs.hpp"
-#include "emit/names.hpp"
 #include "emit/statements/literals.hpp"
 #include "functions/array_shape.hpp"
 #include "mechanism/names.hpp"

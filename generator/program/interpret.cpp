@@ -1,11 +1,12 @@
 // Stage `interpret`: a program and the values of its inputs in, the values of its outputs out. Every
 // instruction is one rounding to double, so that the result equals that of the compiled code bit for bit.
+#include "program/interpret.hpp"
+
 #include <cstddef>
 #include <string>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 

@@ -9,7 +9,7 @@
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/function_builders.hpp"
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
 namespace alembert {
@@ -26,39 +26,15 @@ std::vector<double> run(const Program& program, std::span<const double> inputs) 
   std::vector<double> v(program.code.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     const Instruction& c = program.code[i];
-    switch (c.op) {
-      case Operation::constant:
-        v[i] = program.constants[c.a];
-        break;
-      case Operation::input:
-        v[i] = inputs[c.a];
-        break;
-      case Operation::add:
-      case Operation::sub:
-      case Operation::mul:
-      case Operation::div:
-      case Operation::neg:
-      case Operation::sqrt:
-      case Operation::abs:
-      case Operation::sign:
-        v[i] = apply(c.op, v[c.a], operand_count(c.op) == 2 ? v[c.b] : 0.0);
-        break;
-      case Operation::sin:
-      case Operation::cos:
-      case Operation::tan:
-      case Operation::asin:
-      case Operation::acos:
-      case Operation::atan:
-      case Operation::atan2:
-      case Operation::exp:
-      case Operation::log:
-      case Operation::sinh:
-      case Operation::cosh:
-      case Operation::tanh:
-      case Operation::pow:
-        v[i] = apply(c.op, Extended(v[c.a]), Extended(operand_count(c.op) == 2 ? v[c.b] : 0.0))
-                   .convert_to<double>();
-        break;
+    const std::uint32_t b = operand_count(c.op) == 2 ? c.b : c.a;
+    if (c.op == Operation::constant) {
+      v[i] = program.constants[c.a];
+    } else if (c.op == Operation::input) {
+      v[i] = inputs[c.a];
+    } else if (facts(c.op).roundings <= 1) {
+      v[i] = apply(c.op, v[c.a], v[b]);
+    } else {
+      v[i] = apply(c.op, Extended(v[c.a]), Extended(v[b])).convert_to<double>();
     }
   }
   std::vector<double> out;
