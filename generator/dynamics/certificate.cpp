@@ -7,7 +7,6 @@
 #include <random>
 
 #include "dynamics/state_checks.hpp"
-#include "program/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
 namespace alembert {
@@ -18,52 +17,6 @@ namespace {
 /// evaluated.
 constexpr int kMeasuredStates = 10, kFewestStates = 3;
 constexpr double kMeasuringWork = 4e6;
-
-/// Values of a program in double precision, functions of the C library rounded correctly.
-std::vector<double> run(const Program& program, std::span<const double> inputs) {
-  std::vector<double> v(program.code.size());
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const Instruction& c = program.code[i];
-    switch (c.op) {
-      case Operation::constant:
-        v[i] = program.constants[c.a];
-        break;
-      case Operation::input:
-        v[i] = inputs[c.a];
-        break;
-      case Operation::add:
-      case Operation::sub:
-      case Operation::mul:
-      case Operation::div:
-      case Operation::neg:
-      case Operation::sqrt:
-      case Operation::abs:
-      case Operation::sign:
-        v[i] = apply(c.op, v[c.a], operand_count(c.op) == 2 ? v[c.b] : 0.0);
-        break;
-      case Operation::sin:
-      case Operation::cos:
-      case Operation::tan:
-      case Operation::asin:
-      case Operation::acos:
-      case Operation::atan:
-      case Operation::atan2:
-      case Operation::exp:
-      case Operation::log:
-      case Operation::sinh:
-      case Operation::cosh:
-      case Operation::tanh:
-      case Operation::pow:
-        v[i] = apply(c.op, Extended(v[c.a]), Extended(operand_count(c.op) == 2 ? v[c.b] : 0.0))
-                   .convert_to<double>();
-        break;
-    }
-  }
-  std::vector<double> out;
-  for (const OutputArray& output : program.outputs)
-    for (const std::uint32_t value : output.values) out.push_back(v[value]);
-  return out;
-}
 
 bool finite(const VectorXe& v) {
   return std::all_of(v.begin(), v.end(), [](const Extended& x) { return isfinite(x); });
@@ -184,6 +137,9 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
+  std::size_t size = 0;
+  for (const OutputArray& output : program.outputs) size += output.values.size();
+  std::vector<double> inputs, found(size), scratch;
   for (const std::vector<double>& values : states_) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
     const PlainEquations::State state = plain_.state(values);
@@ -193,10 +149,10 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
-    std::vector<double> inputs;
+    inputs.clear();
     for (const SymbolBinding& binding : bindings_)
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
-    const std::vector<double> found = run(program, inputs);
+    interpret(program, inputs, found, scratch, Functions::rounded_correctly);
     if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
       worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
       continue;

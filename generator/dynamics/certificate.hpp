@@ -38,20 +38,18 @@ class Certificate {
 
   /// The program has all bindings as inputs.
   MeasuredError measure(const Program& program, FunctionKind kind) const;
-  /// Whether a measured error is small enough; `plain` gives the expressions of the function by the plain
-  /// equations, of which the rounding errors are bounded if need be.
-  template <class Plain>
-  bool accepts(const MeasuredError& error, Plain plain) const {
-    return (error.relative <= kLargestError && error.without_value.empty()) || explains(error, plain());
+  /// Whether a measured error needs no explanation.
+  static bool is_small(const MeasuredError& error) {
+    return error.relative <= kLargestError && error.without_value.empty();
   }
+  /// Whether `plain`, the expressions of the function by the plain equations, in double precision may have
+  /// rounding errors as large, and no values where the program has none (a function that overflows). Bounds
+  /// of errors can be far above them: what has a small error goes before what has an explained one.
+  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
 
   const PlainEquations& plain() const { return plain_; }
 
  private:
-  /// Whether the plain equations in double precision have rounding errors as large, and no values where the
-  /// program has none (a function that overflows).
-  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
-
   const Kinematics& kinematics_;
   const std::vector<SymbolBinding>& bindings_;
   PlainEquations plain_;

@@ -82,6 +82,39 @@ constexpr bool is_trigonometric(Operation op) {
   return op == Operation::sin || op == Operation::cos || op == Operation::tan;
 }
 
+/// What the C library computes, whose roundings differ between machines; + - * / and square roots are rounded
+/// correctly everywhere.
+constexpr bool is_function(Operation op) {
+  switch (op) {
+    case Operation::sin:
+    case Operation::cos:
+    case Operation::tan:
+    case Operation::asin:
+    case Operation::acos:
+    case Operation::atan:
+    case Operation::atan2:
+    case Operation::exp:
+    case Operation::log:
+    case Operation::sinh:
+    case Operation::cosh:
+    case Operation::tanh:
+    case Operation::pow:
+      return true;
+    case Operation::constant:
+    case Operation::input:
+    case Operation::add:
+    case Operation::sub:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::neg:
+    case Operation::sqrt:
+    case Operation::abs:
+    case Operation::sign:
+      return false;
+  }
+  return false;
+}
+
 /// How an operation is written, in C++ and in dumps: the sign of + - * / and negation, the name of a
 /// function; empty for constants and inputs.
 constexpr std::string_view operation_name(Operation op) {
