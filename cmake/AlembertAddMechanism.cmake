@@ -2,6 +2,8 @@
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
+#                          [LANGUAGE CXX|C]        C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
+#                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
 #                                                  inverse_dynamics_derivatives
@@ -19,7 +21,7 @@
 #
 # The target carries its include folder, the runtime library and its own optimisation flags, and its headers are a file set,
 # so that install(TARGETS target FILE_SET HEADERS) works. It is also known as alembert::mechanisms::target. Sources include
-# <name/name.hpp>. When the description or the generator changes, the code is written anew, and only files whose text
+# <name/name.hpp>, in C <name/name.h>; a target of LANGUAGE C needs <math.h> only. When the description or the generator changes, the code is written anew, and only files whose text
 # changes are compiled again.
 include_guard(GLOBAL)
 cmake_policy(PUSH)
@@ -50,8 +52,11 @@ endfunction()
 # Flags of generated code. Unoptimised, straight-line code of this length is many times slower: they do not wait for the build
 # type. The time of long functions is that of fetching their code, which the options for GCC make shorter.
 function(_alembert_optimise target)
-  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O2;-fno-math-errno>"
-                         "$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize;-frename-registers;-fno-omit-frame-pointer>")
+  foreach(language C CXX)
+    target_compile_options(
+      ${target} PRIVATE "$<$<COMPILE_LANG_AND_ID:${language},GNU,Clang,AppleClang>:-O2;-fno-math-errno>"
+      "$<$<COMPILE_LANG_AND_ID:${language},GNU>:-fno-tree-slp-vectorize;-frename-registers;-fno-omit-frame-pointer>")
+  endforeach()
 endfunction()
 
 # The name of the mechanism in a description, read without knowing YAML: the file names follow from it.
@@ -89,7 +94,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;NAMESPACE;FORMULATION;LOOP_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
+                        "TARGET;MECHANISM;NAME;LANGUAGE;NAMESPACE;FORMULATION;LOOP_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -115,6 +120,19 @@ function(alembert_add_mechanism)
       set(type ${candidate})
     endif()
   endforeach()
+  if(NOT arg_LANGUAGE)
+    set(arg_LANGUAGE CXX)
+  endif()
+  if(NOT arg_LANGUAGE MATCHES "^(C|CXX)$")
+    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX or C, not ${arg_LANGUAGE}")
+  endif()
+  if(arg_LANGUAGE STREQUAL "C")
+    foreach(argument NAMESPACE PARTS TRIG BATCH BATCH_INSTRUCTIONS)
+      if(arg_${argument})
+        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE C")
+      endif()
+    endforeach()
+  endif()
   if(NOT arg_PARTS)
     set(arg_PARTS 4)
   endif()
@@ -138,7 +156,14 @@ function(alembert_add_mechanism)
   set(include "${folder}/include/${name}")
   set(headers "${include}/${name}.hpp" "${include}/${name}_raw.hpp" "${include}/${name}_impl.hpp" "${include}/${name}.h")
   set(sources "${folder}/src/${name}_c.cpp")
+  if(arg_LANGUAGE STREQUAL "C")
+    set(headers "${include}/${name}.h")
+    set(sources "${folder}/src/${name}.c")
+  endif()
   foreach(part RANGE 1 ${arg_PARTS})
+    if(arg_LANGUAGE STREQUAL "C")
+      break()
+    endif()
     list(APPEND headers "${include}/${name}_part${part}.hpp")
     list(APPEND sources "${folder}/src/${name}_part${part}.cpp")
   endforeach()
@@ -157,7 +182,12 @@ function(alembert_add_mechanism)
     message(FATAL_ERROR "alembert_add_mechanism: BATCH_INSTRUCTIONS without BATCH")
   endif()
 
-  set(options --expected-name ${name} --parts ${arg_PARTS})
+  set(options --expected-name ${name})
+  if(arg_LANGUAGE STREQUAL "C")
+    list(APPEND options --language c)
+  else()
+    list(APPEND options --parts ${arg_PARTS})
+  endif()
   if(arg_FUNCTIONS)
     list(JOIN arg_FUNCTIONS "," functions)
     list(APPEND options --functions ${functions})
@@ -200,23 +230,31 @@ function(alembert_add_mechanism)
   add_library(${arg_TARGET} ${type} ${sources} "${stamp}")
   add_library(alembert::mechanisms::${arg_TARGET} ALIAS ${arg_TARGET})
   target_sources(${arg_TARGET} PUBLIC FILE_SET HEADERS BASE_DIRS "${folder}/include" FILES ${headers})
-  target_link_libraries(${arg_TARGET} PUBLIC alembert::runtime)
+  if(arg_LANGUAGE STREQUAL "CXX")
+    target_link_libraries(${arg_TARGET} PUBLIC alembert::runtime)
+    target_compile_features(${arg_TARGET} PUBLIC cxx_std_17)
+  else()
+    # Not `m`, which may be a target.
+    if(NOT WIN32)
+      target_link_libraries(${arg_TARGET} PUBLIC -lm)
+    endif()
+    set_target_properties(${arg_TARGET} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON LINKER_LANGUAGE C)
+  endif()
   if(arg_BATCH)
     find_package(Threads QUIET)
     target_link_libraries(${arg_TARGET} PRIVATE ${CMAKE_THREAD_LIBS_INIT})
   endif()
-  target_compile_features(${arg_TARGET} PUBLIC cxx_std_17)
   # A target called m must not become libm.a; symbols of a shared library are for its users. PARTS are to be compiled
   # each by itself.
   set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF WINDOWS_EXPORT_ALL_SYMBOLS ON UNITY_BUILD OFF
                         CXX_CLANG_TIDY "" CXX_CPPCHECK "" CXX_INCLUDE_WHAT_YOU_USE "")
   _alembert_optimise(${arg_TARGET})
-  if(arg_TRIG STREQUAL vector)
+  if(arg_TRIG STREQUAL vector AND arg_LANGUAGE STREQUAL "CXX")
     target_compile_definitions(${arg_TARGET} PRIVATE ALEMBERT_VECTOR_TRIG)
   endif()
   if(arg_FP_CONTRACT)
-    target_compile_options(${arg_TARGET} PRIVATE "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=${arg_FP_CONTRACT}>")
+    target_compile_options(${arg_TARGET} PRIVATE "$<$<COMPILE_LANG_AND_ID:${arg_LANGUAGE},GNU,Clang,AppleClang>:-ffp-contract=${arg_FP_CONTRACT}>")
   endif()
 endfunction()
 

@@ -1,23 +1,26 @@
 # Checks that rooms include only what the table of rooms allows:  cmake -DROOT=DIR -P check_layering.cmake
 # and that no two of the generator's headers define types of one name: they would be taken for each other.
+# Folders inside a room are its floors.
 # A room may always include its own headers and support/. Some arrows hold for single files only: file:room.
 cmake_minimum_required(VERSION 3.25)
 set(allowed_support "")
 set(allowed_symbolic "")
 set(allowed_differentiation symbolic)
 set(allowed_mechanism symbolic)
-set(allowed_urdf mechanism)
+set(allowed_import mechanism)
 # Programs are independent of expressions except where one becomes the other, or is compared with it.
 set(allowed_program passes:symbolic lower:symbolic verify:symbolic error_bound:symbolic optimize:symbolic expression_operation:symbolic
                     exact_comparison:symbolic to_expressions:symbolic)
 set(allowed_dynamics differentiation symbolic mechanism program)
-set(allowed_emit program mechanism)
+set(allowed_registers program)
+set(allowed_emit registers program mechanism)
 set(allowed_viewer dynamics mechanism symbolic)
 # Commands integrate and solve by the algorithms that users get.
-set(allowed_commands pipeline urdf emit viewer program dynamics mechanism symbolic src)
+set(allowed_simulation pipeline viewer dynamics mechanism program src)
+set(allowed_commands simulation pipeline import emit viewer program dynamics mechanism symbolic src)
 set(allowed_pipeline emit program dynamics mechanism symbolic)
-set(allowed_main pipeline emit program dynamics mechanism commands)
-set(rooms support symbolic differentiation mechanism urdf program dynamics emit viewer commands)
+set(allowed_main pipeline import emit program dynamics mechanism commands)
+set(rooms support symbolic differentiation mechanism import program registers dynamics emit viewer simulation commands)
 
 set(failures 0)
 set(includes 0)
@@ -48,7 +51,7 @@ foreach(file IN LISTS files)
   endif()
   file(STRINGS ${ROOT}/generator/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[\"<]")
   foreach(line IN LISTS lines)
-    if(NOT line MATCHES "[\"<]([a-z_]+)(/[a-z_]+)?\\.hpp[\">]")
+    if(NOT line MATCHES "[\"<]([a-z_]+)(/[a-z_/]+)?\\.hpp[\">]")
       continue()
     endif()
     set(other ${CMAKE_MATCH_1})

@@ -1,4 +1,4 @@
-# Everything comes from the system's packages; the README names them.
+# Everything comes from the system's packages; install_packages.sh names them.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(ALEMBERT_BUILD_GENERATOR)
   find_package(fmt REQUIRED)
@@ -9,6 +9,14 @@ if(ALEMBERT_BUILD_GENERATOR)
   find_package(nlohmann_json REQUIRED)
   find_package(Boost REQUIRED)  # Multiprecision, headers only, over MPFR
 endif()
-if(ALEMBERT_BUILD_TESTS)
+if(ALEMBERT_BUILD_TESTS STREQUAL "AUTO")
+  find_package(GTest QUIET)
+  if(TARGET GTest::gtest_main AND TARGET GTest::gmock)
+    set(ALEMBERT_BUILD_TESTS ON)
+  else()
+    message(STATUS "Without tests: GoogleTest is not installed (Debian: apt-get install libgtest-dev libgmock-dev)")
+    set(ALEMBERT_BUILD_TESTS OFF)
+  endif()
+elseif(ALEMBERT_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()

@@ -1,6 +1,10 @@
-# What is installed, in two components: `runtime` (headers, package files) and `generator` (the command). Packages: CPack.
+# What is installed, in two components: `runtime` (headers, package files, the catalogue) and `generator` (the command, installed by
+# generator/). What was not built is left out: a build of one target can be installed too. Packages: CPack. Target: uninstall.
+if(NOT ALEMBERT_INSTALL)
+  return()
+endif()
 include(CMakePackageConfigHelpers)
-set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/alembert)
+set(package_folder ${ALEMBERT_PACKAGE_FOLDER})
 
 install(TARGETS alembert_runtime EXPORT alembert-runtime-targets FILE_SET HEADERS COMPONENT runtime)
 install(EXPORT alembert-runtime-targets NAMESPACE alembert:: DESTINATION ${package_folder} COMPONENT runtime)
@@ -14,11 +18,6 @@ string(REGEX REPLACE "/$" "" relative_prefix "${relative_prefix}")
 configure_file(cmake/alembert.pc.in ${PROJECT_BINARY_DIR}/package/alembert.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/alembert.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT runtime)
 
-if(TARGET alembert)
-  install(TARGETS alembert EXPORT alembert-generator-targets RUNTIME COMPONENT generator)
-  install(EXPORT alembert-generator-targets NAMESPACE alembert:: DESTINATION ${package_folder} COMPONENT generator)
-  install(DIRECTORY mechanisms DESTINATION ${CMAKE_INSTALL_DATADIR}/alembert COMPONENT generator)
-endif()
 foreach(component runtime generator)
   if(EXISTS ${PROJECT_SOURCE_DIR}/LICENSE AND (component STREQUAL runtime OR TARGET alembert))
     set(document_package_runtime libalembert-dev)
@@ -29,6 +28,8 @@ foreach(component runtime generator)
 endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake
+                    COMMENT "Removing what this build has installed" USES_TERMINAL VERBATIM)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_VENDOR alembert)
   set(CPACK_PACKAGE_CONTACT "the authors of alembert")

@@ -17,6 +17,7 @@
 
 #include "commands/commands.hpp"
 #include "emit/emit.hpp"
+#include "import/importers.hpp"
 #include "mechanism/load.hpp"
 
 namespace alembert {
@@ -85,6 +86,10 @@ CLI::App* add_reader(CLI::App& app, const std::string& name, const std::string& 
   return command;
 }
 
+/// Groups of options in `--help`, in the order in which commands add them: what most users want comes first.
+constexpr const char* kBuildGroup = "For build systems and scripts";
+constexpr const char* kOptimiserGroup = "For those who look into the optimiser";
+
 /// The passes that look for fewer operations.
 void add_passes(CLI::App* command, CommonOptions& common) {
   command
@@ -99,22 +104,20 @@ void add_passes(CLI::App* command, CommonOptions& common) {
               if (pass == "articulation") common.passes.articulation = false;
             }
           },
-          "passes to leave out, separated by commas: peeling, placement (and regrouping with it), "
-          "regrouping, scaling, articulation")
+          "passes to leave out, separated by commas; without placement no regrouping either")
       ->delimiter(',')
-      ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling", "articulation"}));
+      ->check(CLI::IsMember({"peeling", "placement", "regrouping", "scaling", "articulation"}))
+      ->group(kOptimiserGroup);
   command
-      ->add_option(
-          "--effort", common.passes.effort,
-          "work spent on trying further choices for fewer operations, as a multiple of the usual; 0: none")
+      ->add_option("--effort", common.passes.effort,
+                   "how long to search for fewer operations: 2 is twice as long as usual, 0 not at all")
       ->check(from_zero())
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kOptimiserGroup);
 }
 
-/// A command that compiles it too, with all options for that.
-CLI::App* add_compiler(CLI::App& app, const std::string& name, const std::string& description,
-                       CommonOptions& common) {
-  CLI::App* command = add_reader(app, name, description, common);
+/// All options of the commands that compile a mechanism; to be added after the command's own.
+void add_compiler_options(CLI::App* command, CommonOptions& common) {
   command
       ->add_option_function<std::string>(
           "--formulation",
@@ -122,25 +125,28 @@ CLI::App* add_compiler(CLI::App& app, const std::string& name, const std::string
             if (value == "factored") common.formulation = Formulation::factored;
             if (value == "reduced") common.formulation = Formulation::reduced;
           },
-          "factored (eq. 13), reduced, or auto: fewest operations")
+          "factored (eq. 13 of the paper), reduced (twists and wrenches), or auto: fewest operations")
       ->check(CLI::IsMember({"factored", "reduced", "auto"}))
-      ->default_str("auto");
+      ->default_str("auto")
+      ->group(kOptimiserGroup);
   add_passes(command, common);
   command
       ->add_option("--loop-operations", common.loop_operations,
-                   "in functions of more operations, steps that do the same are written as loops")
+                   "write repeated steps as loops in functions of more operations than this")
       ->check(from_zero())
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kOptimiserGroup);
   command
-      ->add_option(
-          "--loop-results", common.loop_results,
-          "so many results that are dot products of the same rows, or more, are written as loops; 0: none")
+      ->add_option("--loop-results", common.loop_results,
+                   "write so many dot products of the same rows, or more, as loops; 0: none")
       ->check(from_zero())
-      ->capture_default_str();
-  command->add_flag("--verbose", common.verbose, "time, nodes and operations of each stage");
+      ->capture_default_str()
+      ->group(kOptimiserGroup);
+  command->add_flag("--verbose", common.verbose, "print time, nodes and operations of each stage")
+      ->group(kOptimiserGroup);
   command->add_option("--dump", common.dump_stage, "print what a stage makes")
-      ->check(CLI::IsMember(dump_stages()));
-  return command;
+      ->check(CLI::IsMember(dump_stages()))
+      ->group(kOptimiserGroup);
 }
 
 /// The value of --massless.
@@ -165,130 +171,174 @@ void read_massless(const std::string& value, DescribeOptions& options) {
   }
 }
 
+/// What `--help` ends with.
+void add_examples(CLI::App& app) {
+  app.footer(
+      "alembert COMMAND --help tells the options of a command. Examples:\n"
+      "  alembert import robot.urdf --out robot.yaml\n"
+      "  alembert simulate robot.yaml --html robot.html\n"
+      "  alembert generate robot.yaml --out-dir robot");
+  const std::pair<const char*, const char*> examples[] = {
+      {"generate", "alembert generate arm.yaml --out-dir arm --functions inverse_dynamics,forward_dynamics"},
+      {"report", "alembert report arm.yaml"},
+      {"evaluate", "echo '{\"q\": [0, 1], \"qd\": [0, 0], \"qdd\": [0, 0]}' | alembert evaluate arm.yaml"},
+      {"simulate", "alembert simulate arm.yaml --q 0.5,1 --duration 5 --html arm.html"},
+      {"check", "alembert check arm.yaml --states 1000"},
+      {"import", "alembert import robot.urdf --root floating --out robot.yaml"}};
+  for (const auto& [name, example] : examples)
+    app.get_subcommand(name)->footer(std::string("Example:\n  ") + example);
+}
+
 int run(int argc, char** argv) {
-  CLI::App app{"alembert: straight-line C++ for the equations of motion of a mechanism", "alembert"};
+  CLI::App app{"alembert writes the equations of motion of a mechanism as C++.", "alembert"};
   app.set_version_flag("--version", "alembert " ALEMBERT_VERSION);
   app.require_subcommand(1);
   CommonOptions common;
   int result = 0;
 
   GenerateOptions generate;
-  CLI::App* command = add_compiler(app, "generate", "write C++ for a mechanism", common);
-  command->add_option("--out-dir", generate.out_dir, "folder of the files to be written")->required();
+  CLI::App* command = add_reader(app, "generate", "write the C++ of a mechanism", common);
+  command->add_option("--out-dir", generate.out_dir, "folder to write into")->required();
   command
       ->add_option("--functions", generate.functions,
                    "functions to write (default: all but forward_dynamics, body_jacobians, body_inertias, "
                    "inverse_dynamics_derivatives)")
       ->delimiter(',');
-  command->add_option("--scalars", generate.scalars, "compiled instantiations: double, float")
+  command
+      ->add_option("--scalars", generate.scalars,
+                   "scalar types to compile for: double, float (default: both)")
       ->delimiter(',');
-  command->add_option("--namespace", generate.name_space, "outer namespace (default alembert::mechanisms)");
+  command
+      ->add_option("--language", generate.language,
+                   "c++; or c: the C interface with C99 behind it, for one scalar type (default: double)")
+      ->check(CLI::IsMember({"c++", "c"}))
+      ->capture_default_str();
+  command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command
       ->add_option("--batch", generate.batch,
-                   "functions to write over many states too; `default` stands for "
-                   "inverse_dynamics, "
+                   "functions to write over many states too; `default` stands for inverse_dynamics, "
                    "mass_matrix_and_bias, forward_dynamics")
       ->delimiter(',');
   command
       ->add_option("--batch-instructions", generate.batch_instructions,
-                   "sets to compile batches for beside the baseline (default avx2,avx512)")
-      ->delimiter(',');
+                   "instructions to compile batches for beside the baseline (default: avx2,avx512)")
+      ->delimiter(',')
+      ->group(kBuildGroup);
   command->add_option("--parts", generate.parts, "files over which definitions are spread (default: by size)")
-      ->check(CLI::Range(0, kMaxParts));
-  command->add_option("--expected-name", generate.expected_name, "fail unless the mechanism has this name");
-  command->add_option("--depfile", generate.depfile, "write a make dependency file for the stamp");
-  command->add_option("--stamp", generate.stamp, "touch this file when done");
+      ->check(CLI::Range(0, kMaxParts))
+      ->group(kBuildGroup);
+  command->add_option("--expected-name", generate.expected_name, "fail unless the mechanism has this name")
+      ->group(kBuildGroup);
+  command->add_option("--depfile", generate.depfile, "write a make dependency file for the stamp")
+      ->group(kBuildGroup);
+  command->add_option("--stamp", generate.stamp, "touch this file when done")->group(kBuildGroup);
   CLI::Option* print_outputs =
-      command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them");
-  command->add_flag("--dry-run", generate.dry_run, "do everything but write");
+      command->add_flag("--print-outputs", generate.print_outputs, "list the files instead of writing them")
+          ->group(kBuildGroup);
+  command->add_flag("--dry-run", generate.dry_run, "do everything but write")->group(kBuildGroup);
   command
       ->add_flag("--check", generate.check,
                  "write nothing; exit 1 if a file differs from what would be written")
-      ->excludes(print_outputs);
-  command->callback([&] { result = run_generate(common, generate); });
+      ->excludes(print_outputs)
+      ->group(kBuildGroup);
+  add_compiler_options(command, common);
+  command->callback([&] {
+    if (generate.language == "c" && !(generate.name_space.empty() && generate.batch.empty() &&
+                                      generate.batch_instructions.empty() && generate.parts == 0))
+      throw CLI::ValidationError("--language c",
+                                 "has no --namespace, --batch, --batch-instructions and --parts");
+    result = run_generate(common, generate);
+  });
 
   ReportOptions report;
-  command = add_compiler(app, "report", "operations of each function", common);
+  command = add_reader(app, "report", "count the operations of each function", common);
   command->add_option("--functions", report.functions, "functions to count (default: all of dynamics)")
       ->delimiter(',');
   command->add_flag("--json", report.json, "as JSON");
+  add_compiler_options(command, common);
   command->callback([&] { result = run_report(common, report); });
 
   EvaluateOptions evaluate;
-  command = add_compiler(app, "evaluate",
-                         "states in (JSON, one a line, standard input), tau, M, c and qdd out", common);
+  command =
+      add_reader(app, "evaluate",
+                 "read states (JSON, one a line, from standard input), print tau, M, c and qdd", common);
   command
       ->add_option("--functions", evaluate.functions,
                    "functions whose results are wanted instead, as `generate` writes them")
       ->delimiter(',');
   command->add_flag("--json", evaluate.json, "as JSON, one object a line");
+  add_compiler_options(command, common);
   command->callback([&] { result = run_evaluate(common, evaluate); });
 
   SimulateOptions simulate;
-  command =
-      add_compiler(app, "simulate",
-                   "integrate the free motion; CSV of t, q, qd, energy; page and scene to see it", common);
-  command->add_option("--duration", simulate.duration, "seconds")->check(from_zero())->capture_default_str();
-  command->add_option("--step", simulate.step, "seconds")->check(above_zero())->capture_default_str();
-  command->add_option("--every", simulate.every, "a row each so many steps")
+  command = add_reader(app, "simulate",
+                       "let it move: a table of t, q, qd and energy, a page or a scene to watch it", common);
+  command->add_option("--duration", simulate.duration, "how long, s")
+      ->check(from_zero())
+      ->capture_default_str();
+  command->add_option("--step", simulate.step, "time step, s")->check(above_zero())->capture_default_str();
+  command->add_option("--every", simulate.every, "steps from one row of the table to the next")
       ->check(above_zero())
       ->capture_default_str();
   command->add_option("--integrator", simulate.integrator, "rk4 or euler (semi-implicit)")
       ->check(CLI::IsMember({"rk4", "euler"}))
       ->capture_default_str();
   command->add_option("--csv", simulate.csv,
-                      "file to write; - is standard output (default without --html and --glb)");
-  command->add_option("--html", simulate.html, "page to write: the motion in three dimensions, and plots");
+                      "table to write; - is standard output (default without --html and --glb)");
+  command->add_option("--html", simulate.html, "page to write: the motion in three dimensions, with plots");
   command->add_option("--glb", simulate.glb, "glTF scene to write (binary), with the motion as an animation");
-  command->add_option("--fps", simulate.fps, "frames a second of page and scene")
+  command->add_option("--fps", simulate.fps, "frames a second in page and scene")
       ->check(above_zero())
       ->capture_default_str();
-  command->add_option("--scene", simulate.scene, "further descriptions to be seen beside the first")
+  command->add_option("--scene", simulate.scene, "more descriptions to show beside the first")
       ->delimiter(',');
   command->add_option("--q", simulate.start.q, "initial coordinates")->check(any_number())->delimiter(',');
   command->add_option("--qd", simulate.start.qd, "initial speeds")->check(any_number())->delimiter(',');
-  command->add_option("--hold", simulate.start.hold, "coordinates that assembling leaves as they are")
+  command
+      ->add_option("--hold", simulate.start.hold, "coordinates to keep while the constraints are satisfied")
       ->delimiter(',');
   command->add_flag("!--no-assemble", simulate.start.assemble,
-                    "fail if the initial state does not keep the constraints, instead of changing it");
+                    "fail if the initial state violates the constraints, instead of changing it");
+  add_compiler_options(command, common);
   command->callback([&] { result = run_simulate(common, simulate); });
 
-  command =
-      add_reader(app, "check", "load, derive both formulations and test the laws they must obey", common);
-  add_passes(command, common);
+  command = add_reader(app, "check",
+                       "test whether the description is right and its equations obey the laws of mechanics",
+                       common);
   CheckOptions check;
-  command
-      ->add_option("--states", check.states,
-                   "also measure the error of every function against the plain equations at so many states")
+  command->add_option("--states", check.states, "also measure the error of every function at so many states")
       ->check(CLI::Range(1, 1'000'000));
+  add_passes(command, common);
   command->callback([&] { result = run_check(common, check); });
 
   ImportOptions import;
-  command = app.add_subcommand("import", "describe a robot that is given as URDF");
-  command->add_option("file", common.file, "URDF; - is standard input")->required();
+  command =
+      app.add_subcommand("import", "make a description of a robot that is given as " + importable_formats());
+  command->add_option("file", common.file, importable_formats() + "; - is standard input")->required();
   command->add_option("--out", import.out, "description to write; - is standard output")
       ->capture_default_str();
   command
       ->add_option_function<std::string>(
           "--root", [&import](const std::string& value) { import.describe.floating = value == "floating"; },
-          "whether the root link stands still or moves freely: fixed or floating")
+          "does the root link stand still or move freely?")
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->default_str("fixed");
   command
       ->add_option("--snap-angles", import.describe.snap_angles,
-                   "angles of origins so near to a multiple of pi/12 are that multiple, rad")
+                   "take angles of origins this near to a multiple of pi/12 for that multiple, rad")
       ->check(from_zero())
       ->capture_default_str();
   command
       ->add_option_function<std::string>(
           "--massless", [&import](const std::string& value) { read_massless(value, import.describe); },
-          "joints that move no mass: armature=VALUE gives each a rotor's inertia (kg m^2, or kg), freeze "
-          "fixes "
-          "them at zero, drop leaves them out with what they move; keep warns of them")
+          "what to do with joints that move no mass: armature=VALUE gives each a rotor's inertia (kg m^2, or "
+          "kg), "
+          "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
       ->default_str("keep");
   command->callback([&] { result = run_import(common, import); });
   for (CLI::App* each : app.get_subcommands({}))
-    each->add_flag("--strict", common.strict, "warnings are errors");
+    each->add_flag("--strict", common.strict, "make warnings errors");
+  add_examples(app);
 
   try {
     app.parse(argc, argv);

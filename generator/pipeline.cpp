@@ -10,7 +10,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "dynamics/state_checks.hpp"
+#include "dynamics/checks/state_checks.hpp"
 #include "mechanism/extreme_number.hpp"
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"

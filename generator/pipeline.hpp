@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/certificate.hpp"
+#include "dynamics/checks/certificate.hpp"
 #include "dynamics/equations.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"
@@ -18,8 +18,8 @@
 
 namespace alembert {
 
-/// Operations, dot products apart, from which steps that do the same are written as loops: straight code of
-/// so many is about to become longer than the caches of instructions, and then takes the time of fetching it.
+/// Operations, dot products apart, from which repeated steps are written as loops: longer straight code
+/// outgrows the instruction cache and is limited by instruction fetch.
 inline constexpr std::size_t kLoopOperations = 2500;
 
 /// Results from which dot products of the same rows are written as loops. At about this number, that of a

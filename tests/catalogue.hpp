@@ -17,12 +17,14 @@ inline std::string test_name(const std::string& path) {
   return std::filesystem::path(path).stem().string();
 }
 
-/// All descriptions of the catalogue, sorted; or those whose names stand in the environment variable
+/// All descriptions of the catalogue, sorted, but those of the examples, which have tests of their own; or those whose names stand in the environment variable
 /// ALEMBERT_CATALOGUE, with blanks between them. Throws if there is no such description.
 inline std::vector<std::string> catalogue() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(ALEMBERT_SOURCE_DIR "/mechanisms")) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+    const std::string path = entry.path().string();
+    if (entry.path().extension() == ".yaml" && path.find("/mechanisms/examples/") == std::string::npos)
+      files.push_back(path);
   }
   std::sort(files.begin(), files.end());
   if (const char* names = std::getenv("ALEMBERT_CATALOGUE")) {

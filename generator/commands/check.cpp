@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "commands/commands.hpp"
-#include "dynamics/constraint_checks.hpp"
-#include "dynamics/formulations.hpp"
-#include "dynamics/plain_equations.hpp"
-#include "dynamics/state_checks.hpp"
+#include "dynamics/checks/constraint_checks.hpp"
+#include "dynamics/checks/plain_equations.hpp"
+#include "dynamics/checks/state_checks.hpp"
+#include "dynamics/recursions/formulations.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/load.hpp"
 #include "symbolic/error_bound.hpp"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "commands/start_state.hpp"
 #include "dynamics/equations.hpp"
+#include "import/common/described.hpp"
 #include "pipeline.hpp"
-#include "urdf/describe.hpp"
+#include "simulation/start_state.hpp"
 
 namespace alembert {
 
@@ -37,6 +37,7 @@ std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
 
 struct GenerateOptions {
   std::string out_dir;
+  std::string language = "c++";  ///< or c
   std::string depfile, stamp;
   std::string name_space;
   std::vector<std::string> functions;

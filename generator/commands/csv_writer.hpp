@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "commands/trajectory.hpp"
-#include "emit/waiting_file.hpp"
+#include "emit/files/waiting_file.hpp"
+#include "simulation/trajectory.hpp"
 
 namespace alembert {
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "commands/commands.hpp"
-#include "commands/dynamics_evaluator.hpp"
-#include "commands/interpreted_mechanism.hpp"
 #include "commands/state_reader.hpp"
 #include "emit/function_signature.hpp"
+#include "simulation/dynamics_evaluator.hpp"
+#include "simulation/interpreted_mechanism.hpp"
 
 namespace alembert {
 

@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "commands/commands.hpp"
-#include "commands/interpreted_mechanism.hpp"
-#include "emit/batch.hpp"
 #include "emit/emit.hpp"
-#include "emit/waiting_file.hpp"
-#include "emit/write_files.hpp"
+#include "emit/files/waiting_file.hpp"
+#include "emit/files/write_files.hpp"
+#include "emit/statements/batch.hpp"
 #include "mechanism/load.hpp"
+#include "simulation/interpreted_mechanism.hpp"
 
 namespace alembert {
 
@@ -75,6 +75,10 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
+  if (options.language == "c") {
+    emit.language = Language::c;
+    emit.scalars = {"double"};
+  }
   if (!options.scalars.empty()) emit.scalars = options.scalars;
   for (const std::string& name : options.batch) {
     if (name != "default") emit.batch.push_back(name);

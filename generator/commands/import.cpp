@@ -1,22 +1,24 @@
-// `import`: a URDF file in, a description in the language of mechanisms out, checked as any other.
+// `import`: a robot in another format in, a description in the language of mechanisms out, checked as any
+// other.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "commands/commands.hpp"
-#include "emit/write_files.hpp"
+#include "emit/files/write_files.hpp"
+#include "import/common/yaml.hpp"
+#include "import/importers.hpp"
 #include "mechanism/load.hpp"
-#include "urdf/robot.hpp"
-#include "urdf/yaml.hpp"
 
 namespace alembert {
 
 namespace {
 
 /// What was doubtful may be why the rest cannot be read.
-UrdfRobot read_robot(const std::shared_ptr<const SourceText>& source, Warnings& warnings) {
+DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                        Warnings& warnings) {
   try {
-    return read_urdf(source, warnings);
+    return importer_of(*source).describe(source, options, warnings);
   } catch (const InputError&) {
     report_warnings(warnings, false);
     throw;
@@ -28,8 +30,8 @@ UrdfRobot read_robot(const std::shared_ptr<const SourceText>& source, Warnings& 
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   const std::shared_ptr<const SourceText> source = read_source(common.file);
   Warnings warnings;
-  const DescribedRobot described = describe_robot(read_robot(source, warnings), source, options.describe);
-  // What the language refuses is shown where it stands in the URDF.
+  const DescribedRobot described = describe(source, options.describe, warnings);
+  // What the language refuses is shown where it stands in the file.
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());

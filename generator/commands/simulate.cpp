@@ -8,11 +8,11 @@
 
 #include "commands/commands.hpp"
 #include "commands/csv_writer.hpp"
-#include "commands/motion_recorder.hpp"
-#include "commands/start_state.hpp"
-#include "commands/trajectory.hpp"
-#include "emit/waiting_file.hpp"
-#include "emit/write_files.hpp"
+#include "emit/files/waiting_file.hpp"
+#include "emit/files/write_files.hpp"
+#include "simulation/motion_recorder.hpp"
+#include "simulation/start_state.hpp"
+#include "simulation/trajectory.hpp"
 #include "viewer/glb.hpp"
 #include "viewer/page.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "commands/dynamics_evaluator.hpp"
 #include "commands/json_text.hpp"
+#include "simulation/dynamics_evaluator.hpp"
 
 namespace alembert {
 

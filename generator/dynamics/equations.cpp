@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "dynamics/constraints.hpp"
-#include "dynamics/force_derivatives.hpp"
-#include "dynamics/formulations.hpp"
-#include "dynamics/frame_normals.hpp"
-#include "dynamics/reduced_equations.hpp"
-#include "dynamics/screw_peeling.hpp"
-#include "dynamics/state_checks.hpp"
+#include "dynamics/checks/state_checks.hpp"
+#include "dynamics/choice/force_derivatives.hpp"
+#include "dynamics/choice/reduced_equations.hpp"
+#include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/rewrites/screw_peeling.hpp"
+#include "dynamics/tree/frame_normals.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {

@@ -1,4 +1,4 @@
-// Stages `kinematics` and `equations`: typed mechanism in, equations of motion and what else can be asked for
+// Stages `kinematics` and `equations`: typed mechanism in, equations of motion and the other output functions
 // out.
 //
 // Letters: q coordinates, u speeds (qd), ud their rates (qdd), qdot = N(q) u; M(q) ud + c(q, u, t) = Q.
@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/motion_tree.hpp"
-#include "dynamics/program_lengths.hpp"
-#include "dynamics/speed_derivatives.hpp"
+#include "dynamics/choice/program_lengths.hpp"
+#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "program/passes.hpp"
 #include "symbolic/expr.hpp"

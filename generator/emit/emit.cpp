@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "emit/batch.hpp"
+#include "emit/c99.hpp"
 #include "emit/function_signature.hpp"
-#include "emit/literals.hpp"
 #include "emit/names.hpp"
-#include "emit/register_order.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/batch.hpp"
+#include "emit/statements/literals.hpp"
+#include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/names.hpp"
 #include "program/passes.hpp"
+#include "registers/register_order.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -22,13 +23,6 @@ namespace {
 
 // With the number of parts left open: statements in one file, which a compiler takes a few seconds for.
 constexpr std::size_t kStatementsPerPart = 6000;
-
-/// One function with all its texts.
-struct Function {
-  const FunctionSignature* signature;
-  std::string counts;
-  FunctionBody body;
-};
 
 /// What goes into one of the parts: a function, a block of one, or the function that calls its blocks.
 struct Unit {
@@ -94,16 +88,22 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
     if (std::ranges::count(options.scalars, scalar) > 1)
       fail(fmt::format("the scalar type {} is given twice", scalar));
   }
+  if (options.language == Language::c && options.scalars.size() > 1)
+    fail("C is written for one scalar type: expected double or float");
+  if (options.language == Language::c && !options.batch.empty())
+    fail("functions over many states are written in C++ only");
   if (options.parts < 0 || options.parts > kMaxParts)
     fail(fmt::format("the number of parts must be 1 to {}", kMaxParts));
 }
 
-std::vector<Function> functions_of(const Mechanism& mechanism, std::span<const Program> programs) {
-  std::vector<Function> functions;
+std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<const Program> programs,
+                                          const Syntax& syntax) {
+  std::vector<WrittenFunction> functions;
   const auto add = [&](const Program& program, const FunctionSignature& signature) {
     check_program(program, signature, mechanism);
     functions.push_back({&signature, counts_text(program),
-                         function_body(order_for_registers(program, States::one), signature)});
+                         function_body(order_for_registers(program, States::one), signature, {},
+                                       Registers::compiled, syntax)});
   };
   for (const Program& program : programs) {
     if (find_signature(program.function) == nullptr)
@@ -137,7 +137,7 @@ std::string instantiation(std::string_view keyword, std::string_view function,
   return out;
 }
 
-std::vector<Unit> units_of(const Function& function, const EmitOptions& options, const Slots& common) {
+std::vector<Unit> units_of(const WrittenFunction& function, const EmitOptions& options, const Slots& common) {
   const FunctionSignature& signature = *function.signature;
   const std::string name(signature.name);
   const std::string parameters = wrapped_after("void " + name + "(", cpp_parameters(signature, true));
@@ -202,18 +202,18 @@ std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std:
   return out;
 }
 
-std::string documented(const Function& function, const Slots& common, std::string_view prefix) {
+std::string documented(const WrittenFunction& function, const Slots& common, std::string_view prefix) {
   return prefix_lines(fill_template(fmt::format("doc_{}.txt", function.signature->name),
                                     {{"counts", function.counts}}, common),
                       prefix);
 }
 
-std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& functions,
+std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
                        const EmitOptions& options, const Slots& common) {
   std::string declarations, externs, sign, sines_and_cosines, dot_products;
   // Over packs, angles are brought together that one state computes one by one.
   bool calls_sines_and_cosines = !options.batch.empty();
-  for (const Function& function : functions) {
+  for (const WrittenFunction& function : functions) {
     const std::string name(function.signature->name);
     declarations += fill_template(
         "function_declaration.hpp",
@@ -241,9 +241,9 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<Function>& 
   return fill_template("mechanism_raw.hpp", slots, common);
 }
 
-std::string eigen_header(const std::vector<Function>& functions, const Slots& common) {
+std::string eigen_header(const std::vector<WrittenFunction>& functions, const Slots& common) {
   std::string members;
-  for (const Function& function : functions)
+  for (const WrittenFunction& function : functions)
     members += (members.empty() ? "" : "\n") +
                fill_template(fmt::format("eigen_{}.hpp", function.signature->name), {}, common);
   const std::string_view version = generator_version();
@@ -252,28 +252,31 @@ std::string eigen_header(const std::vector<Function>& functions, const Slots& co
                        common);
 }
 
-std::string c_header(const std::vector<Function>& functions, const std::string& batch, const Slots& common) {
+std::string c_header(const std::vector<WrittenFunction>& functions, const std::string& batch,
+                     const std::string& number, const Slots& common) {
   std::string declarations;
-  for (const Function& function : functions) {
+  for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
     const std::string doc = "/* " + prefix_lines(documented(function, common, ""), "   ").substr(3) + " */";
-    declarations += (declarations.empty() ? "" : "\n") +
-                    fill_template("c_declaration.h",
-                                  {{"doc", doc},
-                                   {"function", std::string(function.signature->name)},
-                                   {"arguments", wrapped_after(start, c_parameters(*function.signature))}},
-                                  common);
+    declarations +=
+        (declarations.empty() ? "" : "\n") +
+        fill_template("c_declaration.h",
+                      {{"doc", doc},
+                       {"function", std::string(function.signature->name)},
+                       {"arguments", wrapped_after(start, c_parameters(*function.signature, number))}},
+                      common);
   }
-  return fill_template(
-      "mechanism.h",
-      {{"includes", batch.empty() ? "" : "#include <stddef.h>\n"}, {"declarations", declarations + batch}},
-      common);
+  return fill_template("mechanism.h",
+                       {{"includes", batch.empty() ? "" : "#include <stddef.h>\n"},
+                        {"number", number},
+                        {"declarations", declarations + batch}},
+                       common);
 }
 
-std::string c_source(const Mechanism& mechanism, const std::vector<Function>& functions,
+std::string c_source(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
                      const EmitOptions& options, const Slots& common) {
   std::string definitions;
-  for (const Function& function : functions) {
+  for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
     definitions += (definitions.empty() ? "" : "\n") +
                    fill_template("c_definition.cpp",
@@ -285,10 +288,29 @@ std::string c_source(const Mechanism& mechanism, const std::vector<Function>& fu
   }
   // Without code compiled for double, this file compiles its own.
   const bool has_double = std::ranges::count(options.scalars, "double") > 0;
-  Slots slots = c_constant_slots(mechanism);
+  Slots slots = c_constant_slots(mechanism, "double", "nullptr");
   slots["definitions"] = definitions;
   slots["header"] = mechanism.name + (has_double ? "_raw" : "_impl");
   return fill_template("mechanism_c.cpp", slots, common);
+}
+
+std::string banner_of(const Mechanism& mechanism) {
+  return fill_template("banner.txt",
+                       {{"name", mechanism.name}, {"version", std::string(generator_version())}});
+}
+
+std::vector<EmittedFile> c_files(const Mechanism& mechanism, std::span<const Program> programs,
+                                 const EmitOptions& options) {
+  const std::string& number = options.scalars.front();
+  const std::vector<WrittenFunction> functions =
+      functions_of(mechanism, programs, c_syntax(number, mechanism.name + "_"));
+  Slots common = common_slots(mechanism, "");
+  const std::string guard = fmt::format("ALEMBERT_{}_H", mechanism.name);
+  common.insert({{"banner", banner_of(mechanism)},
+                 {"guard", fmt::format("#ifndef {0}\n#define {0}\n", guard)},
+                 {"end_guard", "\n#endif\n"}});
+  return {{fmt::format("include/{0}/{0}.h", mechanism.name), c_header(functions, "", number, common)},
+          {fmt::format("src/{}.c", mechanism.name), c99_source(mechanism, functions, number, common)}};
 }
 
 }  // namespace
@@ -310,16 +332,16 @@ std::vector<std::string> emitted_paths(const std::string& name, int parts) {
 std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
                                         const EmitOptions& options) {
   check_options(mechanism, options);
-  const std::vector<Function> functions = functions_of(mechanism, programs);
+  if (options.language == Language::c) return c_files(mechanism, programs, options);
+  const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());
   Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);
   common["scalar_list"] = fmt::format("{}", fmt::join(options.scalars, " and "));
-  const std::string banner =
-      fill_template("banner.txt", {{"name", mechanism.name}, {"version", std::string(generator_version())}});
+  const std::string banner = banner_of(mechanism);
   common["banner"] = prefix_lines(banner, "// ");
   common["noinline"] = fill_template("noinline.hpp", {});
 
   std::vector<Unit> units;
-  for (const Function& function : functions) {
+  for (const WrittenFunction& function : functions) {
     std::vector<Unit> more = units_of(function, options, common);
     std::ranges::move(more, std::back_inserter(units));
   }
@@ -342,9 +364,10 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   }
   Slots c_common = common;
   c_common["banner"] = banner;
+  c_common.insert({{"guard", "#pragma once\n"}, {"end_guard", ""}});
   const std::string batch =
       options.batch.empty() ? "" : batch_c_declarations(mechanism, programs, options, c_common);
-  texts.push_back(c_header(functions, batch, c_common));
+  texts.push_back(c_header(functions, batch, "double", c_common));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Slots slots = part_slots(k);
     slots["instantiations"] = joined(parts[k], &Unit::instantiations, "");

@@ -16,7 +16,10 @@ struct EmittedFile {
   std::string text;
 };
 
+enum class Language { cpp, c };
+
 struct EmitOptions {
+  Language language = Language::cpp;
   std::string outer_namespace = "alembert::mechanisms";    ///< the mechanism's own namespace lies in it
   std::vector<std::string> scalars = {"double", "float"};  ///< types compiled; of these two
   int parts = 0;                   ///< number of files over which definitions are spread; 0: by size
@@ -49,6 +52,11 @@ std::string_view generator_version();
 ///     include/name/name_batch_impl.hpp  their blocks
 ///     src/name_batch.cpp            choice of instructions at run time
 ///     src/name_batch_SET.cpp        compiled for one set of instructions: baseline, avx2, avx512
+///
+/// and with Language::c, for the first of the scalars and in C99 alone,
+///
+///     include/name/name.h           the same C interface
+///     src/name.c                    its definitions
 ///
 /// The same input gives the same bytes. Long functions (BlockSizes in statement_layout.hpp) are cut into
 /// blocks; loops are blocks of their own. If all coordinates are real and no program gives coordinate_rates,

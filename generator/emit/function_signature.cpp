@@ -182,13 +182,16 @@ std::string cpp_parameter_types(const FunctionSignature& signature, std::string_
   return out;
 }
 
-std::string c_parameters(const FunctionSignature& signature) {
+std::string c_parameters(const FunctionSignature& signature, std::string_view number,
+                         std::string_view qualifier) {
   std::string out;
   for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("const double* {}, ", array_name(kind));
-  if (signature.takes_inputs) out += "double t, const double* parameters, const double* wrenches, ";
+    out += fmt::format("const {}*{} {}, ", number, qualifier, array_name(kind));
+  if (signature.takes_inputs)
+    out += fmt::format("{0} t, const {0}*{1} parameters, const {0}*{1} wrenches, ", number, qualifier);
   for (const ResultArray& result : signature.results)
-    out += fmt::format("double* {}{}", result.name, &result == &signature.results.back() ? "" : ", ");
+    out += fmt::format("{}*{} {}{}", number, qualifier, result.name,
+                       &result == &signature.results.back() ? "" : ", ");
   return out;
 }
 
@@ -201,12 +204,12 @@ std::string c_arguments(const FunctionSignature& signature) {
   return out;
 }
 
-std::string c_null_check(const FunctionSignature& signature) {
+std::string c_null_check(const FunctionSignature& signature, std::string_view null) {
   std::string out;
   for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("{} == nullptr || ", array_name(kind));
+    out += fmt::format("{} == {} || ", array_name(kind), null);
   for (const ResultArray& result : signature.results)
-    out += fmt::format("{} == nullptr{}", result.name, &result == &signature.results.back() ? "" : " || ");
+    out += fmt::format("{} == {}{}", result.name, null, &result == &signature.results.back() ? "" : " || ");
   return out;
 }
 

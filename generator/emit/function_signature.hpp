@@ -64,14 +64,16 @@ std::string cpp_arguments(const FunctionSignature& signature);
 /// `const double*, ..., const Inputs<double>&, double*`: types only, for the scalar given.
 std::string cpp_parameter_types(const FunctionSignature& signature, std::string_view scalar);
 
-/// `const double* q, ..., double t, const double* parameters, const double* wrenches, double* tau`
-std::string c_parameters(const FunctionSignature& signature);
+/// `const double* q, ..., double t, const double* parameters, const double* wrenches, double* tau`; after the
+/// `*` stands `qualifier`.
+std::string c_parameters(const FunctionSignature& signature, std::string_view number = "double",
+                         std::string_view qualifier = "");
 
 /// What a C function passes on: `q, qd, make_inputs(t, parameters, wrenches), c`.
 std::string c_arguments(const FunctionSignature& signature);
 
 /// `q == nullptr || tau == nullptr`
-std::string c_null_check(const FunctionSignature& signature);
+std::string c_null_check(const FunctionSignature& signature, std::string_view null = "nullptr");
 
 /// InternalError unless results and inputs of the program fit the function and the mechanism.
 void check_program(const Program& program, const FunctionSignature& signature, const Mechanism& mechanism);

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/literals.hpp"
+#include "emit/statements/literals.hpp"
+#include "emit/statements/syntax.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
@@ -64,17 +65,17 @@ std::vector<std::string> literals(const std::vector<std::string>& names) {
   return out;
 }
 
-std::vector<std::string> initial_coordinates(const Mechanism& mechanism) {
+std::vector<std::string> initial_coordinates(const Mechanism& mechanism, std::string_view number) {
   std::vector<std::string> out;
   for (const Coordinate& c : mechanism.coordinates)
-    for (const double value : c.initial) out.push_back(number_literal(value));
+    for (const double value : c.initial) out.push_back(c_literal(value, number));
   return out;
 }
 
-std::vector<std::string> initial_speeds(const Mechanism& mechanism) {
+std::vector<std::string> initial_speeds(const Mechanism& mechanism, std::string_view number) {
   std::vector<std::string> out;
   for (const Coordinate& c : mechanism.coordinates)
-    for (const double value : c.initial_speed) out.push_back(number_literal(value));
+    for (const double value : c.initial_speed) out.push_back(c_literal(value, number));
   return out;
 }
 
@@ -100,10 +101,12 @@ std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view 
   return out;
 }
 
-std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const std::string& format) {
+std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const std::string& format,
+                                            std::string_view number) {
   std::vector<std::string> out;
   for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.runtime) out.push_back(fmt::format(fmt::runtime(format), number_literal(parameter.value)));
+    if (parameter.runtime)
+      out.push_back(fmt::format(fmt::runtime(format), c_literal(parameter.value, number)));
   return out;
 }
 
@@ -143,31 +146,31 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"frame_names", cpp_array(literals(names.frames))},
       {"parameter_names", cpp_array(literals(names.parameters))},
       {"wrench_names", cpp_array(literals(names.wrench_bodies))},
-      {"initial", cpp_array(initial_coordinates(mechanism))},
-      {"initial_speeds", cpp_array(initial_speeds(mechanism))},
+      {"initial", cpp_array(initial_coordinates(mechanism, "double"))},
+      {"initial_speeds", cpp_array(initial_speeds(mechanism, "double"))},
       {"lower_limits", cpp_array(limits(mechanism, true))},
       {"upper_limits", cpp_array(limits(mechanism, false))},
       {"quaternion_offsets", cpp_array(quaternions)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
-      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})"))},
+      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})", "double"))},
   };
 }
 
-Slots c_constant_slots(const Mechanism& mechanism) {
+Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null) {
   const Names names = names_of(mechanism);
   return {
-      {"coordinate_names", c_array(literals(names.coordinates), "nullptr")},
-      {"speed_names", c_array(literals(names.speeds), "nullptr")},
-      {"body_names", c_array(literals(names.bodies), "nullptr")},
-      {"frame_names", c_array(literals(names.frames), "nullptr")},
-      {"parameter_names", c_array(literals(names.parameters), "nullptr")},
-      {"wrench_names", c_array(literals(names.wrench_bodies), "nullptr")},
-      {"constraint_names", c_array(literals(names.constraints), "nullptr")},
+      {"coordinate_names", c_array(literals(names.coordinates), null)},
+      {"speed_names", c_array(literals(names.speeds), null)},
+      {"body_names", c_array(literals(names.bodies), null)},
+      {"frame_names", c_array(literals(names.frames), null)},
+      {"parameter_names", c_array(literals(names.parameters), null)},
+      {"wrench_names", c_array(literals(names.wrench_bodies), null)},
+      {"constraint_names", c_array(literals(names.constraints), null)},
       {"holonomic", c_array(holonomic(mechanism, "1", "0"), "0")},
-      {"initial", c_array(initial_coordinates(mechanism), "")},
-      {"initial_speeds", c_array(initial_speeds(mechanism), "")},
-      {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}"), "0.0")},
+      {"initial", c_array(initial_coordinates(mechanism, number), "")},
+      {"initial_speeds", c_array(initial_speeds(mechanism, number), "")},
+      {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}", number), c_literal(0, number))},
   };
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "emit/text_template.hpp"
 #include "mechanism/model.hpp"
@@ -11,8 +12,8 @@ namespace alembert {
 /// Slots that are the same in every template: name, namespace, sizes and lists for comments.
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace);
 
-/// Initialisers of the constants in C++ and in C.
+/// Initialisers of the constants in C++ and in C, there with literals for double or float.
 Slots cpp_constant_slots(const Mechanism& mechanism);
-Slots c_constant_slots(const Mechanism& mechanism);
+Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null);
 
 }  // namespace alembert

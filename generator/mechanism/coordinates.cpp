@@ -159,7 +159,7 @@ void declare_coordinates(Loading& loading, const YamlNode& list) {
   loading.quaternion_use.resize(items.size());
 }
 
-void read_coordinate_values(Loading& loading, const YamlNode& list) {
+void read_coordinate_values(Loading& loading, const YamlNode& list, std::span<const double> start) {
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlNode& item = *list.items[i];
     Coordinate& coordinate = loading.mechanism.coordinates[i];
@@ -179,6 +179,8 @@ void read_coordinate_values(Loading& loading, const YamlNode& list) {
         read_quaternion(loading, coordinate, initial, limits);
         break;
     }
+    for (std::size_t k = 0; k < coordinate.initial.size() && !start.empty(); ++k)
+      coordinate.initial[k] = start[static_cast<std::size_t>(coordinate.first_q) + k];
     read_initial_speed(loading, coordinate, speed);
     read_armature(loading, coordinate, armature);
     for (std::size_t k = 0; k < coordinate.symbols.size(); ++k)

@@ -83,7 +83,7 @@ Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& gr
   return load_mechanism(Document(std::move(source)), graph);
 }
 
-Mechanism load_mechanism(const Document& document, ExprGraph& graph) {
+Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<const double> start) {
   check_version(document, document.root());
   const Section root(document, document.root(), "the description",
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",
@@ -115,7 +115,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph) {
   if (definitions != nullptr) declare_keys(loading, *definitions, "the definitions", NameKind::definition);
 
   if (parameters != nullptr) read_parameters(loading, *parameters);
-  read_coordinate_values(loading, coordinates);
+  read_coordinate_values(loading, coordinates, start);
   mechanism.gravity = read_gravity(loading, root.find("gravity"));
   if (definitions != nullptr) read_definitions(loading, *definitions);
   read_bodies(loading, bodies);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "mechanism/document.hpp"
@@ -19,7 +20,8 @@ std::shared_ptr<const SourceText> read_source(const std::string& path);
 /// Expressions are made in `graph`. Throws InputError with the place of what is wrong.
 Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph);
 
-/// The same from a document, which another reader may have made.
-Mechanism load_mechanism(const Document& document, ExprGraph& graph);
+/// The same from a document, which another reader may have made. `start` are coordinates, n_q of them, that take
+/// the place of the description's initial ones, and need not be inside the limits; none if empty.
+Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<const double> start = {});
 
 }  // namespace alembert

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ struct Loading {
 
 /// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
 void declare_coordinates(Loading& loading, const YamlNode& list);
-/// Reads their initial values and limits, once parameters have values.
-void read_coordinate_values(Loading& loading, const YamlNode& list);
+/// Reads their initial values and limits, once parameters have values. `start` replaces initial values, unless
+/// empty.
+void read_coordinate_values(Loading& loading, const YamlNode& list, std::span<const double> start);
 /// Index of the coordinate that a scalar names; `type` is the type it must have.
 int expect_coordinate(Loading& loading, const YamlNode& node, CoordinateType type, std::string_view what);
 

@@ -51,7 +51,7 @@ Program schedule(Program program);
 /// rounded in another order.
 Program gather_dot_products(const Program& program, std::size_t least);
 
-/// Stage `reroll`, after `schedule` and gathering: steps that do the same on other values, as those of a
+/// Stage `reroll`, after `schedule` and gathering: steps that repeat on other values, as those of a
 /// recursion along a chain, become iterations of loops; the rest stays straight code around them. Same
 /// operations; sums and products of three or more may be rounded in another order, signs are placed anew, and
 /// negations may be more. Without such steps the program stays as it is.

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "dynamics/motion_tree.hpp"
+#include "dynamics/tree/motion_tree.hpp"
 #include "symbolic/passes.hpp"
 #include "viewer/looks.hpp"
 

@@ -3,11 +3,10 @@
 // sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
 // Speeds:       u -= M^-1 P^T S^-1 velocity,  S = P M^-1 P^T. Of all speeds that keep the constraints this
-// has the
-//               least kinetic energy of the difference, and it is what a perfectly inelastic impact would do.
+//               has the least kinetic energy of the difference, and it is what a perfectly inelastic impact
+//               would do.
 // Coordinates:  Newton's method on the holonomic rows, q += a N(q) x with x = -M^-1 P^T S^-1 position, the
-// length a
-//               found by halving until the sum of squares of the positions falls.
+//               length a found by halving until the sum of squares of the positions falls.
 #pragma once
 
 #include <cmath>
@@ -77,9 +76,8 @@ void hold(const Held& held, Mass& mass, Rows& P) {
 }  // namespace detail
 
 /// Projects the speeds of any System with constraints.
-/// \return ok; not_finite; not_positive_definite; inconsistent_constraints with the row in the report. u is
-/// left as
-///         it was unless ok.
+/// \return ok; not_finite; not_positive_definite; inconsistent_constraints with the row in the report.
+///         u is left as it was unless ok.
 template <class System, class Vector>
 [[nodiscard]] Status project_speeds(const System& system,
                                     const Eigen::Matrix<typename System::Scalar, System::kNq, 1>& q,
@@ -117,9 +115,9 @@ template <class System, class Vector>
 }
 
 /// Projects the coordinates of any System with constraints on its holonomic rows; does nothing if there are
-/// none. \return ok; not_finite; not_positive_definite; no_convergence; inconsistent_constraints if the
-/// iteration stops
-///         where a row depends on the others and is not kept: it contradicts them, or the mechanism is
+/// none.
+/// \return ok; not_finite; not_positive_definite; no_convergence; inconsistent_constraints if the iteration
+///         stops where a row depends on the others and is not kept: it contradicts them, or the mechanism is
 ///         singular there. q is left as it was unless ok. The report is that of the last iteration.
 template <class System, class Vector>
 [[nodiscard]] Status project_coordinates(const System& system, Vector& q,

@@ -19,11 +19,9 @@ inline constexpr int kLargestByRows = 12;  // measured: from here on columns are
 /// Factors a symmetric matrix in place, A = L D L^T.
 ///
 /// \param A  n x n, of fixed or dynamic size; only the lower triangle is read. On success it holds L below
-/// the diagonal (its diagonal is 1) and D
-///           on the diagonal.
+///           the diagonal (its diagonal is 1) and D on the diagonal.
 /// \return   not_finite or not_positive_definite if a pivot is not finite, or not above n * epsilon * A_ii:
-/// below that,
-///           cancellation has left no correct digit in it. A is spoilt then.
+///           below that, cancellation has left no correct digit in it. A is spoilt then.
 ///
 /// Written out here because Eigen's blocked factorisations take memory from the heap from 32 rows on. Small
 /// matrices go row by row, in registers; larger ones column by column (right-looking), whose inner loops run
@@ -97,6 +95,7 @@ template <class S, int N, int K>
 
 }  // namespace detail
 
+/// The checked way, by factoring M; the generated M::forward_dynamics is straight code without checks.
 /// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
 /// (constrained_dynamics.hpp has those).
 ///

@@ -10,9 +10,8 @@ namespace alembert {
 /// What came of a call.
 enum class Status {
   ok = 0,
-  not_finite = 1,  ///< an argument, M or c, or the result holds a NaN or an infinity
-  not_positive_definite =
-      2,  ///< M has a pivot that is not positive beyond rounding: the mechanism is singular here
+  not_finite = 1,                ///< an argument, M or c, or the result holds a NaN or an infinity
+  not_positive_definite = 2,     ///< M has a pivot that is not positive beyond rounding: singular here
   inconsistent_constraints = 3,  ///< a row of the constraints contradicts the others
   no_convergence = 4,            ///< an iteration came to no solution
   residual_too_large = 5,        ///< the closest state is further away than was allowed

@@ -18,8 +18,7 @@
 //     shift as a whole along an axis, linear momentum along that axis is kept, if it can turn as a whole
 //     about an axis, so is angular momentum about it; what a support takes up is not.
 //   - The kinetic energy falls by 1/2 sum (J u - V)^T I (J u - V) (Carnot's theorem): the change is a
-//   perfectly inelastic
-//     impact. If the other mechanism allows all motions of the bodies known, as when a chain breaks, nothing
+//     perfectly inelastic impact. If the other mechanism allows all motions of the bodies known, as when a chain breaks, nothing
 //     is lost and all velocities stay.
 //
 // Constraints of the other mechanism are kept, by projections in the same metric (consistent_state.hpp). A
@@ -185,9 +184,8 @@ void fit_poses(const CoordinateVector<M>& q, const typename M::Inputs& in, const
 /// \param q        n_q x 1: a guess, from which angles are within half a turn; then the result
 /// \param options  bounds
 /// \param change   distance, angle and body at the result
-/// \return         ok; not_finite; not_positive_definite: some coordinate moves no body that is known and has
-/// inertia;
-///                 no_convergence; residual_too_large: a body would jump. q is left as it was unless ok, and
+/// \return         ok; not_finite; not_positive_definite: some coordinate moves no body that is known and
+///                 has inertia; no_convergence; residual_too_large: a body would jump. q is left as it was unless ok, and
 ///                 change unless ok or residual_too_large.
 template <class M>
 [[nodiscard]] Status coordinates_of_bodies(

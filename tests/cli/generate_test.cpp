@@ -33,6 +33,27 @@ TEST(Generate, WritesWhatItLists) {
   for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(file)) << file;
 }
 
+TEST(Generate, CIsOneHeaderAndOneSource) {
+  const TemporaryFolder folder;
+  const std::string arguments =
+      "generate " + mechanism_file("pendulum") + " --language c --out-dir " + (folder / "out");
+  const CommandResult list = alembert(folder, arguments + " --print-outputs");
+  EXPECT_EQ(list.out, (folder / "out/include/pendulum/pendulum.h\n") + (folder / "out/src/pendulum.c\n"));
+  ASSERT_EQ(alembert(folder, arguments).exit_code, 0);
+  EXPECT_EQ(alembert(folder, arguments + " --check").exit_code, 0);
+  EXPECT_THAT(read_text(folder / "out/src/pendulum.c"), HasSubstr("const double* restrict q"));
+  EXPECT_EQ(alembert(folder, arguments + " --scalars float --check").exit_code, 1);
+  for (const char* option : {"--namespace a", "--batch default", "--batch-instructions avx2", "--parts 2"}) {
+    const CommandResult refused = alembert(folder, arguments + " " + option);
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("--language c"));
+  }
+  const CommandResult both = alembert(folder, arguments + " --scalars double,float");
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_THAT(both.err, HasSubstr("C is written for one scalar type"));
+  EXPECT_EQ(alembert(folder, arguments + " --language pascal").exit_code, 1);
+}
+
 TEST(Generate, TouchesNothingThatIsUpToDate) {
   const TemporaryFolder folder;
   const std::string arguments = "generate " + mechanism_file("pendulum") + " --out-dir " + (folder / "out");

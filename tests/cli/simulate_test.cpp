@@ -26,6 +26,22 @@ TEST(Simulate, ConservesTheEnergyOfADoublePendulum) {
   for (const auto& row : rows) EXPECT_NEAR(row.back(), rows[0].back(), 1e-7 * std::abs(rows[0].back()));
 }
 
+TEST(Simulate, SaysWhichExpressionHasNoValueAtAGivenState) {
+  const TemporaryFolder folder;
+  const std::string knee = mechanism_file("paper/knee");
+  const CommandResult result = alembert(folder, "simulate " + knee + " --duration 0.1 --q 9,9");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, testing::StartsWith(knee + ":27:15: error: "));
+  EXPECT_THAT(result.err,
+              HasSubstr("acos of a number outside [-1, 1]: '(c^2 + diagonal^2 - b^2)/(2*c*diagonal)' "
+                        "is 1.0084"));
+  EXPECT_THAT(result.err,
+              HasSubstr("--q starts at q = 9, ankle = 9: the mechanism cannot be put together there"));
+  // Outside the limits is no error where the mechanism exists.
+  EXPECT_EQ(alembert(folder, "simulate " + knee + " --duration 0.1 --q 1.25,3").exit_code, 0);
+}
+
 // A limit on the size of files makes writing fail midway, as a full disk does.
 TEST(Simulate, AFullDiskLeavesTheTableFromBefore) {
   const TemporaryFolder folder;
@@ -291,6 +307,26 @@ TEST(Options, DumpAndVerboseShowTheStages) {
   const CommandResult result = alembert(folder, "report --verbose " + file);
   for (const char* stage : {"load", "kinematics", "equations", "program"})
     EXPECT_THAT(result.err, HasSubstr(stage));
+}
+
+TEST(Options, HelpHasCommonOnesFirstAndAnExample) {
+  const TemporaryFolder folder;
+  for (const std::string command : {"generate", "report", "evaluate", "simulate", "check", "import"}) {
+    const std::string help = alembert(folder, command + " --help").out;
+    EXPECT_THAT(help, HasSubstr("Example:\n"));
+    EXPECT_THAT(help, HasSubstr("alembert " + command + " "));
+    const std::size_t optimiser = help.find("For those who look into the optimiser");
+    EXPECT_EQ(optimiser == std::string::npos, command == "import");
+    if (optimiser == std::string::npos) continue;
+    EXPECT_LT(optimiser, help.find("--effort"));
+    EXPECT_LT(help.find("--strict"), optimiser);
+    for (const char* common :
+         {"--out-dir", "--functions", "--json", "--duration", "--html", "--stamp", "--states"}) {
+      const std::size_t place = help.find(common);
+      EXPECT_TRUE(place == std::string::npos || place < optimiser) << command << common;
+    }
+  }
+  EXPECT_THAT(alembert(folder, "--help").out, HasSubstr("alembert simulate robot.yaml --html robot.html"));
 }
 
 TEST(Options, WrongUseExitsWithOne) {

@@ -56,6 +56,13 @@ foreach(component runtime generator)
   run(output ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}" --component ${component})
 endforeach()
 
+file(GLOB_RECURSE built "${BUILD}/generated/*alembert_catalogue.a")
+file(GLOB_RECURSE catalogue "${prefix}/*alembert_catalogue.a" "${prefix}/alembert-catalogue-targets.cmake")
+list(LENGTH catalogue catalogue_files)
+if(built AND NOT catalogue_files EQUAL 2)
+  message(FATAL_ERROR "the catalogue was built and is not installed: ${catalogue}")
+endif()
+
 run(output ${CMAKE_COMMAND} -S "${source}" -B "${build}" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Debug
     -DCMAKE_C_COMPILER=${C_COMPILER} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} --warn-uninitialized -Werror=dev)
 build_and_expect(3 TRUE)
@@ -67,6 +74,23 @@ if(NOT motion STREQUAL torque OR NOT torque_from_objects STREQUAL torque)
   message(FATAL_ERROR "three ways to the same torque differ: ${motion} ${torque} ${torque_from_objects}")
 endif()
 expect_nothing_to_do()
+
+# The same in C, without a compiler for C++ and without its library.
+run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" --warn-uninitialized -Werror=dev)
+run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
+foreach(library arm m)
+  run(torque_in_c "${WORK}/c build/torque_${library}")
+  if(NOT torque_in_c STREQUAL torque)
+    message(FATAL_ERROR "C99 gives another torque: ${torque_in_c} and ${torque}")
+  endif()
+endforeach()
+run(torque_in_float "${WORK}/c build/torque_float")
+expect_count("${torque_in_float}" "torque [-0-9.]+ [-0-9.]+" 1)
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${WORK}/c build/torque_m" RESOLVED_DEPENDENCIES_VAR libraries)
+if("${libraries}" MATCHES "stdc|c\\+\\+")
+  message(FATAL_ERROR "C needs a library of C++: ${libraries}")
+endif()
 
 # Touched but the same: generated once for each target, nothing compiled, and then nothing to do.
 wait()

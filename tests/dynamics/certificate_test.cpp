@@ -1,12 +1,12 @@
 // What is written is measured: right programs are near the plain equations, and one that is wrong in any
 // constant by a hundred-millionth is not. Forms that lose digits are told by their bounds.
-#include "dynamics/certificate.hpp"
+#include "dynamics/checks/certificate.hpp"
 
 #include <gtest/gtest.h>
 
-#include "dynamics/conditioning.hpp"
-#include "dynamics/formulations.hpp"
+#include "dynamics/choice/conditioning.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/recursions/formulations.hpp"
 #include "program/passes.hpp"
 #include "symbolic/identity.hpp"
 

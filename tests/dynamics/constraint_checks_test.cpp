@@ -1,14 +1,14 @@
 // Checks of constraints by numbers: laws that hold and fail, redundant rows, initial states that are off,
 // derivatives without value.
-#include "dynamics/constraint_checks.hpp"
+#include "dynamics/checks/constraint_checks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "dynamics/constraints.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/recursions/constraints.hpp"
 #include "dynamics/sleigh.hpp"
 
 namespace alembert::test {

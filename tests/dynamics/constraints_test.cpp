@@ -1,6 +1,6 @@
 // Rows of constraints against motion: no slip is no velocity of the material point at the contact, P is the
 // rate of position, gamma the rate of P u. Rates are taken numerically, along motions through random states.
-#include "dynamics/constraints.hpp"
+#include "dynamics/recursions/constraints.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 
-#include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/recursions/formulations.hpp"
 #include "dynamics/sleigh.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "program/passes.hpp"

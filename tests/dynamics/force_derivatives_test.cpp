@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/by_complex_steps.hpp"
-#include "dynamics/formulations.hpp"
 #include "dynamics/random_trees.hpp"
+#include "dynamics/recursions/formulations.hpp"
 #include "oracles/random_mechanism.hpp"
 
 namespace alembert::test {

@@ -11,10 +11,10 @@
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/by_complex_steps.hpp"
-#include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/rigid_links.hpp"
-#include "dynamics/scaled_vectors.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/rewrites/rigid_links.hpp"
+#include "dynamics/rewrites/scaled_vectors.hpp"
 
 namespace alembert::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "dynamics/formulations.hpp"
-#include "dynamics/meeting_frames.hpp"
 #include "dynamics/random_trees.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
 
 namespace alembert::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "catalogue.hpp"
+#include "dynamics/checks/state_checks.hpp"
 #include "dynamics/equations.hpp"
-#include "dynamics/state_checks.hpp"
 #include "mechanism/load.hpp"
 #include "symbolic/passes.hpp"
 

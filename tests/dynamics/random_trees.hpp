@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/rigid_links.hpp"
-#include "dynamics/scaled_vectors.hpp"
+#include "dynamics/rewrites/rigid_links.hpp"
+#include "dynamics/rewrites/scaled_vectors.hpp"
 
 namespace alembert::test {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/rigid_links.hpp"
-#include "dynamics/scaled_vectors.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/rewrites/rigid_links.hpp"
+#include "dynamics/rewrites/scaled_vectors.hpp"
 #include "oracles/random_mechanism.hpp"
 
 namespace alembert::test {

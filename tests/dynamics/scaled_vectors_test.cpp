@@ -1,13 +1,13 @@
 // Scaled components of vectors: the same dynamics on trees where a scale meets more than the turn it is for.
-#include "dynamics/scaled_vectors.hpp"
+#include "dynamics/rewrites/scaled_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/formulations.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/recursions/formulations.hpp"
 
 namespace alembert::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dynamics/checks/plain_equations.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/plain_equations.hpp"
 
 namespace alembert::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "emit/emit.hpp"
 #include "emit/function_signature.hpp"
 #include "emit/sample.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/statements.hpp"
 #include "program/program_maker.hpp"
 #include "support/error.hpp"
 

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "emit/locked_folder.hpp"
+#include "emit/files/locked_folder.hpp"
 #include "emit/written_tree.hpp"
 
 namespace {

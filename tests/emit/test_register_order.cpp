@@ -2,8 +2,8 @@
 // out of registers, less waiting.
 #include <gtest/gtest.h>
 
-#include "emit/register_order.hpp"
 #include "program/program_maker.hpp"
+#include "registers/register_order.hpp"
 
 namespace alembert {
 namespace {

@@ -13,11 +13,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "emit/order_search.hpp"
-#include "emit/register_file.hpp"
-#include "emit/register_order.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/statements.hpp"
 #include "program/program_maker.hpp"
+#include "registers/order_search.hpp"
+#include "registers/register_file.hpp"
+#include "registers/register_order.hpp"
 
 namespace alembert {
 namespace {

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <limits>
 
-#include "emit/literals.hpp"
 #include "emit/sample.hpp"
-#include "emit/statement_layout.hpp"
-#include "emit/statements.hpp"
+#include "emit/statements/literals.hpp"
+#include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
+#include "registers/statement_layout.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

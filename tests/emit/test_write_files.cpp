@@ -9,7 +9,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "emit/waiting_file.hpp"
+#include "emit/files/waiting_file.hpp"
 #include "emit/written_tree.hpp"
 
 namespace alembert {

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "emit/emit.hpp"
+#include "emit/files/write_files.hpp"
 #include "emit/sample.hpp"
-#include "emit/write_files.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include "emit/write_files.hpp"
+#include "emit/files/write_files.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <string>
 
+#include "import/common/yaml.hpp"
+#include "import/urdf/describe.hpp"
+#include "import/urdf/robot.hpp"
 #include "mechanism/load.hpp"
-#include "urdf/describe.hpp"
-#include "urdf/robot.hpp"
-#include "urdf/yaml.hpp"
 
 namespace {
 

@@ -254,7 +254,7 @@ TEST(WrongNumbers, AxesThatNearlyMeet) {
 }
 
 // A thumb as exported, its axes parallel to thirteen digits, on a stage of 100 kg beside which its forces are
-// nothing: the tilt's direction has three digits. They were right to four digits in `bias` only.
+// nothing: the direction of the tilt has three digits only. They were right to four.
 TEST(WrongNumbers, AxesParallelToThirteenDigitsOnAStage) {
   const std::string text = R"yaml(
 coordinates: [height, first, second]

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "program/error_bound.hpp"
 #include "program/operation.hpp"
 #include "program/passes.hpp"
+#include "program/verify/error_bound.hpp"
 
 namespace alembert {
 

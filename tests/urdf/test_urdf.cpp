@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "golden/golden_file.hpp"
+#include "import/common/names.hpp"
+#include "import/common/snapped_angle.hpp"
+#include "import/common/yaml.hpp"
+#include "import/importers.hpp"
+#include "import/urdf/describe.hpp"
+#include "import/urdf/robot.hpp"
 #include "mechanism/load.hpp"
-#include "urdf/describe.hpp"
-#include "urdf/names.hpp"
-#include "urdf/robot.hpp"
-#include "urdf/snapped_angle.hpp"
-#include "urdf/yaml.hpp"
 
 namespace alembert {
 namespace {
@@ -261,6 +262,15 @@ TEST(UrdfNames, AreFit) {
   EXPECT_EQ(fit_name("sin", "joint"), "sin_joint");
   EXPECT_EQ(fit_name("world", "link"), "world_link");
   EXPECT_EQ(fit_name("//", "link"), "link");
+}
+
+TEST(Importers, AreChosenByExtensionAndByText) {
+  for (const Importer& importer : importers()) {
+    EXPECT_EQ(&importer_of({"file" + std::string(importer.extension), ""}), &importer) << importer.format;
+    EXPECT_THAT(importable_formats(), testing::HasSubstr(std::string(importer.format)));
+  }
+  EXPECT_EQ(importer_of({"<stdin>", "<?xml version='1.0'?><robot name='r'/>"}).format, "URDF");
+  EXPECT_EQ(importer_of({"notes.txt", "neither"}).format, "URDF");
 }
 
 }  // namespace

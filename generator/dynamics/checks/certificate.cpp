@@ -1,0 +1,199 @@
+// Measures programs (see the header).
+#include "dynamics/checks/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "dynamics/checks/state_checks.hpp"
+#include "symbolic/error_bound.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// States for each function of a small mechanism, and what they may take of a large one: nodes that are
+/// evaluated.
+constexpr int kMeasuredStates = 10, kFewestStates = 3;
+constexpr double kMeasuringWork = 4e6;
+
+bool finite(const VectorXe& v) {
+  return std::all_of(v.begin(), v.end(), [](const Extended& x) { return isfinite(x); });
+}
+
+/// One array as it should be: all of it, or its product with a vector.
+struct Wanted {
+  VectorXe values;
+  std::optional<VectorXe> times = {};
+  Extended noise = 0;  ///< of the values: so much is left of what cancels
+};
+
+/// What the arrays of a function should be.
+std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
+                                  const PlainEquations::State& state, const VectorXe& signs) {
+  const auto largest = [](const VectorXe& v) {
+    return v.size() == 0 ? Extended(0) : v.lpNorm<Eigen::Infinity>();
+  };
+  const auto forces = [&](std::vector<Wanted> arrays, const Extended& noise) {
+    const Extended size = largest(plain.forces(state));
+    for (Wanted& array : arrays) array.noise = noise * size;
+    return arrays;
+  };
+  switch (kind) {
+    case FunctionKind::inverse_dynamics:
+      return forces({{plain.forces(state)}}, kExtendedRounding);
+    case FunctionKind::mass_matrix:
+      return forces({{plain.mass_times(state, signs), signs}}, kExtendedRounding);
+    case FunctionKind::bias:
+      return forces({{plain.bias(state)}}, kExtendedRounding);
+    case FunctionKind::mass_matrix_and_bias:
+      return forces({{plain.mass_times(state, signs), signs}, {plain.bias(state)}}, kExtendedRounding);
+    case FunctionKind::forward_dynamics:
+      return {{plain.accelerations(state)}};
+    case FunctionKind::inverse_dynamics_derivatives:
+      return forces({{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}},
+                    kDifferenceNoise);
+    case FunctionKind::coordinate_rates:
+    case FunctionKind::energy:
+    case FunctionKind::body_poses:
+    case FunctionKind::frame_poses:
+    case FunctionKind::frame_jacobians:
+    case FunctionKind::constraints:
+    case FunctionKind::body_jacobians:
+    case FunctionKind::body_inertias:
+      break;
+  }
+  const std::vector<Extended> all = plain.outputs(kind, state);
+  const Extended noise = kExtendedRounding * largest(Eigen::Map<const VectorXe>(
+                                                 all.data(), static_cast<Eigen::Index>(all.size())));
+  std::vector<Wanted> arrays;
+  Eigen::Index at = 0;
+  for (const OutputArray& output : program.outputs) {
+    const Eigen::Index size = static_cast<Eigen::Index>(output.values.size());
+    arrays.push_back({Eigen::Map<const VectorXe>(all.data() + at, size), {}, noise});
+    at += size;
+  }
+  return arrays;
+}
+
+/// The errors of one array at states.
+class ArrayErrors {
+ public:
+  void add(const Wanted& wanted, std::span<const double> found, std::size_t columns) {
+    VectorXe here = VectorXe::Zero(wanted.values.size());
+    Extended largest = 0, difference = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Extended x = found[i];
+      largest = std::max(largest, Extended(abs(x)));
+      if (wanted.times) {
+        here[static_cast<Eigen::Index>(i / columns)] +=
+            x * (*wanted.times)[static_cast<Eigen::Index>(i % columns)];
+      } else {
+        here[static_cast<Eigen::Index>(i)] = x;
+      }
+    }
+    for (Eigen::Index i = 0; i < here.size(); ++i) {
+      if (!wanted.times) largest = std::max(largest, Extended(abs(wanted.values[i])));
+      difference = std::max(difference, Extended(abs(here[i] - wanted.values[i])));
+    }
+    if (difference <= wanted.noise) difference = 0;
+    states_.emplace_back(difference, largest);
+    size_ = std::max(size_, largest);
+  }
+
+  /// The largest relative to the entries at its state, which may be next to nothing there: a thousandth of
+  /// what they are elsewhere, then.
+  double worst() const {
+    double out = 0;
+    for (const auto& [difference, largest] : states_) {
+      if (difference < std::numeric_limits<double>::min()) continue;  // below, double precision has no digits
+      out = std::max(out,
+                     Extended(difference / std::max(largest, Extended(size_ / 1000))).convert_to<double>());
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::pair<Extended, Extended>> states_;  ///< largest difference and entry
+  Extended size_ = 0;
+};
+
+}  // namespace
+
+Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
+                         std::optional<int> states)
+    : kinematics_(kinematics),
+      bindings_(bindings),
+      plain_(kinematics),
+      most_(states.value_or(kMeasuredStates)),
+      work_(states ? HUGE_VAL : kMeasuringWork) {
+  // More than are wanted: the equations may have no value at some.
+  for (int k = 0; k < 4 * most_; ++k) states_.push_back(state_in_range(kinematics, static_cast<unsigned>(k)));
+}
+
+MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
+  std::vector<ArrayErrors> errors(program.outputs.size());
+  MeasuredError worst;
+  std::mt19937_64 random(1);
+  double work = 0;
+  std::size_t size = 0;
+  for (const OutputArray& output : program.outputs) size += output.values.size();
+  std::vector<double> inputs, found(size), scratch;
+  for (const std::vector<double>& values : states_) {
+    if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
+    const PlainEquations::State state = plain_.state(values);
+    VectorXe signs(kinematics_.mechanism.nv);
+    for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
+    work += static_cast<double>(2 * plain_.nodes());
+    const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
+    if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
+      continue;
+    inputs.clear();
+    for (const SymbolBinding& binding : bindings_)
+      inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
+    interpret(program, inputs, found, scratch, Functions::rounded_correctly);
+    if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
+      worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
+      continue;
+    }
+    ++worst.states;
+    std::size_t at = 0;
+    for (std::size_t a = 0; a < arrays.size(); ++a) {
+      const OutputArray& output = program.outputs[a];
+      errors[a].add(arrays[a], {found.data() + at, output.values.size()}, output.columns);
+      at += output.values.size();
+    }
+  }
+  for (std::size_t a = 0; a < errors.size(); ++a) {
+    const double relative = errors[a].worst();
+    if (relative <= worst.relative) continue;
+    worst.relative = relative;
+    worst.array = program.outputs[a].name;
+  }
+  return worst;
+}
+
+bool Certificate::explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const {
+  double bound = kLargestError;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const bool without_value =
+        std::find(error.without_value.begin(), error.without_value.end(), k) != error.without_value.end();
+    if (!without_value && k >= static_cast<std::size_t>(most_)) continue;
+    bool has_value = true;
+    for (const OutputExpressions& output : plain) {
+      double largest = 0, most = 0;
+      for (const Approximate& x : evaluate_bounded(output.values, states_[k])) {
+        has_value = has_value && std::isfinite(x.value);
+        largest = std::max(largest, std::abs(x.value));
+        most = std::max(most, x.error);
+      }
+      if (std::isfinite(largest) && most > 0)
+        bound = std::max(bound, largest > 0 ? most / largest : HUGE_VAL);
+    }
+    if (without_value && has_value) return false;
+  }
+  return error.relative <= bound;
+}
+
+}  // namespace alembert

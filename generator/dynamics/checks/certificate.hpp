@@ -1,0 +1,61 @@
+// How far a program is from the plain equations. In: a program in its final order. Out: the largest error of
+// its results at states over the coordinates' ranges, near the initial state, far out, at rest and fast, with
+// runtime parameters about their defaults, relative to the largest entry of the array.
+//
+// The program is run in double precision, its functions of the C library rounded correctly, so that the
+// figures are the same on every machine; the plain equations have 50 digits. M and derivatives of the forces
+// are compared by their products with vectors of random signs, to which every entry contributes: one
+// evaluation instead of nv.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dynamics/checks/plain_equations.hpp"
+#include "program/passes.hpp"
+
+namespace alembert {
+
+/// What was measured of one function.
+struct MeasuredError {
+  double relative = 0;  ///< the largest of all arrays and states
+  std::string array;    ///< where it is
+  int states = 0;       ///< at which there were values to compare; 0: nothing is known
+  std::vector<std::size_t> without_value =
+      {};  ///< states at which the plain equations have values, the program none
+};
+
+/// Errors above it are too large, unless those of the plain equations in double precision are as large.
+inline constexpr double kLargestError = 1e-10;
+
+class Certificate {
+ public:
+  /// All must outlive it. `states`: at how many to measure; nothing: at ten, three of very large mechanisms.
+  Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
+              std::optional<int> states = {});
+
+  /// The program has all bindings as inputs.
+  MeasuredError measure(const Program& program, FunctionKind kind) const;
+  /// Whether a measured error needs no explanation.
+  static bool is_small(const MeasuredError& error) {
+    return error.relative <= kLargestError && error.without_value.empty();
+  }
+  /// Whether `plain`, the expressions of the function by the plain equations, in double precision may have
+  /// rounding errors as large, and no values where the program has none (a function that overflows). Bounds
+  /// of errors can be far above them: what has a small error goes before what has an explained one.
+  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
+
+  const PlainEquations& plain() const { return plain_; }
+
+ private:
+  const Kinematics& kinematics_;
+  const std::vector<SymbolBinding>& bindings_;
+  PlainEquations plain_;
+  int most_;                                 ///< states to measure at
+  double work_;                              ///< nodes that may be evaluated for more than the fewest
+  std::vector<std::vector<double>> states_;  ///< values of all symbols
+};
+
+}  // namespace alembert

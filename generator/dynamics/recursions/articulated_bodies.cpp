@@ -1,0 +1,296 @@
+// Forward dynamics in O(n) by articulated bodies. In: tree of motions, forces less the bias. Out: the speeds'
+// rates.
+//
+// After R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7, without velocities: those are all
+// in c. With x the force and moment on, and y the acceleration of, all that hangs on a frame,
+//
+//     x = I y + p,     x = (n, f),     y = (al, acc),     I = [J H; H^T M]
+//
+// a speed of twist s and force r takes  U = I s,  D = s^T U,  u = r - s^T p  and leaves to what is inward of
+// it
+//
+//     I' = I - U U^T / D,     p' = p + U u / D;       its rate is  (u - U^T y') / D,     y = y' + s rate.
+//
+// An armature of the speed is added to D.
+//
+// Several speeds in one frame are taken one after another, as if frames without mass lay between them.
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "dynamics/recursions/formulations.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// A pair of an angular and a linear vector: twist and acceleration (al, acc), or moment and force (n, f).
+using Pair = Matrix<6, 1>;
+
+Pair pair(const Vec3& x, const Vec3& y) {
+  return {{x[0], x[1], x[2], y[0], y[1], y[2]}};
+}
+Vec3 first(const Pair& x) {
+  return {{x[0], x[1], x[2]}};
+}
+Vec3 second(const Pair& x) {
+  return {{x[3], x[4], x[5]}};
+}
+Expr dot(const Pair& x, const Pair& y) {
+  return dot(first(x), first(y)) + dot(second(x), second(y));
+}
+
+/// y of the next frame's origin, in its axes.
+Pair outward(const Motion& motion, const Pair& y) {
+  if (motion.kind == MotionKind::translation)
+    return pair(first(y), second(y) + cross(first(y), motion.offset));
+  return pair(motion.to_child(first(y)), motion.to_child(second(y)));
+}
+/// x about the previous frame's origin, in its axes.
+Pair inward(const Motion& motion, const Pair& x) {
+  if (motion.kind == MotionKind::translation)
+    return pair(first(x) + cross(motion.offset, second(x)), second(x));
+  return pair(motion.to_parent(first(x)), motion.to_parent(second(x)));
+}
+
+struct ArticulatedInertia {
+  Mat3 J, H, M;  ///< J and M symmetric, all nine entries kept
+};
+
+/// E A E^T of any A; for a turn in the plane of i and j with z = s (A_ii - A_jj) + c (A_ij + A_ji):
+/// A'_ii = A_ii - s z, A'_jj = A_jj + s z, A'_ij = c z - A_ji, A'_ji = c z - A_ij.
+Mat3 turned(const Mat3& A, const Motion& motion) {
+  if (motion.kind == MotionKind::rotation) return motion.matrix * A * transpose(motion.matrix);
+  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  const Expr c = motion.cosine, s = motion.sine;
+  Mat3 out = A;
+  Expr z = s * (A(i, i) - A(j, j));
+  z += c * (A(i, j) + A(j, i));
+  const Expr sz = s * z, cz = c * z;
+  out(i, i) = A(i, i) - sz;
+  out(j, j) = A(j, j) + sz;
+  out(i, j) = cz - A(j, i);
+  out(j, i) = cz - A(i, j);
+  const auto turn_pair = [&](const Expr& x, const Expr& y, Expr& new_x, Expr& new_y) {
+    const Expr cx = c * x, sy = s * y, sx = s * x, cy = c * y;
+    new_x = cx - sy;
+    new_y = sx + cy;
+  };
+  turn_pair(A(i, a), A(j, a), out(i, a), out(j, a));
+  turn_pair(A(a, i), A(a, j), out(a, i), out(a, j));
+  return out;
+}
+
+/// About a point from which this one is at t: with T = skew(t), H' = H + T M, J' = J - H T + T H'^T.
+ArticulatedInertia shifted(const ArticulatedInertia& I, const Vec3& t) {
+  ArticulatedInertia out = I;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3 column{{I.M(0, c), I.M(1, c), I.M(2, c)}};
+    const Vec3 moment = cross(t, column);
+    for (std::size_t r = 0; r < 3; ++r) out.H(r, c) = I.H(r, c) + moment[r];
+  }
+  // Entry (r, c) of -H T is (t x row r of H) at c, and of T H'^T (t x row c of H') at r.
+  std::array<Vec3, 3> before, after;
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      before[r][k] = I.H(r, k);
+      after[r][k] = out.H(r, k);
+    }
+  }
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = r; c < 3; ++c) {
+      // A common factor t_k of both is taken out.
+      Expr sum = I.J(r, c);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (t[k].is_zero()) continue;
+        Expr inner = t[k].graph().zero();
+        if (k != c) {
+          const std::size_t other = 3 - k - c;
+          inner = (k + 1) % 3 == other ? inner + before[r][other] : inner - before[r][other];
+        }
+        if (k != r) {
+          const std::size_t other = 3 - k - r;
+          inner = (k + 1) % 3 == other ? inner + after[c][other] : inner - after[c][other];
+        }
+        sum += t[k] * inner;
+      }
+      out.J(r, c) = out.J(c, r) = sum;
+    }
+  }
+  return out;
+}
+
+ArticulatedInertia carried_inward(const ArticulatedInertia& I, const Motion& motion) {
+  if (motion.kind == MotionKind::translation) return shifted(I, motion.offset);
+  return {turned_symmetric(I.J, motion), turned(I.H, motion), turned_symmetric(I.M, motion)};
+}
+
+/// J, H = skew(h), M = m 1.
+ArticulatedInertia rigid_body(const NodeMass& mass, ExprGraph& g) {
+  ArticulatedInertia I{mass.inertia, zeros<3, 3>(g), zeros<3, 3>(g)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    I.M(k, k) = mass.mass;
+    I.H(j, i) = mass.moment[k];
+    I.H(i, j) = -mass.moment[k];
+    for (std::size_t c = 0; c < k; ++c) I.J(k, c) = I.J(c, k);
+  }
+  return I;
+}
+
+ArticulatedInertia plus(ArticulatedInertia x, const ArticulatedInertia& y) {
+  x.J = x.J + y.J;
+  x.H = x.H + y.H;
+  x.M = x.M + y.M;
+  return x;
+}
+
+Pair operator*(const ArticulatedInertia& I, const Pair& s) {
+  return pair(I.J * first(s) + I.H * second(s), transpose(I.H) * first(s) + I.M * second(s));
+}
+
+/// A speed as one joint.
+struct Joint {
+  int speed;
+  Pair twist;  ///< in the axes of the frame where it is taken
+};
+
+/// Joints of each node. A speed that several nodes depend on is taken at the outermost, with the sum of their
+/// twists: only that frame's motion matters if there is no mass, and no branch, on the way from the
+/// innermost. Otherwise nothing.
+std::optional<std::vector<std::vector<Joint>>> joints_of(const MotionTree& tree, int nv, ExprGraph& g) {
+  const std::size_t count = tree.nodes.size();
+  std::vector<int> children(count, 0);
+  std::vector<std::vector<std::size_t>> nodes_of(static_cast<std::size_t>(nv));
+  for (std::size_t i = 0; i < count; ++i) {
+    const MotionNode& node = tree.nodes[i];
+    if (node.parent >= 0) ++children[static_cast<std::size_t>(node.parent)];
+    for (const TwistPartial& partial : node.partials) {
+      if (partial.speed == nv) continue;  // time
+      std::vector<std::size_t>& nodes = nodes_of[static_cast<std::size_t>(partial.speed)];
+      if (nodes.empty() || nodes.back() != i) nodes.push_back(i);
+    }
+  }
+  std::vector<std::vector<Joint>> joints(count);
+  for (int speed = 0; speed < nv; ++speed) {
+    std::vector<std::size_t> nodes = nodes_of[static_cast<std::size_t>(speed)];
+    if (nodes.empty()) return std::nullopt;
+    const std::size_t outermost = nodes.back();
+    Pair sum = zeros<6, 1>(g);
+    std::vector<std::size_t> path;  // from the outermost to the frame before
+    for (std::size_t at = outermost;;) {
+      if (at == nodes.back()) {
+        Pair twist = zeros<6, 1>(g);
+        for (const TwistPartial& partial : tree.nodes[at].partials) {
+          if (partial.speed != speed) continue;
+          const bool linear = tree.nodes[at].motion.kind == MotionKind::translation;
+          for (std::size_t k = 0; k < 3; ++k) twist[linear ? k + 3 : k] += partial.direction[k];
+        }
+        for (std::size_t k = path.size(); k-- > 0;) twist = outward(tree.nodes[path[k]].motion, twist);
+        sum = sum + twist;
+        nodes.pop_back();
+        if (nodes.empty()) break;
+      }
+      path.push_back(at);
+      if (tree.nodes[at].parent < 0) return std::nullopt;  // the rest is on another branch
+      at = static_cast<std::size_t>(tree.nodes[at].parent);
+      if (children[at] != 1 || !tree.masses[at].is_zero()) return std::nullopt;
+    }
+    joints[outermost].push_back({speed, sum});
+  }
+  return joints;
+}
+
+/// Component of a twist that has only one, otherwise 6.
+std::size_t only_component(const Pair& twist) {
+  std::size_t found = 6;
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (twist[k].is_zero()) continue;
+    if (found < 6) return 6;
+    found = k;
+  }
+  return found;
+}
+
+/// What is left of I after a joint, with the row and column of its own component exactly zero.
+ArticulatedInertia without(const ArticulatedInertia& I, const Pair& U, const Pair& U_over_D,
+                           std::size_t own) {
+  ArticulatedInertia out = I;
+  const auto entry = [&](std::size_t r, std::size_t c) -> Expr& {
+    return c < 3 ? out.J(r, c) : r < 3 ? out.H(r, c - 3) : out.M(r - 3, c - 3);
+  };
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t c = r; c < 6; ++c) {
+      Expr& x = entry(r, c);
+      if (r == own || c == own) {
+        x = x.graph().zero();
+      } else {
+        x -= U[r] * U_over_D[c];
+      }
+      if (c < 3) out.J(c, r) = x;
+      if (r >= 3) out.M(c - 3, r - 3) = x;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, const MotionTree& tree,
+                                                   std::span<const Expr> right_side, ExprGraph& graph) {
+  const std::size_t count = tree.nodes.size();
+  const auto joints = joints_of(tree, mechanism.nv, graph);
+  if (!joints) return std::nullopt;
+
+  struct Solved {
+    Pair U_over_D;
+    Expr u_over_D;
+  };
+  std::vector<ArticulatedInertia> inertias;
+  for (const NodeMass& mass : tree.masses) inertias.push_back(rigid_body(mass, graph));
+  std::vector<Pair> forces(count, zeros<6, 1>(graph));
+  std::vector<std::vector<Solved>> solved(count);
+  const std::vector<Expr> armature = armatures(mechanism);
+  for (std::size_t i = count; i-- > 0;) {
+    ArticulatedInertia& I = inertias[i];
+    Pair& p = forces[i];
+    for (const Joint& joint : (*joints)[i]) {
+      const Pair& s = joint.twist;
+      const Pair U = I * s;
+      const Expr a = armature[static_cast<std::size_t>(joint.speed)];
+      const Expr inverse_D = graph.one() / (dot(s, U) + a);
+      const Expr u = right_side[static_cast<std::size_t>(joint.speed)] - dot(s, p);
+      const Pair U_over_D = inverse_D * U;
+      const std::size_t own = a.is_zero() ? only_component(s) : 6;  // with armature, some of it stays
+      I = without(I, U, U_over_D, own);
+      for (std::size_t k = 0; k < 6; ++k) {
+        // s^T p' = r, whatever p was.
+        p[k] = k == own ? right_side[static_cast<std::size_t>(joint.speed)] / s[k] : p[k] + U_over_D[k] * u;
+      }
+      solved[i].push_back({U_over_D, inverse_D * u});
+    }
+    const MotionNode& node = tree.nodes[i];
+    if (node.parent < 0) continue;
+    const std::size_t parent = static_cast<std::size_t>(node.parent);
+    inertias[parent] = plus(inertias[parent], carried_inward(I, node.motion));
+    forces[parent] = forces[parent] + inward(node.motion, p);
+  }
+
+  std::vector<Expr> rates(static_cast<std::size_t>(mechanism.nv), graph.zero());
+  std::vector<Pair> accelerations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const MotionNode& node = tree.nodes[i];
+    Pair y = node.parent < 0 ? zeros<6, 1>(graph)
+                             : outward(node.motion, accelerations[static_cast<std::size_t>(node.parent)]);
+    for (std::size_t k = (*joints)[i].size(); k-- > 0;) {
+      const Joint& joint = (*joints)[i][k];
+      const Expr rate = solved[i][k].u_over_D - dot(solved[i][k].U_over_D, y);
+      rates[static_cast<std::size_t>(joint.speed)] = rate;
+      y = y + rate * joint.twist;
+    }
+    accelerations.push_back(y);
+  }
+  return rates;
+}
+
+}  // namespace alembert

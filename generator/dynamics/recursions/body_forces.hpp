@@ -1,0 +1,34 @@
+// Inertia forces of a rigid body in a moving frame: the part of the reduced form that belongs to one frame
+// alone.
+//
+// Letters as in formulations.hpp: om, al angular velocity and its rate, acc acceleration of the origin, U =
+// skew(al) + skew(om)^2.
+#pragma once
+
+#include "dynamics/rewrites/scaled_vectors.hpp"
+#include "dynamics/tree/motion_tree.hpp"
+
+namespace alembert {
+
+/// Motion of a frame and the products of its angular velocity, made once.
+struct FrameMotion {
+  Vec3 om, al;
+  Vec3 acc;                     ///< as stored: the acceleration is scale * acc
+  Scale scale;                  ///< D (scaled_vectors.hpp)
+  Expr xx, yy, zz, xy, xz, yz;  ///< om om^T
+  Mat3 U;                       ///< skew(al) + skew(om)^2
+
+  FrameMotion(const Vec3& angular, const Vec3& angular_rate, const Vec3& linear,
+              const Scale& scale = kUnscaled);
+  /// Acceleration of a point fixed to the frame, as stored: acc + D^-1 U t.
+  Vec3 at(const Vec3& t) const;
+};
+
+struct ForceMoment {
+  Vec3 force, moment;
+};
+
+/// f = m acc + U h;  n = J al + om x J om + h x acc, about the frame's origin; as stored: D f, D n.
+ForceMoment inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph);
+
+}  // namespace alembert

@@ -1,0 +1,437 @@
+// Derivatives of the forces by recursions along the tree of motions (README.md, 7): O(n^2).
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "differentiation/jacobian.hpp"
+#include "dynamics/recursions/body_forces.hpp"
+#include "dynamics/recursions/composite.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// What a change of a coordinate or a speed does to what moves with a frame, seen in the frame: accelerations
+/// change by angular_rate x r + linear + 2 angular x dr/dt, and all turns by `turn` in the world.
+struct Change {
+  Vec3 angular;       ///< of the angular velocity om
+  Vec3 angular_rate;  ///< of its rate, plus om x angular
+  Vec3 linear;        ///< of the acceleration of the origin
+  Vec3 turn;
+};
+
+/// One speed that moves a node.
+struct Mover {
+  std::size_t speed;
+  Vec3 twist;                       ///< as in TwistPartial
+  std::vector<SpeedPartial> bends;  ///< of the twist, along the speeds
+  Change by_coordinate, by_speed;
+};
+
+/// A force and its moment about the origin; they pass from frame to frame as a momentum does.
+using Wrench = Momentum;
+
+/// The power of a change along one unit motion: n . angular_rate + f . linear + g . angular + e . turn.
+struct Response {
+  Vec3 f, n, g, e;
+  Expr to(const Change& change) const {
+    const Expr steady = dot(n, change.angular_rate) + dot(f, change.linear);
+    return steady + (dot(g, change.angular) + dot(e, change.turn));
+  }
+};
+
+/// Forces whose directions are fixed in the world, with c from the origin to where they act.
+struct WorldForces {
+  Vec3 f, torque;  ///< sums of forces and of free torques
+  Vec3 moment;     ///< sum of c x f
+  Mat3 S;          ///< sum of f c^T + c f^T
+};
+
+/// All that moves with a frame, and how; r and dr/dt of its particles are from the origin, in axes that do
+/// not turn.
+struct MovingComposite {
+  Composite body;
+  Vec3 p;  ///< integral of dr/dt dm
+  Vec3 L;  ///< integral of r x dr/dt dm
+  Mat3 S;  ///< rate of K
+  WorldForces external;
+};
+
+class Recursion {
+ public:
+  Recursion(const Mechanism& mechanism, const MotionTree& tree, const SpeedDerivatives& derivatives,
+            ExprGraph& graph, FarPairs far)
+      : mechanism_(mechanism),
+        tree_(tree),
+        derivatives_(derivatives),
+        graph_(graph),
+        none_(zeros<3, 1>(graph)),
+        two_(graph.integer(2)),
+        nv_(static_cast<std::size_t>(mechanism.nv)),
+        along_(nv_ * nv_, graph.zero()),
+        by_(nv_ * nv_, graph.zero()) {
+    outward();
+    collect_own();
+    meet(far);
+  }
+
+  /// D_l Q_k, then dQ_k/du_l.
+  std::vector<Expr> run() {
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      for (const Mover& mover : movers_[i]) add_pairs(i, mover);
+      if (node(i).parent >= 0) add_to_parent(i);
+    }
+    std::vector<Expr> both = along_;
+    both.insert(both.end(), by_.begin(), by_.end());
+    return both;
+  }
+
+ private:
+  /// A node in a meeting frame: velocity of its origin from that frame's, and the changes by its movers.
+  struct Met {
+    Vec3 velocity;
+    std::vector<Change> by_coordinates, by_speeds;
+  };
+
+  const MotionNode& node(std::size_t i) const { return tree_.nodes[i]; }
+  std::size_t parent(std::size_t i) const { return static_cast<std::size_t>(node(i).parent); }
+  bool is_linear(std::size_t i) const { return node(i).motion.kind == MotionKind::translation; }
+  std::size_t size() const { return tree_.nodes.size(); }
+
+  void outward();
+  FrameMotion next(const FrameMotion& from, const MotionNode& to) const;
+  std::vector<Mover> movers(const FrameMotion& from, const MotionNode& at, const FrameMotion& frame) const;
+  void collect_own();
+  MovingComposite own(std::size_t i) const;
+  void add_to_parent(std::size_t i);
+  void meet(FarPairs far);
+  void add_met(int frame, std::size_t i, const Vec3& velocity);
+
+  Wrench change_of_wrench(std::size_t i, const Change& change) const;
+  Response response(std::size_t i, const Vec3& twist) const;
+  Wrench carried(const Wrench& x, std::size_t i) const;
+  Response carried(const Response& x, std::size_t i) const;
+  Response at_meeting(const Response& x, std::size_t i) const;
+  void add_pairs(std::size_t i, const Mover& mover);
+
+  Expr along_motion(std::size_t i, const Vec3& twist, const Wrench& x) const {
+    return dot(twist, is_linear(i) ? x.f : x.n);
+  }
+  void add(std::vector<Expr>& to, std::size_t k, std::size_t l, Expr value) { to[k * nv_ + l] += value; }
+
+  const Mechanism& mechanism_;
+  const MotionTree& tree_;
+  const SpeedDerivatives& derivatives_;
+  ExprGraph& graph_;
+  Vec3 none_;
+  Expr two_;
+  std::size_t nv_;
+  std::vector<Expr> along_, by_;
+
+  std::vector<FrameMotion> frames_;
+  std::vector<Vec3> shift_rates_;  ///< of translations: velocity of the origin from the parent's
+  std::vector<std::vector<Mover>> movers_;
+  std::vector<MovingComposite> composites_;
+  std::vector<Wrench> loads_;  ///< that the motions of nodes bear
+  std::optional<MeetingFrames> meetings_;
+  std::map<std::pair<int, std::size_t>, Met> met_;  ///< by meeting frame and node
+};
+
+FrameMotion Recursion::next(const FrameMotion& from, const MotionNode& to) const {
+  if (to.motion.kind == MotionKind::translation) {
+    Vec3 acc = from.at(to.motion.offset);
+    acc = acc + cross(from.om, two_ * to.velocity);
+    acc = acc + to.acceleration;
+    return FrameMotion(from.om, from.al, acc);
+  }
+  const Vec3 om = to.motion.to_child(from.om);
+  const Vec3 al = to.motion.to_child(from.al) + cross(om, to.velocity);
+  return FrameMotion(om + to.velocity, al + to.acceleration, to.motion.to_child(from.acc));
+}
+
+void Recursion::outward() {
+  const Vec3& gravity = mechanism_.gravity;
+  const FrameMotion root(none_, none_, {{-gravity[0], -gravity[1], -gravity[2]}});
+  for (std::size_t i = 0; i < size(); ++i) {
+    const FrameMotion& from = node(i).parent < 0 ? root : frames_[parent(i)];
+    shift_rates_.push_back(is_linear(i) ? cross(from.om, node(i).motion.offset) + node(i).velocity : none_);
+    FrameMotion frame = next(from, node(i));
+    movers_.push_back(movers(from, node(i), frame));
+    frames_.push_back(frame);
+  }
+}
+
+Vec3 vec3(std::span<const Expr> values) {
+  return {{values[0], values[1], values[2]}};
+}
+
+std::vector<Mover> Recursion::movers(const FrameMotion& from, const MotionNode& at,
+                                     const FrameMotion& frame) const {
+  const auto along = [&](const std::vector<SpeedPartial>& partials, int speed) {
+    for (const SpeedPartial& partial : partials)
+      if (partial.speed == speed) return vec3(partial.values);
+    return none_;
+  };
+  const std::vector<SpeedPartial> of_velocity = derivatives_.partials(at.velocity.entries);
+  const std::vector<SpeedPartial> of_acceleration = derivatives_.partials(at.acceleration.entries);
+  std::vector<Expr> speeds;
+  for (const TwistPartial& partial : at.partials)
+    if (partial.speed != derivatives_.time_index()) speeds.push_back(derivatives_.speed(partial.speed));
+  const Jacobian by_speeds = jacobian_forward(at.acceleration.entries, speeds);
+
+  std::vector<Mover> out;
+  for (const TwistPartial& partial : at.partials) {
+    if (partial.speed == derivatives_.time_index()) continue;
+    const std::size_t column = out.size();
+    const Vec3& xi = partial.direction;
+    const Vec3 velocity = along(of_velocity, partial.speed);
+    const Vec3 acceleration = along(of_acceleration, partial.speed);
+    const Vec3 by_speed{{by_speeds(0, column), by_speeds(1, column), by_speeds(2, column)}};
+    Mover mover{static_cast<std::size_t>(partial.speed),
+                xi,
+                derivatives_.partials(xi.entries),
+                {none_, none_, none_, none_},
+                {none_, none_, none_, none_}};
+    if (at.motion.kind == MotionKind::translation) {
+      mover.by_coordinate.linear = from.U * xi + cross(from.om, two_ * velocity) + acceleration;
+      mover.by_speed.linear = cross(from.om, two_ * xi) + by_speed;
+    } else {
+      const Vec3 sum = at.motion.to_child(from.om) + frame.om;
+      const Vec3 bent = velocity - cross(at.velocity, xi);
+      const Vec3 bent_rate = acceleration - cross(at.acceleration, xi);
+      mover.by_coordinate = {cross(frame.om, xi) + bent, frame.U * xi + cross(sum, bent) + bent_rate,
+                             cross(frame.acc, xi), xi};
+      mover.by_speed = {xi, cross(sum, xi) + by_speed, none_, none_};
+    }
+    out.push_back(std::move(mover));
+  }
+  return out;
+}
+
+MovingComposite Recursion::own(std::size_t i) const {
+  const Vec3& om = frames_[i].om;
+  const Composite body = composite(tree_.masses[i], graph_);
+  Mat3 turning;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3 column = cross(om, {{body.K(0, c), body.K(1, c), body.K(2, c)}});
+    for (std::size_t r = 0; r < 3; ++r) turning(r, c) = column[r];
+  }
+  return {body,
+          cross(om, body.h),
+          times_inertia(body.K, om),
+          turning + transpose(turning),
+          {none_, none_, none_, zeros<3, 3>(graph_)}};
+}
+
+void Recursion::collect_own() {
+  for (std::size_t i = 0; i < size(); ++i) {
+    composites_.push_back(own(i));
+    if (tree_.masses[i].is_zero()) {
+      loads_.push_back({none_, none_});
+    } else {
+      const ForceMoment forces = inertia_forces(frames_[i], tree_.masses[i], graph_);
+      loads_.push_back({forces.force, forces.moment});
+    }
+  }
+  const std::vector<WrenchSymbols> wrenches = wrench_symbols(mechanism_, graph_);
+  if (wrenches.empty()) return;
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Pose from = node(i).parent < 0 ? identity_pose(graph_) : poses[parent(i)];
+    poses.push_back(is_linear(i) ? from : moved(from, node(i).motion));
+  }
+  for (const WrenchSymbols& wrench : wrenches) {
+    const BodyPlace& place = tree_.places[static_cast<std::size_t>(wrench.body)];
+    if (place.node < 0) continue;
+    const std::size_t i = static_cast<std::size_t>(place.node);
+    const Mat3 to_node = transpose(poses[i].rotation);
+    const Vec3 f = none_ - to_node * wrench.force, torque = none_ - to_node * wrench.torque;
+    const Vec3 c = center_at_node(mechanism_.bodies[static_cast<std::size_t>(wrench.body)], place);
+    const Vec3 moment = cross(c, f);
+    WorldForces& all = composites_[i].external;
+    all = {all.f + f, all.torque + torque, all.moment + moment, plus_products(all.S, f, c)};
+    loads_[i] = {loads_[i].f + f, loads_[i].n + (torque + moment)};
+  }
+}
+
+void Recursion::add_to_parent(std::size_t i) {
+  const Motion& motion = node(i).motion;
+  MovingComposite x = composites_[i];
+  if (is_linear(i)) {
+    const Vec3 &t = motion.offset, &w = shift_rates_[i];
+    WorldForces& forces = x.external;
+    x.body = shifted(x.body, t, graph_);
+    x.L = x.L + cross(t, x.p) + cross(x.body.h, w);
+    x.S = plus_products(plus_products(x.S, x.p, t), x.body.h, w);
+    x.p = x.p + x.body.mass * w;
+    forces.moment = forces.moment + cross(t, forces.f);
+    forces.S = plus_products(forces.S, forces.f, t);
+  } else {
+    const WorldForces& forces = x.external;
+    x = {turned(x.body, motion),
+         motion.to_parent(x.p),
+         motion.to_parent(x.L),
+         turned_symmetric(x.S, motion),
+         {motion.to_parent(forces.f), motion.to_parent(forces.torque), motion.to_parent(forces.moment),
+          turned_symmetric(forces.S, motion)}};
+  }
+  MovingComposite& sum = composites_[parent(i)];
+  const WorldForces &one = sum.external, &other = x.external;
+  sum = {plus(sum.body, x.body),
+         sum.p + x.p,
+         sum.L + x.L,
+         plus_symmetric(sum.S, x.S),
+         {one.f + other.f, one.torque + other.torque, one.moment + other.moment,
+          plus_symmetric(one.S, other.S)}};
+  const Wrench load = carried(loads_[i], i);
+  loads_[parent(i)] = {loads_[parent(i)].f + load.f, loads_[parent(i)].n + load.n};
+}
+
+Wrench Recursion::change_of_wrench(std::size_t i, const Change& change) const {
+  const auto& [body, p, L, S, external] = composites_[i];
+  Wrench out{body.mass * change.linear, cross(body.h, change.linear)};
+  out.f = out.f + cross(change.angular_rate, body.h) + cross(two_ * change.angular, p);
+  out.n = out.n + times_inertia(body.K, change.angular_rate) + times_inertia(S, change.angular) +
+          cross(change.angular, L);
+  // World forces turn backwards in the frame.
+  const Expr half = graph_.rational(Rational(1, 2));
+  out.f = out.f + cross(external.f, change.turn);
+  out.n = out.n + cross(external.torque + half * external.moment, change.turn) -
+          half * times_inertia(external.S, change.turn);
+  return out;
+}
+
+Response Recursion::response(std::size_t i, const Vec3& twist) const {
+  const auto& [body, p, L, S, external] = composites_[i];
+  if (is_linear(i))
+    return {body.mass * twist, cross(body.h, twist), cross(two_ * p, twist), cross(twist, external.f)};
+  const Expr half = graph_.rational(Rational(1, 2));
+  return {cross(twist, body.h), times_inertia(body.K, twist), times_inertia(S, twist) + cross(L, twist),
+          cross(twist, external.torque + half * external.moment) - half * times_inertia(external.S, twist)};
+}
+
+Wrench Recursion::carried(const Wrench& x, std::size_t i) const {
+  const Motion& motion = node(i).motion;
+  if (is_linear(i)) return {x.f, x.n + cross(motion.offset, x.f)};
+  return {motion.to_parent(x.f), motion.to_parent(x.n)};
+}
+
+Response Recursion::carried(const Response& x, std::size_t i) const {
+  const auto [f, n] = carried(Wrench{x.f, x.n}, i);
+  if (is_linear(i)) return {f, n, x.g + cross(two_ * shift_rates_[i], x.f), x.e};
+  return {f, n, node(i).motion.to_parent(x.g), node(i).motion.to_parent(x.e)};
+}
+
+void Recursion::meet(FarPairs far) {
+  UnitMotions units;
+  for (const std::vector<Mover>& movers : movers_) {
+    units.emplace_back();
+    for (const Mover& mover : movers)
+      units.back().push_back({mover.twist, {{static_cast<int>(mover.speed), graph_.one()}}});
+  }
+  const MeetingPlan plan = plan_meetings(tree_, units, far);
+  meetings_.emplace(tree_, units, plan, graph_);
+  const auto shift_rate = [&](int frame, std::size_t i) {
+    return is_linear(i) ? meetings_->pose(frame, i).rotation * shift_rates_[i] : none_;
+  };
+  for (std::size_t i = 0; i < size(); ++i) {
+    const int frame = plan[i];
+    if (frame < 0) continue;
+    if (static_cast<std::size_t>(frame) != i) {
+      add_met(frame, i, met_.at({frame, parent(i)}).velocity + shift_rate(frame, i));
+      continue;
+    }
+    Vec3 velocity = none_;
+    for (int at = frame; at >= 0; at = node(static_cast<std::size_t>(at)).parent) {
+      add_met(frame, static_cast<std::size_t>(at), velocity);
+      velocity = velocity - shift_rate(frame, static_cast<std::size_t>(at));
+    }
+  }
+}
+
+void Recursion::add_met(int frame, std::size_t i, const Vec3& velocity) {
+  const Pose& pose = meetings_->pose(frame, i);
+  const auto met = [&](const Change& change) {
+    const Vec3 angular = pose.rotation * change.angular, rate = pose.rotation * change.angular_rate;
+    Vec3 linear = pose.rotation * change.linear + cross(pose.origin, rate);
+    linear = linear + cross(two_ * velocity, angular);
+    return Change{angular, rate, linear, pose.rotation * change.turn};
+  };
+  Met out{velocity, {}, {}};
+  for (const Mover& mover : movers_[i]) {
+    out.by_coordinates.push_back(met(mover.by_coordinate));
+    out.by_speeds.push_back(met(mover.by_speed));
+  }
+  met_.emplace(std::pair(frame, i), std::move(out));
+}
+
+Response Recursion::at_meeting(const Response& x, std::size_t i) const {
+  const int frame = meetings_->meeting_of(i);
+  if (frame == static_cast<int>(i)) return x;
+  const auto [f, n] = meetings_->at_meeting(i, {x.f, x.n});
+  const Mat3& rotation = meetings_->pose(frame, i).rotation;
+  return {f, n, rotation * x.g + cross(two_ * met_.at({frame, i}).velocity, f), rotation * x.e};
+}
+
+void Recursion::add_pairs(std::size_t i, const Mover& mover) {
+  const std::size_t l = mover.speed;
+  Wrench along = change_of_wrench(i, mover.by_coordinate), by = change_of_wrench(i, mover.by_speed);
+  const Wrench& load = loads_[i];
+  for (const Mover& other : movers_[i]) {
+    add(along_, other.speed, l, along_motion(i, other.twist, along));
+    add(by_, other.speed, l, along_motion(i, other.twist, by));
+  }
+  for (const SpeedPartial& bend : mover.bends) {
+    if (bend.speed == derivatives_.time_index()) continue;
+    add(along_, l, static_cast<std::size_t>(bend.speed), along_motion(i, vec3(bend.values), load));
+  }
+  // Inward of the node the load turns, or shifts, too.
+  if (is_linear(i)) {
+    along.n = along.n + cross(mover.twist, load.f);
+  } else {
+    along = {along.f + cross(mover.twist, load.f), along.n + cross(mover.twist, load.n)};
+  }
+  Response power = response(i, mover.twist);
+  for (std::size_t j = i; node(j).parent >= 0;) {
+    if (meetings_->is_posed(j)) {
+      const int frame = meetings_->meeting_of(j);
+      const Wrench along_met = meetings_->at_meeting(j, along), by_met = meetings_->at_meeting(j, by);
+      const Response power_met = at_meeting(power, j);
+      for (int at = node(j).parent; at >= 0; at = node(static_cast<std::size_t>(at)).parent) {
+        const std::size_t k = static_cast<std::size_t>(at);
+        const Met& met = met_.at({frame, k});
+        for (std::size_t b = 0; b < movers_[k].size(); ++b) {
+          const std::size_t other = movers_[k][b].speed;
+          add(along_, other, l, meetings_->along(j, k, b, along_met));
+          add(by_, other, l, meetings_->along(j, k, b, by_met));
+          add(along_, l, other, power_met.to(met.by_coordinates[b]));
+          add(by_, l, other, power_met.to(met.by_speeds[b]));
+        }
+      }
+      return;
+    }
+    along = carried(along, j);
+    by = carried(by, j);
+    power = carried(power, j);
+    j = parent(j);
+    for (const Mover& other : movers_[j]) {
+      add(along_, other.speed, l, along_motion(j, other.twist, along));
+      add(by_, other.speed, l, along_motion(j, other.twist, by));
+      add(along_, l, other.speed, power.to(other.by_coordinate));
+      add(by_, l, other.speed, power.to(other.by_speed));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const MotionTree& tree,
+                                              const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                              FarPairs far) {
+  return Recursion(mechanism, tree, derivatives, graph, far).run();
+}
+
+}  // namespace alembert

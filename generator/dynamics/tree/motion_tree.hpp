@@ -1,0 +1,132 @@
+// Stage `kinematics`: typed mechanism in, tree of elementary motions out.
+//
+// Every transform is a product of elementary motions: a translation, a plane rotation about a coordinate
+// axis, or a rotation by a full matrix, each any function of the coordinates and time. A node of the tree is
+// the frame reached after one such motion; bodies hang on nodes. A node's twist and its rate come from
+// derivatives along the speeds, so the recursions of README.md, 2 need no joint types, and frames
+// without mass cost nothing but their motion.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dynamics/tree/speed_derivatives.hpp"
+#include "mechanism/model.hpp"
+#include "symbolic/matrix.hpp"
+
+namespace alembert {
+
+enum class MotionKind { translation, axis_rotation, rotation };
+
+/// One elementary motion, from a frame to the next.
+struct Motion {
+  MotionKind kind = MotionKind::translation;
+  Vec3 offset;                     ///< translation: t, in the axes of both frames
+  int axis = 0;                    ///< axis_rotation: 0, 1, 2
+  Expr angle, cosine, sine;        ///< axis_rotation
+  Mat3 matrix;                     ///< rotation: E, child to parent
+  int quaternion = -1;             ///< rotation: index of the quaternion coordinate it is made of, or -1
+  std::optional<Vec3> fixed_axis;  ///< rotation: the constant axis it turns about by `angle`, if there is one
+
+  Vec3 to_parent(const Vec3& v) const;  ///< E v: axes of the next frame to axes of the previous one
+  Vec3 to_child(const Vec3& v) const;   ///< E^T v
+  Motion inverse() const;
+};
+
+/// Whether an axis rotation is by a multiple of a right angle in all states.
+bool is_quarter_turn(const Motion& motion);
+/// E K E^T of a symmetric K; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z,
+/// K'_jj = K_jj + s z, K'_ij = c z - K_ij.
+Mat3 turned_symmetric(const Mat3& K, const Motion& motion);
+
+/// Derivative of a motion along one speed: direction of the twist (angular for rotations, in the next frame's
+/// axes; linear for translations).
+struct TwistPartial {
+  int speed;  ///< Mechanism::nv for time
+  Vec3 direction;
+};
+
+/// A frame of the tree.
+struct MotionNode {
+  int parent = -1;  ///< -1: world
+  Motion motion;
+  std::vector<TwistPartial> partials;
+  Vec3 velocity;      ///< angular velocity (rotations) or dt/dt (translations) relative to the parent frame
+  Vec3 acceleration;  ///< its componentwise rate
+  std::vector<int> bodies;
+  bool scaled = false;  ///< a constant turn after which vectors are stored scaled (scaled_vectors.hpp)
+  int ahead = -1;       ///< a moving rotation that scales for this scaled turn that follows it; -1: none
+};
+
+/// How a component of the moment of a body's inertia is written: both are equal, which is shorter depends on
+/// the mechanism.
+enum class MomentForm {
+  pseudo_inertia,  ///< antisymmetric part of U K with K = tr(J)/2 - J: shares U = skew(al) + skew(om)^2 with
+                   ///< everything else
+  inertia,         ///< diagonal part as J_xx al_x + (J_zz - J_yy) om_y om_z
+};
+
+/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J; and how its
+/// moment is to be written.
+struct NodeMass {
+  Expr mass;
+  Vec3 moment;
+  Mat3 inertia;
+  std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
+                                  MomentForm::pseudo_inertia};
+  bool is_zero() const;
+};
+
+/// Where a body is: the node its mass is fixed to and the constant motions from that node to the body's own
+/// frame.
+struct BodyPlace {
+  int node = -1;  ///< -1: fixed to the world
+  std::vector<Motion> tail;
+};
+
+struct MotionTree {
+  std::vector<MotionNode> nodes;  ///< parents first
+  std::vector<BodyPlace> places;  ///< one for each body
+  std::vector<NodeMass> masses;   ///< one for each node: of all that is fixed to it
+};
+
+Motion translation_motion(const Vec3& offset);
+Motion axis_rotation_motion(int axis, Expr angle);
+
+/// The twist of a motion along each speed it depends on (and along time): three values each, as in
+/// TwistPartial.
+std::vector<SpeedPartial> twist_partials(const Motion& motion, const Mechanism& mechanism,
+                                         const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+/// Appends a motion, merging it with the last one where both are translations or rotations about one axis;
+/// drops identities.
+void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& graph);
+
+/// The elementary motions of a transform, left to right, merged where neighbours are of one kind, identities
+/// dropped. Throws InputError at the factor where a frame is undefined (a Frenet frame of a straight line, a
+/// surface without normal).
+std::vector<Motion> elementary_motions(const Transform& transform, const Mechanism& mechanism,
+                                       ExprGraph& graph);
+
+/// Throws as elementary_motions does.
+MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph);
+/// The same tree from the motions of each body's transform.
+MotionTree motion_tree(const Mechanism& mechanism, std::span<const std::vector<Motion>> motions_of_body,
+                       const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+/// Mass of a body about the origin of its node.
+NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph);
+/// Centre of mass of a body in the axes of its node.
+Vec3 center_at_node(const Body& body, const BodyPlace& place);
+
+/// Rotation (columns are child axes) and origin of a product of motions.
+struct Pose {
+  Mat3 rotation;
+  Vec3 origin;
+};
+Pose identity_pose(ExprGraph& graph);
+Pose moved(Pose pose, const Motion& motion);
+
+}  // namespace alembert

@@ -1,0 +1,66 @@
+// Numbers and names as languages write them, see the header.
+#include "emit/statements/syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "emit/statements/literals.hpp"
+
+namespace alembert {
+
+bool is_helper(std::string_view function) {
+  return function == "sign" || function == "sines_and_cosines" || function == "dot_products";
+}
+
+std::string c_literal(double value, std::string_view number) {
+  if (number != "float") return number_literal(value);
+  const auto rounded = static_cast<float>(value);
+  if (std::isinf(rounded)) return rounded < 0 ? "-INFINITY" : "INFINITY";
+  std::string text = fmt::format("{}", rounded);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text + "f";
+}
+
+std::string Syntax::constant(double value) const {
+  if (templates) return fmt::format("{}({})", number, number_literal(value));
+  const std::string literal = c_literal(value, number);
+  return literal.starts_with('-') ? "(" + literal + ")" : literal;
+}
+
+std::string Syntax::table_constant(double value) const {
+  return c_literal(value, table_number);
+}
+
+std::string Syntax::row_entry(std::uint32_t index) const {
+  const std::string entry = fmt::format("row[{}]", index);
+  return templates ? fmt::format("{}({})", number, entry) : entry;
+}
+
+std::string Syntax::function(std::string_view name) const {
+  if (is_helper(name)) return helpers + std::string(name);
+  if (templates) return std::string(name);
+  // Of <math.h>.
+  const std::string base = name == "abs" ? "fabs" : std::string(name);
+  return number == "float" ? base + "f" : base;
+}
+
+Syntax cpp_syntax() {
+  return {.number = "S",
+          .inputs = "in.",
+          .helpers = "",
+          .table = "static constexpr",
+          .table_number = "double",
+          .templates = true};
+}
+
+Syntax c_syntax(const std::string& number, const std::string& prefix) {
+  return {.number = number,
+          .inputs = "",
+          .helpers = prefix,
+          .table = "static const",
+          .table_number = number,
+          .templates = false};
+}
+
+}  // namespace alembert

@@ -1,0 +1,29 @@
+// What every importer is asked for, and what it gives.
+#pragma once
+
+#include "mechanism/document.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+
+/// What becomes of joints that move no mass: forward dynamics has no solution with them.
+enum class Massless {
+  keep,      ///< they stay, with a warning
+  armature,  ///< their coordinates get an armature
+  freeze,    ///< they stand still at zero
+  drop       ///< they are left out, and what they move with them
+};
+
+struct DescribeOptions {
+  bool floating = false;       ///< the root moves freely, by a position and a quaternion
+  double snap_angles = 1e-10;  ///< angles of origins so near to a multiple of pi/12 are that multiple, rad
+  Massless massless = Massless::keep;  ///< what becomes of joints that move no mass
+  double armature = 1e-4;              ///< kg m^2 or kg, of their coordinates, if they get one
+};
+
+struct DescribedRobot {
+  Document document;
+  Warnings warnings;  ///< what is doubtful or left out
+};
+
+}  // namespace alembert

@@ -1,0 +1,223 @@
+// XML by pugixml, which parses in place: where a name or value stands in the buffer is its place in the text.
+#include "import/common/xml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "mechanism/document.hpp"
+
+namespace alembert {
+namespace {
+
+/// Elements and attributes that the equations are made of.
+constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
+                                       "parent", "child", "axis",       "mimic",  "value", "ixx",
+                                       "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
+                                       "rpy",    "type",  "multiplier", "offset"};
+
+bool is_among(std::string_view name, std::initializer_list<std::string_view> known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+std::string nearest(std::string_view name, std::initializer_list<std::string_view> known) {
+  const std::vector<std::string> names(known.begin(), known.end());
+  return nearest_name(name, names);
+}
+
+bool is_vital(std::string_view name) {
+  return std::ranges::find(kVital, name) != std::end(kVital);
+}
+
+/// A message without what it quotes: alike for warnings that say the same of different names.
+std::string without_quotes(std::string_view message) {
+  std::string out;
+  bool inside = false;
+  for (const char c : message) {
+    if (c == '\'') inside = !inside;
+    if (!inside) out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings)
+    : source_(std::move(source)),
+      line_starts_(line_starts(source_->text)),
+      buffer_(source_->text),
+      warnings_(&warnings) {
+  blank_strange_bytes();
+  const pugi::xml_parse_result result =
+      document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!result)
+    throw InputError(place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))),
+                     fmt::format("not well-formed XML: {}", result.description()));
+  const pugi::xml_node first = root();
+  if (!first) throw InputError({source_, 1, 1}, "no XML element; expected a <robot>");
+  for (pugi::xml_node other = first.next_sibling(); other; other = other.next_sibling())
+    if (other.type() == pugi::node_element)
+      throw InputError(where(other), "a second root element; a file holds one robot");
+  check_duplicate_attributes();
+}
+
+void XmlText::blank_strange_bytes() {
+  for (std::optional<std::size_t> at = strange_byte(buffer_, 0); at; at = strange_byte(buffer_, *at)) {
+    warn({place(*at), objection_to_byte(buffer_, *at) + "; it is taken for a question mark", {}, "byte"});
+    buffer_[*at] = '?';
+  }
+}
+
+void XmlText::check_duplicate_attributes() const {
+  pugi::xml_node at = root();
+  while (at) {
+    std::map<std::string_view, std::string_view> values;
+    for (const pugi::xml_attribute attribute : at.attributes()) {
+      const auto [first, inserted] = values.emplace(attribute.name(), attribute.value());
+      if (inserted) continue;
+      const std::string message =
+          fmt::format("a second attribute '{}' of <{}>", printable(attribute.name()), printable(at.name()));
+      if (first->second != attribute.value()) throw InputError(where(attribute), message);
+      warn({where(attribute), message + ", which says the same", {}, "attribute twice"});
+    }
+    // The next node of the tree: no recursion, since anyone may nest elements.
+    pugi::xml_node next = at.first_child();
+    for (; !next && at; at = at.parent()) {
+      if (at == root()) break;
+      next = at.next_sibling();
+    }
+    at = next;
+  }
+}
+
+void XmlText::warn_instead(const InputError& error, const std::string& consequence) const {
+  warn({error.where(), error.message() + "; " + consequence, error.note(), without_quotes(error.message())});
+}
+
+SourceLocation XmlText::place(std::size_t offset) const {
+  return place_in(source_, line_starts_, std::min(offset, source_->text.size()));
+}
+
+/// Of a string that pugixml left in the buffer, `before` characters ahead of it.
+SourceLocation XmlText::place_of(const char* in_buffer, std::size_t before) const {
+  const char* const begin = buffer_.data();
+  const std::less<> less;
+  if (less(in_buffer, begin + before) || !less(in_buffer, begin + buffer_.size())) return {source_, 1, 1};
+  return place(static_cast<std::size_t>(in_buffer - begin) - before);
+}
+
+SourceLocation XmlText::where(pugi::xml_node element) const {
+  return place_of(element.name(), 1);
+}
+
+SourceLocation XmlText::where(pugi::xml_attribute attribute) const {
+  return place_of(attribute.value()[0] == '\0' ? attribute.name() : attribute.value(), 0);
+}
+
+/// Whether a name is of xacro, of which a warning tells, or has another prefix.
+bool XmlText::passed_over(std::string_view name, SourceLocation where) const {
+  if (name.starts_with(kXacroPrefix))
+    warn({std::move(where), fmt::format("<{}> is of xacro, not of URDF; it is passed over", printable(name)),
+          kExpandXacro, std::string(name)});
+  return name.find(':') != std::string_view::npos;
+}
+
+void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
+                             std::initializer_list<std::string_view> children,
+                             std::initializer_list<std::string_view> attributes) const {
+  const auto unknown = [&](SourceLocation place, std::string_view name, bool is_element,
+                           std::initializer_list<std::string_view> known) {
+    const std::string near = nearest(name, known);
+    const std::string shown = printable(name);
+    std::string message = is_element ? fmt::format("unknown element <{}> in {}", shown, what)
+                                     : fmt::format("unknown attribute '{}' of {}", shown, what);
+    if (!near.empty())
+      message += is_element ? fmt::format(" (did you mean <{}>?)", near)
+                            : fmt::format(" (did you mean '{}'?)", near);
+    if (is_vital(near)) throw InputError(std::move(place), message);
+    warn({std::move(place),
+          message + "; it is passed over",
+          {},
+          (is_element ? "element " : "attribute ") + shown});
+  };
+  for (const pugi::xml_node child : element.children()) {
+    const std::string_view name = child.name();
+    if (child.type() != pugi::node_element || is_among(name, children) || passed_over(name, where(child)))
+      continue;
+    unknown(where(child), name, true, children);
+  }
+  for (const pugi::xml_attribute attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    if (is_among(name, attributes) || name.starts_with("xmlns") || name.find(':') != std::string_view::npos)
+      continue;
+    unknown(where(attribute), name, false, attributes);
+  }
+}
+
+pugi::xml_node XmlText::find(pugi::xml_node element, const char* child, std::string_view what) const {
+  const pugi::xml_node found = element.child(child);
+  if (found && found.next_sibling(child))
+    throw InputError(where(found.next_sibling(child)), fmt::format("a second <{}> in {}", child, what));
+  return found;
+}
+
+pugi::xml_node XmlText::require(pugi::xml_node element, const char* child, std::string_view what) const {
+  const pugi::xml_node found = find(element, child, what);
+  if (!found) throw InputError(where(element), fmt::format("no <{}> in {}", child, what));
+  return found;
+}
+
+pugi::xml_attribute XmlText::require_attribute(pugi::xml_node element, const char* name,
+                                               std::string_view what) const {
+  const pugi::xml_attribute found = element.attribute(name);
+  if (!found) throw InputError(where(element), fmt::format("no attribute '{}' of {}", name, what));
+  if (found.value()[0] == '\0')
+    throw InputError(where(found), fmt::format("the attribute '{}' of {} is empty", name, what));
+  return found;
+}
+
+void XmlText::read_numbers(pugi::xml_attribute attribute, std::string_view what, double* out,
+                           std::size_t count) const {
+  const std::string_view text = attribute.value();
+  const auto fail = [&] {
+    if (text.find("${") != std::string_view::npos)
+      return InputError(where(attribute), fmt::format("'{}' is of xacro, not of URDF", printable(text)),
+                        kExpandXacro);
+    return InputError(
+        where(attribute),
+        fmt::format("expected {} as {}, found '{}'",
+                    count == 1 ? "a number" : fmt::format("{} numbers", count), what, printable(text)));
+  };
+  const auto skip_space = [&](std::size_t at) {
+    while (at < text.size() && is_space(text[at])) ++at;
+    return at;
+  };
+  std::size_t found = 0;
+  bool split = false;  // a sign and its number
+  for (std::size_t i = skip_space(0); i < text.size(); i = skip_space(i)) {
+    const bool minus = text[i] == '-';
+    std::size_t begin = i;
+    if (minus || text[i] == '+') {
+      begin = skip_space(i + 1);
+      split = split || begin > i + 1;
+    }
+    std::size_t end = begin;
+    while (end < text.size() && !is_space(text[end])) ++end;
+    if (found == count || begin == end || text[begin] == '-' || text[begin] == '+') throw fail();
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+    if (error != std::errc() || stop != text.data() + end || !std::isfinite(value)) throw fail();
+    out[found++] = minus ? -value : value;
+    i = end;
+  }
+  if (found != count) throw fail();
+  if (split) warn({where(attribute), fmt::format("a blank after a sign in {}", what), {}, "split sign"});
+}
+
+}  // namespace alembert

@@ -1,0 +1,43 @@
+// The table of importers (see the header).
+#include "import/importers.hpp"
+
+#include <algorithm>
+
+#include "import/urdf/describe.hpp"
+#include "import/urdf/robot.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr Importer kImporters[] = {
+    {"URDF", ".urdf", [](std::string_view text) { return text.find("<robot") != std::string_view::npos; },
+     [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
+       return describe_robot(read_urdf(source, warnings), source, options);
+     }},
+};
+
+}  // namespace
+
+std::span<const Importer> importers() {
+  return kImporters;
+}
+
+const Importer& importer_of(const SourceText& source) {
+  const auto by_name = std::ranges::find_if(
+      kImporters, [&](const Importer& importer) { return source.name.ends_with(importer.extension); });
+  if (by_name != std::end(kImporters)) return *by_name;
+  const auto by_text = std::ranges::find_if(
+      kImporters, [&](const Importer& importer) { return importer.recognises(source.text); });
+  return by_text != std::end(kImporters) ? *by_text : kImporters[0];
+}
+
+std::string importable_formats() {
+  std::string list;
+  for (const Importer& importer : kImporters) {
+    if (!list.empty()) list += &importer == std::end(kImporters) - 1 ? " or " : ", ";
+    list += importer.format;
+  }
+  return list;
+}
+
+}  // namespace alembert

@@ -1,0 +1,35 @@
+// The formats that `alembert import` reads: one row a format. A new format is a folder beside import/urdf and
+// a row in importers.cpp; the command, its help and the choice of the importer come from the row.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "import/common/described.hpp"
+
+namespace alembert {
+
+struct Importer {
+  std::string_view format;     ///< what people call it
+  std::string_view extension;  ///< of its files, with the dot
+  /// Whether a text without that extension, as from standard input, looks like one.
+  bool (*recognises)(std::string_view text);
+  /// A text in; its description in the language of mechanisms out, every value with its place in the text.
+  /// `warnings` gets what is doubtful as it is found, so that it can be told where the rest cannot be read.
+  /// Throws InputError.
+  DescribedRobot (*describe)(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                             Warnings& warnings);
+};
+
+std::span<const Importer> importers();
+
+/// The importer of a source: by its name's extension, or else by its text. Where neither tells, the first of
+/// the table, which says what it expected.
+const Importer& importer_of(const SourceText& source);
+
+/// `URDF`, or `A, B or C`.
+std::string importable_formats();
+
+}  // namespace alembert

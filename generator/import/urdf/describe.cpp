@@ -1,0 +1,271 @@
+// Links to bodies and frames, joints to coordinates and factors of transforms.
+#include "import/urdf/describe.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/common/description_nodes.hpp"
+#include "import/common/names.hpp"
+#include "import/common/snapped_angle.hpp"
+#include "import/urdf/joint_factors.hpp"
+#include "import/urdf/link_nodes.hpp"
+#include "import/urdf/massless.hpp"
+
+namespace alembert {
+namespace {
+
+class Describer {
+ public:
+  Describer(const UrdfRobot& robot, const DescribeOptions& options)
+      : robot_(robot), options_(options), massless_(massless_joints(robot)) {}
+
+  DescribedRobot describe(std::shared_ptr<const SourceText> source) {
+    const SourceLocation& top = robot_.where;
+    name_links();
+    YamlNode& coordinates = nodes_.sequence(top);
+    add_coordinates(coordinates);
+    if (coordinates.items.empty()) fail_without_coordinates();
+    const YamlNode& definitions = add_definitions();
+    YamlNode& bodies = nodes_.sequence(top);
+    YamlNode& frames = nodes_.sequence(top);
+    for (std::size_t link = 0; link < robot_.links.size(); ++link) {
+      if (link == robot_.root && root_is_world_) continue;
+      (is_frame(link) ? frames : bodies).items.push_back(&add_link(link));
+    }
+    YamlNode& root = nodes_.mapping(top);
+    nodes_.put(root, "alembert", nodes_.text("1", top));
+    nodes_.put(root, "name", nodes_.text(fit_mechanism_name(robot_.name), top));
+    nodes_.put(root, "description", nodes_.text(fmt::format("URDF robot '{}'", printable(robot_.name)), top));
+    nodes_.put(root, "coordinates", coordinates);
+    if (!definitions.items.empty()) nodes_.put(root, "definitions", definitions);
+    nodes_.put(root, "bodies", bodies);
+    if (!frames.items.empty()) nodes_.put(root, "frames", frames);
+    warn();
+    return {Document(std::move(source), nodes_.take(), root), std::move(warnings_)};
+  }
+
+ private:
+  // Names and coordinates.
+  bool is_bare(std::size_t link) const {
+    return !has_mass(robot_.links[link]) && robot_.links[link].shapes.empty();
+  }
+  bool is_frame(std::size_t link) const {
+    return link != robot_.root && is_bare(link) && robot_.children[link].empty() &&
+           robot_.joints[robot_.joint_of[link]].type == UrdfJointType::fixed;
+  }
+
+  void name_links() {
+    root_is_world_ = !options_.floating && robot_.links[robot_.root].name == "world" && is_bare(robot_.root);
+    FitNames bodies("link", warnings_), frames("link", warnings_);
+    for (const UrdfLink& link : robot_.links) {
+      bodies.reserve(link.name);
+      frames.reserve(link.name);
+    }
+    for (std::size_t link = 0; link < robot_.links.size(); ++link) {
+      const UrdfLink& of = robot_.links[link];
+      const bool world = link == robot_.root && root_is_world_;
+      link_names_.push_back(world ? "world" : (is_frame(link) ? frames : bodies).add(of.name, of.where));
+    }
+  }
+
+  void add_coordinate(YamlNode& list, const std::string& name, const SourceLocation& where, bool massless,
+                      const std::optional<std::array<double, 2>>& limits = {}, const char* type = nullptr) {
+    const bool armature = massless && options_.massless == Massless::armature;
+    if (!limits && !armature && type == nullptr) {
+      list.items.push_back(&nodes_.text(name, where));
+      return;
+    }
+    YamlNode& node = nodes_.mapping(where);
+    nodes_.put(node, "name", nodes_.text(name, where));
+    if (type != nullptr) nodes_.put(node, "type", nodes_.text(type, where));
+    if (limits) {
+      const double initial = std::clamp(0.0, (*limits)[0], (*limits)[1]);
+      if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), where));
+      nodes_.put(node, "limits", nodes_.list({number_text((*limits)[0]), number_text((*limits)[1])}, where));
+    }
+    if (armature) nodes_.put(node, "armature", nodes_.text(number_text(options_.armature), where));
+    list.items.push_back(&node);
+  }
+  /// Position and rotation of what moves freely; their names.
+  std::vector<std::string> add_free(YamlNode& list, const std::string& name, const SourceLocation& where,
+                                    bool massless) {
+    std::vector<std::string> names;
+    for (const char* suffix : {"_x", "_y", "_z", "_rotation"})
+      names.push_back(names_.add(name, where, suffix));
+    for (std::size_t i = 0; i < 3; ++i) add_coordinate(list, names[i], where, massless);
+    add_coordinate(list, names[3], where, massless, {}, "quaternion");
+    return names;
+  }
+
+  void add_coordinates(YamlNode& list) {
+    const UrdfLink& root = robot_.links[robot_.root];
+    for (const UrdfJoint& joint : robot_.joints)
+      if (has_position(joint)) names_.reserve(joint.name);
+    if (options_.floating) root_names_ = add_free(list, root.name, root.where, root_is_massless());
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+      const UrdfJoint& joint = robot_.joints[j];
+      std::vector<std::string>& names = joint_names_.emplace_back();
+      switch (joint.type) {
+        case UrdfJointType::fixed:
+          break;
+        case UrdfJointType::floating:
+          names = add_free(list, joint.name, joint.where, massless_[j]);
+          break;
+        case UrdfJointType::planar:
+          for (const char* suffix : {"_x", "_y", "_angle"}) {
+            names.push_back(names_.add(joint.name, joint.where, suffix));
+            add_coordinate(list, names.back(), joint.where, massless_[j]);
+          }
+          break;
+        case UrdfJointType::revolute:
+        case UrdfJointType::continuous:
+        case UrdfJointType::prismatic:
+          names.push_back(names_.add(joint.name, joint.where));
+          if (!joint.mimic) add_coordinate(list, names.back(), joint.where, massless_[j], joint.limits);
+          break;
+      }
+    }
+  }
+
+  /// Positions of mimicking joints, those that others need first.
+  const YamlNode& add_definitions() {
+    YamlNode& out = nodes_.mapping(robot_.where);
+    std::vector<bool> defined(robot_.joints.size(), false);
+    std::vector<std::size_t> path;
+    for (std::size_t first = 0; first < robot_.joints.size(); ++first) {
+      for (std::size_t at = first; robot_.joints[at].mimic && !defined[at];
+           at = *robot_.joints[at].mimic->of) {
+        path.push_back(at);
+        defined[at] = true;
+        if (!robot_.joints[at].mimic->of) break;
+      }
+      for (; !path.empty(); path.pop_back()) {
+        const UrdfMimic& mimic = *robot_.joints[path.back()].mimic;
+        nodes_.put(out, joint_names_[path.back()][0], nodes_.text(position_of(mimic), mimic.where));
+      }
+    }
+    return out;
+  }
+  std::string position_of(const UrdfMimic& mimic) const {
+    if (!mimic.of) return number_text(mimic.offset);
+    std::string value = joint_names_[*mimic.of][0];
+    if (mimic.multiplier != 1) value = fmt::format("{}*{}", number_text(mimic.multiplier), value);
+    if (mimic.offset != 0)
+      value += fmt::format(" {} {}", mimic.offset < 0 ? '-' : '+', number_text(std::abs(mimic.offset)));
+    return value;
+  }
+
+  [[noreturn]] void fail_without_coordinates() const {
+    if (options_.massless == Massless::freeze || options_.massless == Massless::drop)
+      throw InputError(robot_.where, "no joint of the robot moves mass: nothing that moves is left",
+                       "--massless armature=1e-4 leaves all joints as they are");
+    throw InputError(robot_.where, "no joint of the robot moves", "--root floating lets it move as one body");
+  }
+
+  bool root_is_massless() const {
+    return std::ranges::none_of(robot_.links, [](const UrdfLink& link) { return has_mass(link); });
+  }
+
+  // Links.
+  const YamlNode& add_link(std::size_t link) {
+    const UrdfLink& of = robot_.links[link];
+    const bool frame = is_frame(link), root = link == robot_.root;
+    YamlNode& node = nodes_.mapping(of.where);
+    nodes_.put(node, "name", nodes_.text(link_names_[link], of.where));
+    YamlNode& factors = nodes_.sequence(of.where);
+    if (!root) {
+      const std::size_t j = robot_.joint_of[link];
+      const UrdfJoint& joint = robot_.joints[j];
+      if (const std::string& parent = link_names_[joint.parent]; frame || parent != "world")
+        nodes_.put(node, frame ? "body" : "parent", nodes_.text(parent, joint.where));
+      count_nearly_right(joint.origin);
+      factors_.add_origin(factors, joint.origin);
+      factors_.add_joint(factors, joint, joint_names_[j]);
+    } else if (options_.floating) {
+      factors_.add_free(factors, root_names_, of.where);
+    }
+    if (!factors.items.empty()) nodes_.put(node, "transform", factors);
+    if (has_mass(of)) link_nodes_.add_inertial(node, *of.inertial);
+    if (!of.shapes.empty()) link_nodes_.add_shapes(node, of);
+    return node;
+  }
+
+  void count_nearly_right(const UrdfPose& pose) {
+    for (const double radians : pose.rpy)
+      if (SnappedAngle(radians, options_.snap_angles).nearly_right() && nearly_right_++ == 0)
+        nearly_right_at_ = pose.where;
+  }
+
+  void warn() {
+    if (nearly_right_ > 0)
+      warnings_.push_back(
+          {nearly_right_at_,
+           fmt::format(
+               "{} angle{} nearly a right angle but not one, as here: such axes are not parallel, and the "
+               "code is longer; --snap-angles 1e-3 takes them for right angles",
+               nearly_right_, nearly_right_ == 1 ? " is" : "s are")});
+    const auto resists = std::ranges::find(robot_.joints, true, &UrdfJoint::resists);
+    if (resists != robot_.joints.end())
+      warnings_.push_back(
+          {resists->where,
+           "damping and friction are no part of the equations: subtract them from the forces"});
+    if (options_.massless == Massless::keep) warn_of_massless();
+  }
+
+  void warn_of_massless() {
+    constexpr std::size_t kListed = 8;
+    std::vector<std::string> names;
+    std::optional<SourceLocation> where;
+    const auto add = [&](const std::string& name, const SourceLocation& at) {
+      if (!where) where = at;
+      names.push_back(printable(name));
+    };
+    const UrdfLink& root = robot_.links[robot_.root];
+    if (options_.floating && root_is_massless()) add(root.name, root.where);
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j)
+      if (massless_[j]) add(robot_.joints[j].name, robot_.joints[j].where);
+    if (!where) return;
+    const std::size_t count = names.size(), listed = std::min(count, kListed);
+    names.resize(listed);
+    warnings_.push_back({*where,
+                         fmt::format("{} joint{} no mass ({}{}): forward dynamics has no solution with {}",
+                                     count, count == 1 ? " moves" : "s move", fmt::join(names, ", "),
+                                     count > listed ? ", ..." : "", count == 1 ? "it" : "them"),
+                         "--massless armature=1e-4 gives each the inertia of a rotor, kg m^2; --massless "
+                         "freeze fixes it at zero; "
+                         "--massless drop leaves it out, with what it moves"});
+  }
+
+  const UrdfRobot& robot_;
+  const DescribeOptions& options_;
+  DescriptionNodes nodes_;
+  JointFactors factors_{nodes_, options_.snap_angles};
+  LinkNodes link_nodes_{nodes_, factors_, options_.snap_angles};
+  std::vector<bool> massless_;  ///< by joint
+  Warnings warnings_;
+  FitNames names_{"joint", warnings_};
+  bool root_is_world_ = false;
+  std::vector<std::string> link_names_;                ///< by link
+  std::vector<std::string> root_names_;                ///< coordinates of a floating root
+  std::vector<std::vector<std::string>> joint_names_;  ///< by joint: coordinates, or a definition
+  int nearly_right_ = 0;
+  SourceLocation nearly_right_at_;
+};
+
+}  // namespace
+
+DescribedRobot describe_robot(const UrdfRobot& robot, std::shared_ptr<const SourceText> source,
+                              const DescribeOptions& options) {
+  if (options.massless != Massless::freeze && options.massless != Massless::drop)
+    return Describer(robot, options).describe(std::move(source));
+  DescribeOptions rest = options;  // a floating root is a massless joint, too, if nothing has mass
+  rest.floating = options.floating && std::ranges::any_of(robot.links, has_mass);
+  const UrdfRobot changed =
+      options.massless == Massless::freeze ? with_massless_frozen(robot) : without_massless(robot);
+  return Describer(changed, rest).describe(std::move(source));
+}
+
+}  // namespace alembert

@@ -1,0 +1,76 @@
+// Inertia and shapes of a link as the values of a body's keys.
+#include "import/urdf/link_nodes.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "import/common/snapped_angle.hpp"
+
+namespace alembert {
+
+void LinkNodes::add_inertial(YamlNode& node, const UrdfInertial& inertial) const {
+  nodes_.put(node, "mass", nodes_.text(number_text(inertial.mass), inertial.mass_where));
+  if (inertial.origin.xyz != std::array<double, 3>{})
+    nodes_.put(node, "com", nodes_.numbers(inertial.origin.xyz, inertial.origin.where));
+  const auto& i = inertial.inertia;
+  if (std::ranges::all_of(i, [](double x) { return x == 0; })) return;
+  Eigen::Matrix3d inertia;
+  inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
+  for (const int about : {0, 1, 2}) {
+    const SnappedAngle angle(inertial.origin.rpy[static_cast<std::size_t>(about)], snap_angles_);
+    if (angle.is_zero()) continue;
+    const auto [c, s] = angle.cosine_and_sine();
+    const int u = (about + 1) % 3, v = (about + 2) % 3;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn(u, u) = turn(v, v) = c;
+    turn(v, u) = s;
+    turn(u, v) = -s;
+    inertia = (turn * inertia * turn.transpose()).eval();
+  }
+  YamlNode& entries = nodes_.mapping(inertial.inertia_where);
+  constexpr std::string_view kKeys[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+  for (const std::string_view key : kKeys) {
+    const double value = inertia(key[0] - 'x', key[1] - 'x');
+    if (key[0] == key[1] || value != 0)
+      nodes_.put(entries, std::string(key), nodes_.text(number_text(value), inertial.inertia_where));
+  }
+  nodes_.put(node, "inertia", entries);
+}
+
+void LinkNodes::add_shapes(YamlNode& node, const UrdfLink& link) const {
+  YamlNode& shapes = nodes_.sequence(link.where);
+  for (const UrdfShape& shape : link.shapes) {
+    const std::vector<double>& sizes = shape.sizes;
+    YamlNode& item = nodes_.mapping(shape.where);
+    const auto put_radius_and_length = [&](std::string key) {
+      YamlNode& size = nodes_.mapping(shape.where);
+      nodes_.put(size, "radius", nodes_.text(number_text(sizes[0]), shape.where));
+      nodes_.put(size, "length", nodes_.text(number_text(sizes[1]), shape.where));
+      nodes_.put(item, std::move(key), size);
+    };
+    switch (shape.kind) {
+      case UrdfShape::Kind::box:
+        nodes_.put(item, "box", nodes_.numbers({sizes[0], sizes[1], sizes[2]}, shape.where));
+        break;
+      case UrdfShape::Kind::sphere:
+        nodes_.put(item, "sphere", nodes_.text(number_text(sizes[0]), shape.where));
+        break;
+      case UrdfShape::Kind::cylinder:
+        put_radius_and_length("cylinder");
+        break;
+      case UrdfShape::Kind::capsule:
+        put_radius_and_length("capsule");
+        break;
+    }
+    YamlNode& factors = nodes_.sequence(shape.where);
+    factors_.add_origin(factors, shape.origin);
+    if (!factors.items.empty()) nodes_.put(item, "transform", factors);
+    if (shape.color) nodes_.put(item, "color", nodes_.numbers(*shape.color, shape.where));
+    shapes.items.push_back(&item);
+  }
+  nodes_.put(node, "geometry", shapes);
+}
+
+}  // namespace alembert

@@ -1,0 +1,80 @@
+// The interpreter behind the runtime's interface (see the header).
+#include "simulation/interpreted_mechanism.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace alembert {
+
+InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs)
+    : mechanism_(*compiled.mechanism),
+      rows_(constraint_rows(mechanism_)),
+      state_(std::move(inputs)),
+      evaluator_(compiled) {
+  for (const Coordinate& coordinate : mechanism_.coordinates) {
+    if (coordinate.type == CoordinateType::quaternion) quaternion_offsets_.push_back(coordinate.first_q);
+  }
+}
+
+const EvaluationState& InterpretedMechanism::at(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  state_.q.assign(q.begin(), q.end());
+  state_.qd.assign(u.begin(), u.end());
+  return state_;
+}
+
+EvaluationState InterpretedMechanism::state(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  return at(q, u);
+}
+
+void InterpretedMechanism::mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                                Eigen::MatrixXd& mass, Eigen::VectorXd& c) const {
+  const Eigen::Index n = nv();
+  const std::vector<double> values = evaluator_(FunctionKind::mass_matrix_and_bias, at(q, u));
+  mass = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
+  c = Eigen::Map<const Eigen::VectorXd>(values.data() + n * n, n);
+}
+
+void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
+                                       Eigen::VectorXd& gamma, Eigen::VectorXd& velocity,
+                                       Eigen::VectorXd& position) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Index n = nv(), k = nc();
+  const std::vector<double> values = evaluator_(FunctionKind::constraints, at(q, u));
+  P = Eigen::Map<const RowMajor>(values.data(), k, n);
+  const double* rest = values.data() + k * n;
+  gamma = Eigen::Map<const Eigen::VectorXd>(rest, k);
+  velocity = Eigen::Map<const Eigen::VectorXd>(rest + k, k);
+  position = Eigen::Map<const Eigen::VectorXd>(rest + 2 * k, k);
+  for (Eigen::Index row = 0; row < k; ++row) {
+    if (!P.row(row).allFinite())
+      gamma(row) = velocity(row) = position(row) = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+Eigen::VectorXd InterpretedMechanism::coordinate_rates(const Eigen::VectorXd& q,
+                                                       const Eigen::VectorXd& u) const {
+  const std::vector<double> values = evaluator_(FunctionKind::coordinate_rates, at(q, u));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), nq());
+}
+
+std::vector<FunctionKind> interpreted_functions() {
+  return {FunctionKind::mass_matrix_and_bias, FunctionKind::coordinate_rates, FunctionKind::constraints};
+}
+
+Violation worst_violation(const InterpretedMechanism& system, const Eigen::VectorXd& q,
+                          const Eigen::VectorXd& u) {
+  Violation worst;
+  if (system.nc() == 0) return worst;
+  Eigen::MatrixXd P;
+  Eigen::VectorXd gamma, velocity, position;
+  system.constraints(q, u, P, gamma, velocity, position);
+  for (int row = 0; row < system.nc(); ++row) {
+    const double size = std::max(std::abs(velocity(row)), std::abs(position(row)));
+    if (!std::isfinite(velocity(row)) || !std::isfinite(position(row)))
+      return {std::numeric_limits<double>::quiet_NaN(), row};
+    if (size > worst.size) worst = {size, row};
+  }
+  return worst;
+}
+
+}  // namespace alembert

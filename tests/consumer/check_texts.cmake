@@ -1,0 +1,42 @@
+# Texts that repeat what is elsewhere:  cmake -DROOT=SOURCE -DALEMBERT=COMMAND -DWORK=SCRATCH -P check_texts.cmake
+# The README shows the controller's program, and the code of a pendulum; the example's arm.yaml is what importing its arm.urdf gives.
+cmake_minimum_required(VERSION 3.25)
+file(READ ${ROOT}/README.md readme)
+set(example ${ROOT}/mechanisms/examples/controller)
+
+# expect_in_readme(FILE): the file's text stands in the README.
+function(expect_in_readme text what)
+  string(FIND "${readme}" "${text}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "the README does not show ${what} as it is")
+  endif()
+endfunction()
+foreach(file main.cpp CMakeLists.txt)
+  file(READ ${example}/${file} text)
+  expect_in_readme("${text}" ${example}/${file})
+endforeach()
+
+# The first description in the README and the function that comes of it.
+file(MAKE_DIRECTORY ${WORK})
+if(NOT readme MATCHES "```yaml\n(alembert: 1\nname: pendulum\n[^`]*)```")
+  message(FATAL_ERROR "the README has no pendulum")
+endif()
+file(WRITE ${WORK}/pendulum.yaml "${CMAKE_MATCH_1}")
+execute_process(COMMAND ${ALEMBERT} generate ${WORK}/pendulum.yaml --out-dir ${WORK}/pendulum COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB parts ${WORK}/pendulum/include/pendulum/pendulum_part*.hpp)
+set(code "")
+foreach(part IN LISTS parts)
+  file(READ ${part} text)
+  string(APPEND code "${text}")
+endforeach()
+string(REGEX MATCH "template <class S>\nvoid inverse_dynamics\\([^}]*}\n" function "${code}")
+if(NOT function)
+  message(FATAL_ERROR "inverse_dynamics is not where this test looks for it: ${parts}")
+endif()
+expect_in_readme("```cpp\n${function}```" "the pendulum's inverse_dynamics")
+
+execute_process(COMMAND ${ALEMBERT} import ${example}/arm.urdf --out ${WORK}/arm.yaml COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/arm.yaml ${example}/arm.yaml RESULT_VARIABLE different)
+if(different)
+  message(FATAL_ERROR "arm.yaml is not what `alembert import arm.urdf` writes: run it again")
+endif()
