@@ -66,16 +66,15 @@ std::size_t dot_products(const Program& program);
 /// Stage `count`: operations by the convention at `OperationCount`.
 OperationCount count(const Program& program);
 
-/// Whose functions `interpret` takes: those of the C library, as compiled code does, or functions rounded
-/// correctly, whose values are the same on every machine.
-enum class Functions { of_library, rounded_correctly };
+/// The value of a function of the C library at one operand or two.
+using FunctionValue = double (*)(Operation, double, double);
 
 /// Values of all inputs, in the order of program.inputs, to values of all outputs, concatenated in order.
 /// Each instruction is one rounding to double, as in code compiled with -ffp-contract=off. Scratch is resized
-/// on first use and holds the values of all instructions after. Throws InternalError if a span has the wrong
-/// size.
+/// on first use and holds the values of all instructions after. `function` stands in for the C library, whose
+/// roundings differ between machines. Throws InternalError if a span has the wrong size.
 void interpret(const Program& program, std::span<const double> inputs, std::span<double> outputs,
-               std::vector<double>& scratch, Functions functions = Functions::of_library);
+               std::vector<double>& scratch, FunctionValue function = nullptr);
 
 /// Stage `verify`: throws InternalError, with function, output, element and both values, unless the program
 /// is well formed and agrees with the expressions it came from: at eight or more random points inside the

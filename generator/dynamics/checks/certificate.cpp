@@ -7,6 +7,7 @@
 #include <random>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "program/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
 namespace alembert {
@@ -17,6 +18,10 @@ namespace {
 /// evaluated.
 constexpr int kMeasuredStates = 10, kFewestStates = 3;
 constexpr double kMeasuringWork = 4e6;
+
+double rounded_correctly(Operation op, double a, double b) {
+  return apply(op, Extended(a), Extended(b)).convert_to<double>();
+}
 
 bool finite(const VectorXe& v) {
   return std::all_of(v.begin(), v.end(), [](const Extended& x) { return isfinite(x); });
@@ -152,7 +157,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     inputs.clear();
     for (const SymbolBinding& binding : bindings_)
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
-    interpret(program, inputs, found, scratch, Functions::rounded_correctly);
+    interpret(program, inputs, found, scratch, rounded_correctly);
     if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
       worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
       continue;
