@@ -1,8 +1,6 @@
 // Functions that change far from 0 and are constant to rounding near it.
 #pragma once
 
-#include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -16,24 +14,12 @@ class LateFunctions {
   /// Draws from `draw`; notes in `events` where the functions change.
   LateFunctions(RandomExpressions& draw, std::vector<Event>& events) : draw_(draw), events_(events) {}
 
-  /// A spline that steps between knots that are near each other, somewhere from `low` to `high`.
-  std::string spline(const std::string& of, double size, double low, double high) {
-    const double centre = draw_.between(low, high),
-                 width = draw_.chance(0.3) ? 0.001 : draw_.between(0.02, 0.4);
-    events_.push_back({of, centre, width});
-    const std::string height = decimal(size * std::min(1.0, 5 * width));
-    char knots[128];
-    std::snprintf(knots, sizeof knots, "%.6g, %.6g, %.6g, %.6g, %.6g, %.6g", low - 5, low - 2, centre - width,
-                  centre, centre + width, high + 2);
-    return "spline(" + of + "; [" + knots + "]; [0, 0, 0, " + height + "/3, " + height + ", 0])";
-  }
-
   /// A step, bump or detent of `size`, between 3 and 9 of what it is a function of.
   std::string function(const std::string& of, double size) {
     const std::string centre = decimal(draw_.between(3, 9)), height = decimal(size);
     const std::string x = "(" + of + " - " + centre + ")";
     const auto note = [&](double width) { events_.push_back({of, std::stod(centre), width}); };
-    switch (draw_.below(7)) {
+    switch (draw_.below(6)) {
       case 0: {
         const int steep = 20 + draw_.below(100);
         note(1.0 / steep);
@@ -57,8 +43,6 @@ class LateFunctions {
         note(0.1);
         return height + "*exp(-100*(1 - cos" + x + "))";
       }
-      case 5:
-        return spline(of, size, 3, 9);
       default: {
         note(0.05);
         return height + "*(tanh(30*" + x + ") + 1)^2/2";

@@ -8,8 +8,6 @@
 #include <stdexcept>
 
 #include "oracles/late_functions.hpp"
-#include "oracles/nasty_constraints.hpp"
-#include "oracles/nasty_numbers.hpp"
 #include "oracles/random_expressions.hpp"
 #include "oracles/reference.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
@@ -21,7 +19,11 @@ namespace {
 constexpr long double kNastyCondition = 1e9L;
 constexpr int kNastySpeeds = 8;
 
-constexpr std::array<NastyKind, 10> kKinds{{
+struct Kind {
+  const char* name;
+  bool tilts, offsets, decimals, axes, scales, units, late, curved, trees;
+};
+constexpr std::array<Kind, 10> kKinds{{
     {"tilts", true, false, false, false, false, false, false, false, false},
     {"offsets", false, true, false, false, false, false, false, false, false},
     {"decimals", false, false, true, false, false, false, false, false, false},
@@ -34,10 +36,9 @@ constexpr std::array<NastyKind, 10> kKinds{{
     {"mixed", true, true, true, true, true, false, true, false, true},
 }};
 
-class NastyWriter : private NastyNumbers {
+class NastyWriter {
  public:
-  NastyWriter(std::uint64_t seed, const NastyKind& kind)
-      : NastyNumbers(draw_, kind, result_.length), draw_(seed), kind_(kind), late_(draw_, result_.events) {
+  NastyWriter(std::uint64_t seed, const Kind& kind) : draw_(seed), kind_(kind), late_(draw_, result_.events) {
     if (kind.units) {
       constexpr std::array<double, 4> kLengths{1e-6, 1e-3, 1e3, 1e6}, kMasses{1e-6, 1e-4, 1e3, 1e5};
       const int which = draw_.below(4);
@@ -50,14 +51,6 @@ class NastyWriter : private NastyNumbers {
   NastyMechanism write() {
     const int bodies = 2 + draw_.below(kind_.curved ? 2 : 3);
     for (int i = 0; i < bodies; ++i) write_body(i, i + 1 == bodies);
-    std::string constraints;
-    if (draw_.chance(0.5)) {
-      Constrainable of{angles_, angles_, rolling_, bodies, speeds_, result_.length};
-      for (const auto& [name, unit] : result_.lengths) of.coordinates.push_back(name);
-      ConstraintSections sections = nasty_constraints(draw_, *this, late_, kind_.late, of);
-      frames_ += sections.frames;
-      constraints = std::move(sections.constraints);
-    }
     const bool falls = draw_.chance(0.8);
     if (!falls) result_.gravity = 1;
     const std::string x = falls ? "0" : number(-1, 1), z = falls ? "-9.81" : number(-1, 1);
@@ -65,11 +58,88 @@ class NastyWriter : private NastyNumbers {
     if (!parameters_.empty()) result_.text += "parameters:\n" + parameters_;
     result_.text += "gravity: " + list({x, "0", z}) + "\ncoordinates:\n" + coordinates_;
     if (!definitions_.empty()) result_.text += "definitions:\n" + definitions_;
-    result_.text += "bodies:\n" + bodies_ + frames_ + constraints;
+    result_.text += "bodies:\n" + bodies_ + frames_;
     return result_;
   }
 
  private:
+  std::string number(double low, double high) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.6g", draw_.between(low, high));
+    return buffer;
+  }
+  /// 10^-k, k = 3..14.
+  std::string tiny(double unit = 1) {
+    const double size =
+        draw_.between(1, 9) * (draw_.chance(0.5) ? 1 : -1) * std::pow(10, -3 - draw_.below(12));
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g", size * unit);
+    return buffer;
+  }
+  double scale() { return kind_.scales ? std::pow(10, draw_.between(-6, 0)) : 1; }
+  std::string length() {
+    const double unit = scale() * result_.length;
+    return number(-0.8 * unit, 0.8 * unit);
+  }
+
+  std::string offset() {
+    if (kind_.offsets && draw_.chance(0.5)) return tiny(result_.length);
+    if (draw_.chance(kind_.trees ? 0.2 : 0.4)) return "0";
+    return length();
+  }
+  std::string shift() {
+    const std::string x = offset(), y = offset(), z = offset();
+    return "{translate: " + list({x, y, z}) + "}";
+  }
+
+  std::string right_angle() {
+    if (kind_.decimals && draw_.chance(0.8)) {
+      static constexpr std::array<const char*, 8> kAngles{"1.5708",   "-1.5708", "3.14159", "1.570796",
+                                                          "0.785398", "-3.1416", "1.57",    "6.2832"};
+      return kAngles[static_cast<std::size_t>(draw_.below(8))];
+    }
+    static constexpr std::array<const char*, 5> kAngles{"pi/2", "-pi/2", "pi", "0", "pi/4"};
+    std::string angle = kAngles[static_cast<std::size_t>(draw_.below(kind_.offsets ? 2 : 5))];
+    if (kind_.tilts && draw_.chance(0.7)) angle += " + " + tiny();
+    return angle;
+  }
+  std::string turn(char about) {
+    const bool generic = !kind_.offsets && draw_.chance(kind_.tilts || kind_.decimals ? 0.1 : 0.4);
+    const std::string angle = generic ? number(-1.5, 1.5) : right_angle();
+    return std::string("{rotate: {axis: ") + about + ", angle: \"" + angle + "\"}}";
+  }
+
+  std::string joint_axis() {
+    const int which = draw_.below(8);
+    if (!kind_.axes) return which == 0 ? "x" : which == 1 ? "y" : "z";
+    switch (which) {
+      case 0:
+        return "[0, 0, -1]";
+      case 1:
+        return "[0, 0, 1.0e+12]";
+      case 2:
+        return "[0, -1.0e-06, 0]";
+      case 3: {
+        const std::string x = tiny(), y = tiny();
+        return "[" + x + ", " + y + ", 1]";
+      }
+      case 4: {
+        const std::string x = tiny();
+        return "[" + x + ", -1, 0]";
+      }
+      case 5: {
+        const std::string x = number(-3, 3), y = number(-3, 3);
+        return "[" + x + "e+11, " + y + "e+11, 2.0e+11]";
+      }
+      case 6: {
+        const std::string x = number(-3, 3), y = number(-3, 3);
+        return "[" + x + "e-6, " + y + "e-6, 0.000002]";
+      }
+      default:
+        return "[-1, 0, 0]";
+    }
+  }
+
   /// An angle; late functions change within its limits, far from where it begins.
   std::string new_angle() {
     const std::string name = "q" + std::to_string(speeds_++);
@@ -155,49 +225,31 @@ class NastyWriter : private NastyNumbers {
                  list({r + "*cos(" + s + ")", r + "*sin(" + s + ")", h + "*" + s + " + " + lift}) +
                  ", along: " + s + ", frame: {reference: [0.02, 0.03, 1]}}}";
         }
-        const std::string v = new_angle();
-        return torus(s, v, r);
+        const std::string v = new_angle(), tube = number(0.2, 0.4), bulge = late_.function(s, 0.2);
+        const std::string R = "(" + r + " + 0.6 + " + bulge + " + " + tube + "*cos(" + v + "))";
+        return "{surface: {point: " +
+               list({R + "*cos(" + s + ")", R + "*sin(" + s + ")", tube + "*sin(" + v + ")"}) + ", along: [" +
+               s + ", " + v + "]}}";
       }
     }
-  }
-
-  /// A torus with a late bulge.
-  std::string torus(const std::string& u, const std::string& v, const std::string& radius) {
-    const std::string tube = number(0.2, 0.4), bulge = late_.function(u, 0.2);
-    const std::string R = "(" + radius + " + 0.6 + " + bulge + " + " + tube + "*cos(" + v + "))";
-    return "{surface: {point: " +
-           list({R + "*cos(" + u + ")", R + "*sin(" + u + ")", tube + "*sin(" + v + ")"}) + ", along: [" + u +
-           ", " + v + "]}}";
-  }
-  /// Two tori that touch.
-  std::string mate(const std::string& body, const std::string& parent) {
-    const std::string u1 = new_angle(), v1 = new_angle(), u2 = new_angle(), v2 = new_angle();
-    const std::string first = torus(u1, v1, number(0.5, 1.1)), second = torus(u2, v2, number(0.5, 1.1));
-    rolling_.push_back({body, parent, u1, v1, u2, v2});
-    return "{mate: [" + first + ", " + second + "]}";
   }
 
   /// Moves with an earlier coordinate and with none of its own.
   std::string follower() {
     const std::string name = old_angle(), k = number(-2, 2), b = number(-0.5, 0.5);
-    const std::string f = draw_.chance(0.3) ? late_.spline(name, 0.7, kind_.late ? 3 : -2, kind_.late ? 9 : 2)
-                          : draw_.chance(0.5) ? k + "*" + name + " + " + b
-                                              : k + "*sin(" + name + ") + " + b;
+    const std::string f = draw_.chance(0.5) ? k + "*" + name + " + " + b : k + "*sin(" + name + ") + " + b;
     return "{rotate: {axis: " + joint_axis() + ", angle: \"" + f + "\"}}";
   }
 
   void write_body(int index, bool last) {
     const auto add = [&](const std::string& factor) { bodies_ += "      - " + factor + "\n"; };
     bodies_ += "  - name: body" + std::to_string(index) + "\n";
-    std::string parent = "world";
     if (index > 0) {
-      parent = "body" + std::to_string(kind_.trees && draw_.chance(0.4) ? draw_.below(index) : index - 1);
-      bodies_ += "    parent: " + parent + "\n";
+      const int parent = kind_.trees && draw_.chance(0.4) ? draw_.below(index) : index - 1;
+      bodies_ += "    parent: body" + std::to_string(parent) + "\n";
     }
     bodies_ += "    transform:\n";
-    const bool touches = kind_.curved && index > 0 && speeds_ + 4 <= kNastySpeeds && draw_.chance(0.4);
-    if (touches) add(mate("body" + std::to_string(index), parent));
-    const int joints = touches ? 0 : 1 + draw_.below(2);
+    const int joints = 1 + draw_.below(2);
     for (int i = 0; i < joints; ++i) {
       if (index > 0 || draw_.chance(0.3)) add(shift());
       if (index > 0 || i > 0) {
@@ -229,7 +281,7 @@ class NastyWriter : private NastyNumbers {
       }
       if (kind_.late && draw_.chance(0.6)) add(late_factor());
     }
-    if (!touches && draw_.chance(0.4)) add(shift());
+    if (draw_.chance(0.4)) add(shift());
     if (!(kind_.trees && !last && index > 0 && draw_.chance(0.2))) mass_properties(last);
     if (draw_.chance(0.2)) bodies_ += "    external_wrench: true\n";
     if (last) {
@@ -269,21 +321,20 @@ class NastyWriter : private NastyNumbers {
   }
 
   RandomExpressions draw_;
-  NastyKind kind_;
+  Kind kind_;
   NastyMechanism result_;
   LateFunctions late_;
   double mass_ = 1;
   int speeds_ = 0, definition_count_ = 0;
   bool free_ = false;
   std::vector<std::string> angles_;
-  std::vector<RollingBody> rolling_;
   std::string parameters_, coordinates_, definitions_, bodies_, frames_;
 };
 
 }  // namespace
 
 NastyMechanism nasty_mechanism(std::uint64_t seed) {
-  const NastyKind& kind = kKinds[seed % kKinds.size()];
+  const Kind& kind = kKinds[seed % kKinds.size()];
   for (std::uint64_t trial = 0; trial < 200; ++trial) {
     const NastyMechanism mechanism = NastyWriter(1000003 * seed + trial, kind).write();
     const Description description = parse_description(mechanism.text, mechanism.parameters);

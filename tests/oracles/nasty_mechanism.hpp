@@ -34,15 +34,10 @@ struct NastyMechanism {
 /// axes       mirrored axes, axis vectors of length 1e12 and 1e-6, tilted ones
 /// scales     masses from 1e-7 to 10 kg and lengths from 1e-6 to 1 m in one mechanism
 /// units      the whole in micrometres and milligrams, or in kilometres and tonnes
-/// late       functions that change far from 0: steps, bumps, detents, splines of coordinates, time and
-///            parameters
-/// curved     the same in curves, surfaces, mates, matrices and inverses
-/// trees      branches, massless links, point masses, functions and splines of other coordinates,
-/// quaternions,
-///            free bodies
-/// mixed      all of these at once
-///
-/// Half of them have constraints: loops, gears and couplings, and rolling in `curved`.
+/// late       functions that change far from 0: steps, bumps, detents of coordinates, time and parameters
+/// curved     the same in curves, surfaces, matrices and inverses
+/// trees      branches, massless links, point masses, functions of other coordinates, quaternions, free
+/// bodies mixed      all of these at once
 ///
 /// M scaled to a unit diagonal has a condition below 1e9 at nasty_states of the seed. The same seed gives the
 /// same text everywhere.
