@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "commands/commands.hpp"
+#include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
 #include "import/importers.hpp"
 #include "mechanism/load.hpp"
@@ -23,9 +24,9 @@
 namespace alembert {
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
-                          SingularMass singular) {
+                          Inapplicable inapplicable) {
   CompileOptions options;
-  options.singular = singular;
+  options.inapplicable = inapplicable;
   options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
   options.formulation = common.formulation;
   options.passes = common.passes;
@@ -40,24 +41,66 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
   return compile_mechanism(read_source(common.file), options);
 }
 
-std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names) {
+FunctionChoice function_choice(const std::vector<std::string>& names) {
+  FunctionChoice choice;
+  if (names == std::vector<std::string>{"all"}) {
+    for (const OutputFunction& row : kOutputFunctions) choice.kinds.emplace_back(row);
+    choice.inapplicable = Inapplicable::leave_out;
+    return choice;
+  }
   std::vector<std::string> known;
-  for (const FunctionKind kind : all_function_kinds()) known.emplace_back(to_string(kind));
-  std::vector<FunctionKind> kinds;
+  for (const OutputFunction& row : kOutputFunctions) known.emplace_back(row.name);
   for (const std::string& name : names) {
     const SourceLocation here{std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1};
-    const auto found = std::find(known.begin(), known.end(), name);
-    if (found == known.end())
+    const OutputFunction* row = find_function(name);
+    if (row == nullptr)
       throw InputError(here, "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
-    const FunctionKind kind = all_function_kinds()[static_cast<std::size_t>(found - known.begin())];
-    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
+    const FunctionKind kind(*row);
+    if (std::ranges::find(choice.kinds, kind) != choice.kinds.end())
       throw InputError(here, name + " is given twice");
-    kinds.push_back(kind);
+    choice.kinds.push_back(kind);
   }
-  return kinds;
+  return choice;
+}
+
+std::string function_list() {
+  std::string out = "Output functions; * marks those that `generate` writes unless told otherwise.\n";
+  for (const auto& [topic, title] : {std::pair(Topic::dynamics, "Dynamics"),
+                                     {Topic::kinematics, "Kinematics"},
+                                     {Topic::derivatives, "Derivatives"}}) {
+    out += fmt::format("\n{}\n", title);
+    for (const OutputFunction& row : kOutputFunctions) {
+      if (row.topic != topic) continue;
+      std::string arguments;
+      for (const ArgumentKind kind : row.arguments)
+        arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", array_name(kind));
+      std::string results;
+      for (const ResultArray& result : row.results)
+        results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
+      out += fmt::format("{} {}({}) -> {}\n      {}\n", row.by_default ? "*" : " ", row.name, arguments,
+                         results, row.summary);
+    }
+  }
+  return out;
 }
 
 namespace {
+
+/// --functions: names, `all`, or `help`, which shows the table.
+void add_functions(CLI::App* command, std::vector<std::string>& functions, const std::string& meaning) {
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--functions",
+          [&functions](const std::vector<std::string>& names) {
+            if (std::ranges::find(names, "help") != names.end()) {
+              fmt::print("{}", function_list());
+              throw CLI::Success();
+            }
+            functions = names;
+          },
+          meaning + "; all: every function that the mechanism has; help: list them")
+      ->delimiter(',');
+}
 
 /// A check of one value of an option: a finite number that `accepts` takes, such as `a number above 0`.
 CLI::Validator finite_number(const std::string& expected, const std::function<bool(double)>& accepts) {
@@ -199,11 +242,7 @@ int run(int argc, char** argv) {
   GenerateOptions generate;
   CLI::App* command = add_reader(app, "generate", "write the C++ of a mechanism", common);
   command->add_option("--out-dir", generate.out_dir, "folder to write into")->required();
-  command
-      ->add_option("--functions", generate.functions,
-                   "functions to write (default: all but forward_dynamics, body_jacobians, body_inertias, "
-                   "inverse_dynamics_derivatives)")
-      ->delimiter(',');
+  add_functions(command, generate.functions, "functions to write (default: those marked in the list)");
   command
       ->add_option("--scalars", generate.scalars,
                    "scalar types to compile for: double, float (default: both)")
@@ -252,20 +291,25 @@ int run(int argc, char** argv) {
 
   ReportOptions report;
   command = add_reader(app, "report", "count the operations of each function", common);
-  command->add_option("--functions", report.functions, "functions to count (default: all of dynamics)")
-      ->delimiter(',');
+  add_functions(command, report.functions, "functions to count (default: those of dynamics)");
   command->add_flag("--json", report.json, "as JSON");
   add_compiler_options(command, common);
+  CLI::Option* memory =
+      command
+          ->add_option("--memory", report.memory,
+                       "double or float: also bytes of code and stack, of C99 compiled by --compiler")
+          ->check(CLI::IsMember({"double", "float"}));
+  command->add_option("--compiler", report.compiler, "C compiler for --memory, with its flags")
+      ->needs(memory)
+      ->capture_default_str();
   command->callback([&] { result = run_report(common, report); });
 
   EvaluateOptions evaluate;
   command =
       add_reader(app, "evaluate",
                  "read states (JSON, one a line, from standard input), print tau, M, c and qdd", common);
-  command
-      ->add_option("--functions", evaluate.functions,
-                   "functions whose results are wanted instead, as `generate` writes them")
-      ->delimiter(',');
+  add_functions(command, evaluate.functions,
+                "functions whose results are wanted instead, as `generate` writes them");
   command->add_flag("--json", evaluate.json, "as JSON, one object a line");
   add_compiler_options(command, common);
   command->callback([&] { result = run_evaluate(common, evaluate); });

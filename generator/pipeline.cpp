@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/function_builders.hpp"
+#include "functions/array_shape.hpp"
 #include "mechanism/extreme_number.hpp"
 #include "mechanism/load.hpp"
 #include "program/passes.hpp"
@@ -88,28 +90,6 @@ std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
   constexpr std::size_t kSmall = 3;
   if (kinematics.mechanism.bodies.size() <= kSmall) add(Formulation::factored, options.passes);
   return candidates;
-}
-
-bool depends_on_formulation(FunctionKind kind) {
-  switch (kind) {
-    case FunctionKind::inverse_dynamics:
-    case FunctionKind::mass_matrix:
-    case FunctionKind::bias:
-    case FunctionKind::mass_matrix_and_bias:
-    case FunctionKind::forward_dynamics:
-    case FunctionKind::inverse_dynamics_derivatives:
-      return true;
-    case FunctionKind::coordinate_rates:
-    case FunctionKind::energy:
-    case FunctionKind::body_poses:
-    case FunctionKind::frame_poses:
-    case FunctionKind::frame_jacobians:
-    case FunctionKind::constraints:
-    case FunctionKind::body_jacobians:
-    case FunctionKind::body_inertias:
-      return false;
-  }
-  return false;
 }
 
 /// Programs are lowered with every argument that there is; what a function does not use is no argument of it.
@@ -201,31 +181,8 @@ const CompiledFunction& CompiledMechanism::function(FunctionKind kind) const {
 
 std::vector<FunctionKind> default_functions(const Mechanism& mechanism) {
   std::vector<FunctionKind> kinds;
-  const auto wanted = [&](FunctionKind kind) {
-    switch (kind) {
-      case FunctionKind::inverse_dynamics:
-      case FunctionKind::mass_matrix:
-      case FunctionKind::bias:
-      case FunctionKind::mass_matrix_and_bias:
-      case FunctionKind::coordinate_rates:
-      case FunctionKind::energy:
-      case FunctionKind::body_poses:
-        return true;
-      case FunctionKind::frame_poses:
-      case FunctionKind::frame_jacobians:
-        return !mechanism.frames.empty();
-      case FunctionKind::constraints:
-        return !mechanism.constraints.empty();
-      case FunctionKind::forward_dynamics:
-      case FunctionKind::body_jacobians:
-      case FunctionKind::body_inertias:
-      case FunctionKind::inverse_dynamics_derivatives:
-        return false;
-    }
-    return false;
-  };
-  for (const FunctionKind kind : all_function_kinds()) {
-    if (wanted(kind)) kinds.push_back(kind);
+  for (const OutputFunction& row : kOutputFunctions) {
+    if (row.by_default && has_results(row, mechanism)) kinds.emplace_back(row);
   }
   return kinds;
 }
@@ -243,7 +200,7 @@ class FunctionWriter {
   CompiledFunction write(FunctionKind kind, const std::vector<EquationsOfMotion>& candidates) const {
     std::vector<Candidate> found;
     for (const EquationsOfMotion& equations : candidates) {
-      if (!found.empty() && !depends_on_formulation(kind)) break;
+      if (!found.empty() && !is_of_equations(kind)) break;
       std::vector<OutputExpressions> outputs = function_outputs(kinematics_, equations, kind);
       if (std::any_of(found.begin(), found.end(), [&](const Candidate& c) { return c.outputs == outputs; }))
         continue;
@@ -260,7 +217,7 @@ class FunctionWriter {
       if (certificate_.is_small(error)) return true;
       const bool worse = explained && (explained->error.without_value.size() < error.without_value.size() ||
                                        explained->error.relative <= kWorseError * error.relative);
-      if (!worse && certificate_.explains(error, plain_outputs(kind))) explained = one.function;
+      if (!worse && certificate_.explains(error, kind)) explained = one.function;
       return false;
     };
     for (Candidate& one : found)
@@ -274,7 +231,9 @@ class FunctionWriter {
       if (passes.regrouping) {
         passes.regrouping = false;
       } else {
-        passes = {false, false, false, false, passes.articulation, 0};
+        const bool articulation = passes.articulation;
+        passes = plain_passes();
+        passes.articulation = articulation;
       }
       Candidate one = candidate(
           kind, formulation,
@@ -308,11 +267,6 @@ class FunctionWriter {
     return {{kind, formulation, std::move(program), operations, {}}, std::move(outputs)};
   }
 
-  std::vector<OutputExpressions> plain_outputs(FunctionKind kind) const {
-    const Passes none{false, false, false, false, options_.passes.articulation, 0};
-    return function_outputs(kinematics_, equations_of_motion(kinematics_, Formulation::reduced, none), kind);
-  }
-
   /// Puts a program in its final order, verifies it and measures how far it is from the plain equations.
   void finish(Candidate& one) const {
     CompiledFunction& function = one.function;
@@ -338,17 +292,20 @@ class FunctionWriter {
   const CompileOptions& options_;
 };
 
-/// What a singular mass matrix does to the functions asked for (SingularMass).
-void check_singular(const Kinematics& kinematics, const PlainEquations& plain, const CompileOptions& options,
-                    std::vector<FunctionKind>& kinds) {
+/// What is done about functions that the mechanism has no values for (Inapplicable).
+void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
+                      const CompileOptions& options, std::vector<FunctionKind>& kinds) {
+  if (options.inapplicable == Inapplicable::leave_out) {
+    std::erase_if(kinds, [&](FunctionKind kind) { return !has_results(kind.row(), kinematics.mechanism); });
+  }
   try {
     check_mass_matrix(kinematics, plain);
   } catch (const SingularMassMatrix& error) {
-    const bool solved = std::ranges::find(kinds, FunctionKind::forward_dynamics) != kinds.end();
-    if (options.singular == SingularMass::refuse ||
-        (options.singular == SingularMass::refuse_where_solved && solved))
+    const bool solved = std::ranges::find(kinds, FunctionKind("forward_dynamics")) != kinds.end();
+    if (options.inapplicable == Inapplicable::refuse_singular ||
+        (options.inapplicable == Inapplicable::refuse && solved))
       throw;
-    std::erase(kinds, FunctionKind::forward_dynamics);
+    std::erase(kinds, FunctionKind("forward_dynamics"));
     if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
   }
 }
@@ -393,7 +350,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
   const Certificate certificate(kinematics, bindings, options.states);
   std::vector<FunctionKind> kinds =
       options.functions.empty() ? default_functions(mechanism) : options.functions;
-  check_singular(kinematics, certificate.plain(), options, kinds);
+  check_applicable(kinematics, certificate.plain(), options, kinds);
   log.done("certificate", "the plain equations, and whether M is singular");
   const FunctionWriter writer(kinematics, bindings, certificate, options);
   for (const FunctionKind kind : kinds) {

@@ -12,6 +12,7 @@
 
 #include "dynamics/checks/certificate.hpp"
 #include "dynamics/equations.hpp"
+#include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"
 #include "support/error.hpp"
@@ -26,12 +27,13 @@ inline constexpr std::size_t kLoopOperations = 2500;
 /// chain of 12 joints, loops are shorter than straight code and as fast.
 inline constexpr std::size_t kLoopResults = 30;
 
-/// What a mass matrix means that is singular at all states, as where a joint moves no mass: inverse dynamics
-/// has values all the same, forward dynamics has none.
-enum class SingularMass {
-  refuse_where_solved,  ///< an error if forward_dynamics is asked for, else a warning
-  refuse,               ///< an error: the caller solves with it
-  leave_out             ///< a warning, and forward_dynamics is left out
+/// What becomes of functions that a mechanism has no values for: of forward dynamics where the mass matrix is
+/// singular at all states, as where a joint moves no mass (inverse dynamics has values all the same), and of
+/// those without results, as poses of frames where there are none.
+enum class Inapplicable {
+  refuse,           ///< forward_dynamics is an error if it is asked for; what has no results is empty
+  refuse_singular,  ///< a singular mass matrix is an error in any case: the caller solves with it
+  leave_out         ///< they are left out, forward_dynamics with a warning
 };
 
 struct CompileOptions {
@@ -40,7 +42,7 @@ struct CompileOptions {
   std::vector<FunctionKind> functions;     ///< in the order wanted
   std::size_t loop_operations = kLoopOperations;  ///< functions of more have loops over steps
   std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
-  SingularMass singular = SingularMass::refuse_where_solved;
+  Inapplicable inapplicable = Inapplicable::refuse;
   std::function<void(const Warnings&)> warn;  ///< is told what is doubtful
   std::optional<int> states;     ///< at which functions are measured (certificate.hpp); nothing: a few
   std::ostream* talk = nullptr;  ///< time, nodes and operations of each stage (--verbose)
@@ -78,9 +80,8 @@ CompiledMechanism compile_mechanism(std::shared_ptr<const SourceText> source, co
 /// Names of the stages that can be dumped.
 std::vector<std::string> dump_stages();
 
-/// Functions that `generate` writes unless told otherwise: all but forward_dynamics (the runtime library
-/// solves), body_jacobians, body_inertias and inverse_dynamics_derivatives; frames and constraints only if
-/// there are any.
+/// Functions that `generate` writes unless told otherwise: those of the table that are marked so and have
+/// results for this mechanism.
 std::vector<FunctionKind> default_functions(const Mechanism& mechanism);
 
 }  // namespace alembert

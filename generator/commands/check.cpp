@@ -163,9 +163,9 @@ int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& pa
 void report_errors(const std::shared_ptr<const SourceText>& source, const Passes& passes, int states) {
   CompileOptions options;
   options.passes = passes;
-  options.singular = SingularMass::leave_out;
+  options.inapplicable = Inapplicable::leave_out;
   options.states = states;
-  options.functions.assign(all_function_kinds().begin(), all_function_kinds().end());
+  for (const OutputFunction& row : kOutputFunctions) options.functions.emplace_back(row);
   for (const CompiledFunction& function : compile_mechanism(source, options).functions) {
     fmt::print("{}: relative error {:.2g} at {} states\n", to_string(function.kind), function.error.relative,
                function.error.states);

@@ -29,11 +29,20 @@ struct CommonOptions {
 void report_warnings(const Warnings& warnings, bool strict);
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
-                          SingularMass singular = SingularMass::refuse_where_solved);
+                          Inapplicable inapplicable = Inapplicable::refuse);
 
-/// The functions with these names, as `--functions` takes them; a name that is unknown or given twice is an
-/// InputError.
-std::vector<FunctionKind> function_kinds(const std::vector<std::string>& names);
+/// Functions, and what becomes of those among them that the mechanism has none of.
+struct FunctionChoice {
+  std::vector<FunctionKind> kinds;
+  Inapplicable inapplicable = Inapplicable::refuse;
+};
+
+/// The functions with these names, as `--functions` takes them; `all` stands for all that the mechanism has.
+/// A name that is unknown or given twice is an InputError.
+FunctionChoice function_choice(const std::vector<std::string>& names);
+
+/// The table of functions, for `--functions help`.
+std::string function_list();
 
 struct GenerateOptions {
   std::string out_dir;
@@ -53,6 +62,8 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options);
 struct ReportOptions {
   std::vector<std::string> functions;  ///< none: all whose operations are worth counting
   bool json = false;
+  std::string memory;               ///< double or float: also what C99 takes on a machine; empty: not
+  std::string compiler = "cc -O2";  ///< for that
 };
 int run_report(const CommonOptions& common, const ReportOptions& options);
 

@@ -10,7 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/state_reader.hpp"
-#include "emit/function_signature.hpp"
+#include "functions/array_shape.hpp"
 #include "simulation/dynamics_evaluator.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 
@@ -137,19 +137,19 @@ class WholeDynamics {
   WholeDynamics(const CompiledMechanism& compiled, const EvaluationState& defaults)
       : compiled_(compiled), evaluator_(compiled), system_(compiled, defaults) {}
   static std::vector<FunctionKind> functions() {
-    return {FunctionKind::inverse_dynamics, FunctionKind::mass_matrix_and_bias,
-            FunctionKind::coordinate_rates, FunctionKind::body_poses, FunctionKind::constraints};
+    return {FunctionKind("inverse_dynamics"), FunctionKind("mass_matrix_and_bias"),
+            FunctionKind("coordinate_rates"), FunctionKind("body_poses"), FunctionKind("constraints")};
   }
 
   std::string at(const EvaluationState& state, bool json) {
     Answer answer;
     answer.nv = static_cast<std::size_t>(compiled_.mechanism->nv);
     answer.nc = system_.rows().size();
-    answer.tau = evaluator_(FunctionKind::inverse_dynamics, state);
-    answer.mass_matrix_and_bias = evaluator_(FunctionKind::mass_matrix_and_bias, state);
-    answer.constraints = evaluator_(FunctionKind::constraints, state);
-    answer.rates = evaluator_(FunctionKind::coordinate_rates, state);
-    answer.poses = evaluator_(FunctionKind::body_poses, state);
+    answer.tau = evaluator_(FunctionKind("inverse_dynamics"), state);
+    answer.mass_matrix_and_bias = evaluator_(FunctionKind("mass_matrix_and_bias"), state);
+    answer.constraints = evaluator_(FunctionKind("constraints"), state);
+    answer.rates = evaluator_(FunctionKind("coordinate_rates"), state);
+    answer.poses = evaluator_(FunctionKind("body_poses"), state);
     answer.forward = forward_dynamics(system_, state, state.tau.empty() ? answer.tau : state.tau);
     return json ? json_answer(answer) : text_answer(answer);
   }
@@ -168,15 +168,16 @@ std::string function_results(const CompiledMechanism& compiled, const Evaluation
     const std::vector<double> values = evaluator(function.kind, state);
     std::span<const double> left = values;
     std::string arrays;
-    for (const ResultArray& result : find_signature(to_string(function.kind))->results) {
-      const std::span<const double> array = left.first(array_size(result.size, *compiled.mechanism));
+    for (const ResultArray& result : function.kind.row().results) {
+      const TableShape shape = table_shape(result, *compiled.mechanism);
+      const std::span<const double> array = left.first(shape.rows * shape.columns);
       left = left.subspan(array.size());
-      const std::size_t columns = array_columns(result.size, *compiled.mechanism);
+      const bool is_vector = result.per == Per::mechanism && result.columns == 1;
       if (json) {
         arrays += fmt::format("{}\"{}\": {}", arrays.empty() ? "" : ", ", result.name,
-                              columns == 0 ? json_array(array) : json_matrix(array, columns));
+                              is_vector ? json_array(array) : json_matrix(array, shape.columns));
       } else {
-        arrays += columns == 0 ? text_row(result.name, array) : text_matrix(result.name, array, columns);
+        arrays += is_vector ? text_row(result.name, array) : text_matrix(result.name, array, shape.columns);
       }
     }
     out += json ? fmt::format("{}\"{}\": {{{}}}", out.empty() ? "" : ", ", to_string(function.kind), arrays)
@@ -192,12 +193,13 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
     throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
                      "evaluate reads states from standard input, so the description must be a file");
   }
-  const std::vector<FunctionKind> functions = function_kinds(options.functions);
+  const FunctionChoice choice = function_choice(options.functions);
+  const bool all_at_once = choice.kinds.empty();
   const CompiledMechanism compiled =
-      compile(common, functions.empty() ? WholeDynamics::functions() : functions);
+      compile(common, all_at_once ? WholeDynamics::functions() : choice.kinds, choice.inapplicable);
   const EvaluationState defaults = DynamicsEvaluator(compiled).initial_state();
   std::optional<WholeDynamics> whole;
-  if (functions.empty()) whole.emplace(compiled, defaults);
+  if (all_at_once) whole.emplace(compiled, defaults);
   const StateReader reader(*compiled.mechanism, defaults);
 
   std::string text;

@@ -71,7 +71,8 @@ std::vector<RunFile> run_files(const std::string& description, const GenerateOpt
 }  // namespace
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
-  const CompiledMechanism compiled = compile(common, function_kinds(options.functions));
+  const FunctionChoice choice = function_choice(options.functions);
+  const CompiledMechanism compiled = compile(common, choice.kinds, choice.inapplicable);
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;

@@ -1,12 +1,12 @@
 // `report`: operations of each function, by the counting convention of program/program.hpp.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands/commands.hpp"
+#include "commands/memory.hpp"
 #include "mechanism/constraint_rows.hpp"
 
 namespace alembert {
@@ -19,44 +19,21 @@ constexpr const char* kConvention =
     "a constant offset in a trigonometric argument belongs to that call; constants folded; gravity "
     "included\n";
 
-/// Whether a function is counted unless others are asked for: poses, Jacobians and derivatives are not.
-bool is_of_dynamics(FunctionKind kind) {
-  switch (kind) {
-    case FunctionKind::inverse_dynamics:
-    case FunctionKind::mass_matrix:
-    case FunctionKind::bias:
-    case FunctionKind::mass_matrix_and_bias:
-    case FunctionKind::forward_dynamics:
-    case FunctionKind::coordinate_rates:
-    case FunctionKind::energy:
-    case FunctionKind::constraints:
-      return true;
-    case FunctionKind::body_poses:
-    case FunctionKind::frame_poses:
-    case FunctionKind::frame_jacobians:
-    case FunctionKind::body_jacobians:
-    case FunctionKind::body_inertias:
-    case FunctionKind::inverse_dynamics_derivatives:
-      return false;
-  }
-  return false;
-}
-
 }  // namespace
 
 int run_report(const CommonOptions& common, const ReportOptions& options) {
-  std::vector<FunctionKind> functions = function_kinds(options.functions);
-  const SingularMass singular =
-      functions.empty() ? SingularMass::leave_out : SingularMass::refuse_where_solved;
-  if (functions.empty())
-    std::ranges::copy_if(all_function_kinds(), std::back_inserter(functions), is_of_dynamics);
-  CompiledMechanism compiled = compile(common, functions, singular);
-  const Mechanism& mechanism = *compiled.mechanism;
-  const std::size_t rows = constraint_rows(mechanism).size();
-  if (rows == 0) {
-    std::erase_if(compiled.functions,
-                  [](const CompiledFunction& f) { return f.kind == FunctionKind::constraints; });
+  FunctionChoice choice = function_choice(options.functions);
+  if (choice.kinds.empty()) {
+    for (const OutputFunction& row : kOutputFunctions) {
+      if (row.topic == Topic::dynamics) choice.kinds.emplace_back(row);
+    }
+    choice.inapplicable = Inapplicable::leave_out;
   }
+  const CompiledMechanism compiled = compile(common, choice.kinds, choice.inapplicable);
+  const Mechanism& mechanism = *compiled.mechanism;
+  std::optional<MechanismMemory> memory;
+  if (!options.memory.empty()) memory = measured_memory(compiled, options.memory, options.compiler);
+  const std::size_t rows = constraint_rows(mechanism).size();
   if (options.json) {
     nlohmann::ordered_json out;
     out["mechanism"] = mechanism.name;
@@ -72,6 +49,11 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
         out["functions"][std::string(to_string(f.kind))]["dot_products"] = n;
       if (const std::size_t n = operations_in_loops(f.program); n > 0)
         out["functions"][std::string(to_string(f.kind))]["in_loops"] = n;
+    }
+    for (std::size_t f = 0; memory && f < compiled.functions.size(); ++f) {
+      auto& function = out["functions"][std::string(to_string(compiled.functions[f].kind))];
+      function["code_bytes"] = memory->functions[f].code;
+      function["stack_bytes"] = memory->functions[f].stack;
     }
     fmt::print("{}\n", out.dump(2));
     return 0;
@@ -96,6 +78,15 @@ int run_report(const CommonOptions& common, const ReportOptions& options) {
                  common.loop_operations);
   }
   fmt::print("\n{}", kConvention);
+  if (!memory) return 0;
+  fmt::print("\nC99 for {}, compiled by `{}`: bytes of code, of stack\n", options.memory, options.compiler);
+  for (std::size_t f = 0; f < compiled.functions.size(); ++f)
+    fmt::print("{:<{}} {:>7} {:>7}\n", to_string(compiled.functions[f].kind), width,
+               memory->functions[f].code, memory->functions[f].stack);
+  fmt::print(
+      "shared code {}, constants and names {}. The stack is what the compiler says of frames, those of\n"
+      "sin, cos and other functions of the C library apart.\n",
+      memory->shared_code, memory->constants);
   return 0;
 }
 

@@ -95,9 +95,9 @@ class Simulation {
     CommonOptions common = common_;
     common.file = file;
     std::vector<FunctionKind> functions = trajectory_functions();
-    if (seen_ && std::ranges::find(functions, FunctionKind::body_poses) == functions.end())
-      functions.push_back(FunctionKind::body_poses);
-    const CompiledMechanism compiled = compile(common, functions, SingularMass::refuse);
+    if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
+      functions.push_back(FunctionKind("body_poses"));
+    const CompiledMechanism compiled = compile(common, functions, Inapplicable::refuse_singular);
     const Mechanism& mechanism = *compiled.mechanism;
     check_outputs(options_, mechanism.where);
     TrajectoryOptions trajectory = trajectory_options(mechanism);

@@ -6,40 +6,13 @@
 #include <cmath>
 
 #include "dynamics/checks/state_checks.hpp"
-#include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/reduced_equations.hpp"
-#include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/formulations.hpp"
 #include "dynamics/rewrites/screw_peeling.hpp"
 #include "dynamics/tree/frame_normals.hpp"
 #include "symbolic/passes.hpp"
 
 namespace alembert {
-
-namespace {
-
-std::vector<OutputExpressions> constraint_outputs(const Kinematics& kinematics) {
-  const ConstraintEquations equations =
-      constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives, kinematics.graph);
-  const std::uint32_t rows = static_cast<std::uint32_t>(equations.position.size());
-  std::vector<OutputExpressions> outputs{
-      {"P", rows, static_cast<std::uint32_t>(kinematics.mechanism.nv), equations.P},
-      {"gamma", rows, 1, equations.gamma},
-      {"velocity", rows, 1, equations.velocity},
-      {"position", rows, 1, equations.position}};
-  // All at once, so that what they share is found.
-  std::vector<Expr> flat;
-  for (const OutputExpressions& output : outputs)
-    flat.insert(flat.end(), output.values.begin(), output.values.end());
-  flat = value_number(flat);
-  auto next = flat.begin();
-  for (OutputExpressions& output : outputs) {
-    for (Expr& value : output.values) value = *next++;
-  }
-  return outputs;
-}
-
-}  // namespace
 
 Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
   for (const Coordinate& coordinate : mechanism.coordinates) {
@@ -61,58 +34,6 @@ std::string_view to_string(Formulation formulation) {
       return "reduced";
   }
   return "";
-}
-
-std::string_view to_string(FunctionKind kind) {
-  switch (kind) {
-    case FunctionKind::inverse_dynamics:
-      return "inverse_dynamics";
-    case FunctionKind::mass_matrix:
-      return "mass_matrix";
-    case FunctionKind::bias:
-      return "bias";
-    case FunctionKind::mass_matrix_and_bias:
-      return "mass_matrix_and_bias";
-    case FunctionKind::forward_dynamics:
-      return "forward_dynamics";
-    case FunctionKind::coordinate_rates:
-      return "coordinate_rates";
-    case FunctionKind::energy:
-      return "energy";
-    case FunctionKind::body_poses:
-      return "body_poses";
-    case FunctionKind::frame_poses:
-      return "frame_poses";
-    case FunctionKind::frame_jacobians:
-      return "frame_jacobians";
-    case FunctionKind::constraints:
-      return "constraints";
-    case FunctionKind::body_jacobians:
-      return "body_jacobians";
-    case FunctionKind::body_inertias:
-      return "body_inertias";
-    case FunctionKind::inverse_dynamics_derivatives:
-      return "inverse_dynamics_derivatives";
-  }
-  return "";
-}
-
-std::span<const FunctionKind> all_function_kinds() {
-  static constexpr std::array kKinds{FunctionKind::inverse_dynamics,
-                                     FunctionKind::mass_matrix,
-                                     FunctionKind::bias,
-                                     FunctionKind::mass_matrix_and_bias,
-                                     FunctionKind::forward_dynamics,
-                                     FunctionKind::coordinate_rates,
-                                     FunctionKind::energy,
-                                     FunctionKind::body_poses,
-                                     FunctionKind::frame_poses,
-                                     FunctionKind::frame_jacobians,
-                                     FunctionKind::constraints,
-                                     FunctionKind::body_jacobians,
-                                     FunctionKind::body_inertias,
-                                     FunctionKind::inverse_dynamics_derivatives};
-  return kKinds;
 }
 
 namespace {
@@ -173,110 +94,6 @@ EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation 
       return reduced_equations(kinematics, passes);
   }
   throw InternalError("there is no such formulation");
-}
-
-namespace {
-
-/// What `make` gives for a tree of motions: for the one of the two that takes fewer operations.
-template <class Make>
-std::vector<Expr> for_either_tree(const Kinematics& kinematics, Make make) {
-  std::vector<Expr> values = value_number(make(kinematics.mechanism, kinematics.tree, kinematics.graph));
-  if (!kinematics.peeled) return values;
-  std::vector<Expr> others = value_number(make(kinematics.mechanism, *kinematics.peeled, kinematics.graph));
-  return count_operations(others).total() < count_operations(values).total() ? others : values;
-}
-
-/// M^-1 of the right side, by the way that takes fewer operations.
-std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const EquationsOfMotion& equations,
-                                   std::vector<Expr> right_side) {
-  std::optional<std::vector<Expr>> articulated;
-  if (equations.articulated) {
-    const auto solve = [&](const MotionTree& tree) {
-      return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
-    };
-    articulated = solve(*equations.articulated);
-    // Regrouping may have left mass between two motions of one speed.
-    if (!articulated) articulated = solve(kinematics.tree);
-  }
-  if (!articulated) return straight_line_solve(equations.M, std::move(right_side));
-  *articulated = value_number(*articulated);
-  const std::size_t length = count_operations(*articulated).total();
-  // M and c alone are a part of the other way, which is O(n^3): it is not made in vain.
-  std::vector<Expr> part = equations.M;
-  part.insert(part.end(), right_side.begin(), right_side.end());
-  if (5 * count_operations(part).total() > 6 * length) return *articulated;
-  const std::vector<Expr> other = straight_line_solve(equations.M, std::move(right_side));
-  // Where it is close, the optimised programs decide.
-  const std::size_t other_length = count_operations(value_number(other)).total();
-  const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
-  const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
-    return close ? kinematics.lengths.of(values).first : operations;
-  };
-  return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
-}
-
-}  // namespace
-
-std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
-                                                const EquationsOfMotion& equations, FunctionKind kind) {
-  const Mechanism& mechanism = kinematics.mechanism;
-  ExprGraph& graph = kinematics.graph;
-  const std::uint32_t nv = static_cast<std::uint32_t>(mechanism.nv);
-  const std::uint32_t bodies = static_cast<std::uint32_t>(mechanism.bodies.size());
-  const std::uint32_t frames = static_cast<std::uint32_t>(mechanism.frames.size());
-  const OutputExpressions mass{"M", nv, nv, equations.M};
-  const OutputExpressions bias{"c", nv, 1, equations.c};
-  switch (kind) {
-    case FunctionKind::inverse_dynamics:
-      return {{"tau", nv, 1, equations.Q}};
-    case FunctionKind::mass_matrix:
-      return {mass};
-    case FunctionKind::bias:
-      return {bias};
-    case FunctionKind::mass_matrix_and_bias:
-      return {mass, bias};
-    case FunctionKind::forward_dynamics: {
-      std::vector<Expr> right_side;
-      for (int k = 0; k < mechanism.nv; ++k) {
-        right_side.push_back(tau_symbol(mechanism, k, graph) - equations.c[static_cast<std::size_t>(k)]);
-      }
-      return {{"qdd", nv, 1, solved_for_rates(kinematics, equations, std::move(right_side))}};
-    }
-    case FunctionKind::coordinate_rates: {
-      const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
-      std::vector<Expr> rates;
-      for (int i = 0; i < mechanism.nq; ++i) {
-        Expr sum = graph.zero();
-        for (int k = 0; k < mechanism.nv; ++k)
-          sum += N[static_cast<std::size_t>(i * mechanism.nv + k)] * kinematics.derivatives.speed(k);
-        rates.push_back(sum);
-      }
-      return {{"qdot", static_cast<std::uint32_t>(mechanism.nq), 1, std::move(rates)}};
-    }
-    case FunctionKind::energy:
-      return {{"energy", 2, 1, for_either_tree(kinematics, energies)}};
-    case FunctionKind::body_poses:
-      return {{"poses", bodies, 12, for_either_tree(kinematics, body_poses)}};
-    case FunctionKind::frame_poses:
-      return {{"frames", frames, 12, for_either_tree(kinematics, frame_poses)}};
-    case FunctionKind::frame_jacobians: {
-      const std::vector<Expr> poses = frame_poses(mechanism, kinematics.tree, graph);
-      return {{"J", 6 * frames, nv,
-               value_number(frame_jacobians(mechanism, kinematics.derivatives, poses, graph))}};
-    }
-    case FunctionKind::constraints:
-      return constraint_outputs(kinematics);
-    case FunctionKind::body_jacobians:
-      return {{"J", 6 * bodies, nv, for_either_tree(kinematics, body_jacobians)}};
-    case FunctionKind::body_inertias:
-      return {{"inertias", bodies, 10, body_inertias(mechanism)}};
-    case FunctionKind::inverse_dynamics_derivatives: {
-      const std::vector<Expr> both = force_derivatives(kinematics, equations);
-      const auto middle = both.begin() + static_cast<std::ptrdiff_t>(nv * nv);
-      return {{"tau_q", nv, nv, {both.begin(), middle}}, {"tau_qd", nv, nv, {middle, both.end()}}};
-    }
-  }
-  return {};
 }
 
 std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph) {

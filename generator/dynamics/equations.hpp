@@ -48,6 +48,11 @@ struct Passes {
   double effort = 1;         ///< work spent on trying further choices of these, one after another; 0: none
 };
 
+/// None of them: the equations as they are.
+constexpr Passes plain_passes() {
+  return {false, false, false, false, true, 0};
+}
+
 /// Equations of motion by one formulation.
 struct EquationsOfMotion {
   Formulation formulation;
@@ -63,36 +68,6 @@ struct EquationsOfMotion {
 /// c by `substitute`. The passes are for the reduced form.
 EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation,
                                       Passes passes = {});
-
-/// The functions that can be asked for.
-enum class FunctionKind {
-  inverse_dynamics,
-  mass_matrix,
-  bias,
-  mass_matrix_and_bias,
-  forward_dynamics,
-  coordinate_rates,
-  energy,
-  body_poses,
-  frame_poses,
-  frame_jacobians,
-  constraints,
-  body_jacobians,
-  body_inertias,
-  inverse_dynamics_derivatives,
-};
-std::string_view to_string(FunctionKind kind);
-std::span<const FunctionKind> all_function_kinds();
-
-/// The results of one function as expressions over the bound symbols: tau; M; c; M and c; qdd; qdot; energy
-/// (kinetic, potential); poses (rows [R | p] of each body); frames (likewise); J (6 x nv of each frame); P,
-/// gamma, velocity and position of the constraints (constraints.hpp); J (6 x nv of each body's centre of
-/// mass); inertias (10 of each body: mass, centre of mass, inertia about it xx yy zz xy xz yz, body axes);
-/// derivatives of tau along the speeds and by them (nv x nv each) at given qdd.
-///
-/// The equations of motion are those of the tree: constraints act through M ud + c = tau + P^T lambda.
-std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
-                                                const EquationsOfMotion& equations, FunctionKind kind);
 
 /// What the symbols stand for: q, qd, qdd, t, runtime parameters, wrenches, tau.
 std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph);

@@ -30,7 +30,7 @@ bool has_word(std::string_view code, std::string_view word) {
 }
 
 /// Names of the arguments, in order; array results last.
-std::vector<std::string_view> argument_names(const FunctionSignature& signature) {
+std::vector<std::string_view> argument_names(const OutputFunction& signature) {
   std::vector<std::string_view> names;
   for (const ArgumentKind kind : signature.arguments) names.push_back(array_name(kind));
   if (signature.takes_inputs) names.insert(names.end(), {"t", "parameters", "wrenches"});
@@ -73,7 +73,7 @@ std::string block_functions(const WrittenFunction& function, const std::string& 
 }
 
 std::string definition(const WrittenFunction& function, const std::string& number, const Slots& common) {
-  const FunctionSignature& signature = *function.signature;
+  const OutputFunction& signature = *function.signature;
   const std::string name = fmt::format("{}_{}", common.at("name"), signature.name);
   const std::vector<CodeBlock>& blocks = function.body.blocks;
   const bool cut = blocks.size() > 1;

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "emit/function_signature.hpp"
+#include "emit/argument_lists.hpp"
 #include "emit/statements/statements.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/model.hpp"
@@ -14,7 +14,7 @@ namespace alembert {
 
 /// One function with all its texts.
 struct WrittenFunction {
-  const FunctionSignature* signature;
+  const OutputFunction* signature;
   std::string counts;
   FunctionBody body;
 };

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "emit/argument_lists.hpp"
 #include "emit/c99.hpp"
-#include "emit/function_signature.hpp"
+#include "emit/eigen_members.hpp"
+#include "emit/function_docs.hpp"
 #include "emit/names.hpp"
 #include "emit/statements/batch.hpp"
 #include "emit/statements/literals.hpp"
@@ -99,21 +101,21 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
 std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<const Program> programs,
                                           const Syntax& syntax) {
   std::vector<WrittenFunction> functions;
-  const auto add = [&](const Program& program, const FunctionSignature& signature) {
+  const auto add = [&](const Program& program, const OutputFunction& signature) {
     check_program(program, signature, mechanism);
     functions.push_back({&signature, counts_text(program),
                          function_body(order_for_registers(program, States::one), signature, {},
                                        Registers::compiled, syntax)});
   };
   for (const Program& program : programs) {
-    if (find_signature(program.function) == nullptr)
+    if (find_function(program.function) == nullptr)
       throw InternalError(fmt::format("emit: there is no function {}", printable(program.function)));
     if (std::ranges::count(programs, program.function, &Program::function) > 1)
       throw InternalError(fmt::format("emit: two programs for {}", program.function));
   }
   const bool all_real = std::ranges::all_of(
       mechanism.coordinates, [](const Coordinate& c) { return c.type == CoordinateType::real; });
-  for (const FunctionSignature& signature : function_signatures()) {
+  for (const OutputFunction& signature : kOutputFunctions) {
     const auto program = std::ranges::find(programs, signature.name, &Program::function);
     if (program != programs.end())
       add(*program, signature);
@@ -128,7 +130,7 @@ std::string wrapped_after(std::string_view start, const std::string& list) {
 }
 
 std::string instantiation(std::string_view keyword, std::string_view function,
-                          const FunctionSignature& signature, const std::vector<std::string>& scalars,
+                          const OutputFunction& signature, const std::vector<std::string>& scalars,
                           bool block) {
   std::string out;
   for (const std::string& scalar : scalars)
@@ -138,7 +140,7 @@ std::string instantiation(std::string_view keyword, std::string_view function,
 }
 
 std::vector<Unit> units_of(const WrittenFunction& function, const EmitOptions& options, const Slots& common) {
-  const FunctionSignature& signature = *function.signature;
+  const OutputFunction& signature = *function.signature;
   const std::string name(signature.name);
   const std::string parameters = wrapped_after("void " + name + "(", cpp_parameters(signature, true));
   const std::string instantiations = instantiation("template", name, signature, options.scalars, false);
@@ -202,10 +204,8 @@ std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std:
   return out;
 }
 
-std::string documented(const WrittenFunction& function, const Slots& common, std::string_view prefix) {
-  return prefix_lines(fill_template(fmt::format("doc_{}.txt", function.signature->name),
-                                    {{"counts", function.counts}}, common),
-                      prefix);
+std::string documented(const WrittenFunction& function, const Mechanism& mechanism, std::string_view prefix) {
+  return prefix_lines(function_doc(*function.signature, mechanism, function.counts), prefix);
 }
 
 std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
@@ -217,7 +217,7 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
     const std::string name(function.signature->name);
     declarations += fill_template(
         "function_declaration.hpp",
-        {{"doc", documented(function, common, "/// ")},
+        {{"doc", documented(function, mechanism, "/// ")},
          {"function", name},
          {"arguments", wrapped_after("void " + name + "(", cpp_parameters(*function.signature, false))}});
     declarations += '\n';
@@ -244,20 +244,20 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
 std::string eigen_header(const std::vector<WrittenFunction>& functions, const Slots& common) {
   std::string members;
   for (const WrittenFunction& function : functions)
-    members += (members.empty() ? "" : "\n") +
-               fill_template(fmt::format("eigen_{}.hpp", function.signature->name), {}, common);
+    members += (members.empty() ? "" : "\n") + eigen_member(*function.signature, common.at("namespace"));
   const std::string_view version = generator_version();
   const std::string major(version.substr(0, version.find('.')));
   return fill_template("mechanism.hpp", {{"members", prefix_lines(members, "  ")}, {"version_major", major}},
                        common);
 }
 
-std::string c_header(const std::vector<WrittenFunction>& functions, const std::string& batch,
-                     const std::string& number, const Slots& common) {
+std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
+                     const std::string& batch, const std::string& number, const Slots& common) {
   std::string declarations;
   for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
-    const std::string doc = "/* " + prefix_lines(documented(function, common, ""), "   ").substr(3) + " */";
+    const std::string doc =
+        "/* " + prefix_lines(documented(function, mechanism, ""), "   ").substr(3) + " */";
     declarations +=
         (declarations.empty() ? "" : "\n") +
         fill_template("c_declaration.h",
@@ -309,8 +309,9 @@ std::vector<EmittedFile> c_files(const Mechanism& mechanism, std::span<const Pro
   common.insert({{"banner", banner_of(mechanism)},
                  {"guard", fmt::format("#ifndef {0}\n#define {0}\n", guard)},
                  {"end_guard", "\n#endif\n"}});
-  return {{fmt::format("include/{0}/{0}.h", mechanism.name), c_header(functions, "", number, common)},
-          {fmt::format("src/{}.c", mechanism.name), c99_source(mechanism, functions, number, common)}};
+  return {
+      {fmt::format("include/{0}/{0}.h", mechanism.name), c_header(mechanism, functions, "", number, common)},
+      {fmt::format("src/{}.c", mechanism.name), c99_source(mechanism, functions, number, common)}};
 }
 
 }  // namespace
@@ -367,7 +368,7 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   c_common.insert({{"guard", "#pragma once\n"}, {"end_guard", ""}});
   const std::string batch =
       options.batch.empty() ? "" : batch_c_declarations(mechanism, programs, options, c_common);
-  texts.push_back(c_header(functions, batch, "double", c_common));
+  texts.push_back(c_header(mechanism, functions, batch, "double", c_common));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Slots slots = part_slots(k);
     slots["instantiations"] = joined(parts[k], &Unit::instantiations, "");

@@ -29,7 +29,7 @@ EvaluationState InterpretedMechanism::state(const Eigen::VectorXd& q, const Eige
 void InterpretedMechanism::mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
                                                 Eigen::MatrixXd& mass, Eigen::VectorXd& c) const {
   const Eigen::Index n = nv();
-  const std::vector<double> values = evaluator_(FunctionKind::mass_matrix_and_bias, at(q, u));
+  const std::vector<double> values = evaluator_(FunctionKind("mass_matrix_and_bias"), at(q, u));
   mass = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
   c = Eigen::Map<const Eigen::VectorXd>(values.data() + n * n, n);
 }
@@ -39,7 +39,7 @@ void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::Ve
                                        Eigen::VectorXd& position) const {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = nv(), k = nc();
-  const std::vector<double> values = evaluator_(FunctionKind::constraints, at(q, u));
+  const std::vector<double> values = evaluator_(FunctionKind("constraints"), at(q, u));
   P = Eigen::Map<const RowMajor>(values.data(), k, n);
   const double* rest = values.data() + k * n;
   gamma = Eigen::Map<const Eigen::VectorXd>(rest, k);
@@ -53,12 +53,13 @@ void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::Ve
 
 Eigen::VectorXd InterpretedMechanism::coordinate_rates(const Eigen::VectorXd& q,
                                                        const Eigen::VectorXd& u) const {
-  const std::vector<double> values = evaluator_(FunctionKind::coordinate_rates, at(q, u));
+  const std::vector<double> values = evaluator_(FunctionKind("coordinate_rates"), at(q, u));
   return Eigen::Map<const Eigen::VectorXd>(values.data(), nq());
 }
 
 std::vector<FunctionKind> interpreted_functions() {
-  return {FunctionKind::mass_matrix_and_bias, FunctionKind::coordinate_rates, FunctionKind::constraints};
+  return {FunctionKind("mass_matrix_and_bias"), FunctionKind("coordinate_rates"),
+          FunctionKind("constraints")};
 }
 
 Violation worst_violation(const InterpretedMechanism& system, const Eigen::VectorXd& q,

@@ -7,7 +7,7 @@
 namespace alembert {
 
 void MotionRecorder::record(const TrajectoryPoint& point) {
-  std::vector<double> poses = evaluator_(FunctionKind::body_poses, point.state);
+  std::vector<double> poses = evaluator_(FunctionKind("body_poses"), point.state);
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!std::ranges::all_of(poses, finite) || !finite(point.energy())) return;
   if (!motion_.times.empty() && point.state.t <= motion_.times.back()) return;

@@ -37,7 +37,7 @@ class MovingMechanism {
   /// Energies, reactions and residual here.
   std::optional<InputError> point(TrajectoryPoint& out) {
     out.state = system_.state(q_, u_);
-    const std::vector<double> energy = evaluator_(FunctionKind::energy, out.state);
+    const std::vector<double> energy = evaluator_(FunctionKind("energy"), out.state);
     out.kinetic = energy[0];
     out.potential = energy[1];
     out.lambda.assign(static_cast<std::size_t>(system_.nc()), 0.0);
@@ -172,7 +172,7 @@ class MovingMechanism {
 
 std::vector<FunctionKind> trajectory_functions() {
   std::vector<FunctionKind> kinds = interpreted_functions();
-  kinds.push_back(FunctionKind::energy);
+  kinds.push_back(FunctionKind("energy"));
   return kinds;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 
@@ -39,5 +40,19 @@ inline constexpr bool fits_stack_v =
 template <class S, int R, int C>
 using SizedMatrix =
     std::conditional_t<detail::fits_stack_v<S, R, C>, Eigen::Matrix<S, R, C>, HeapMatrix<S, R, C>>;
+
+/// Fills a matrix, or an array of matrices one after another, with entries given row by row.
+template <class S, class Derived>
+void from_rows(const S* entries, Eigen::MatrixBase<Derived>& matrix) {
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+    for (Eigen::Index c = 0; c < matrix.cols(); ++c) matrix(r, c) = *entries++;
+}
+template <class S, class Matrix, std::size_t N>
+void from_rows(const S* entries, std::array<Matrix, N>& matrices) {
+  for (Matrix& matrix : matrices) {
+    from_rows(entries, matrix);
+    entries += matrix.size();
+  }
+}
 
 }  // namespace alembert

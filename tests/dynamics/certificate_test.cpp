@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/choice/conditioning.hpp"
+#include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/recursions/formulations.hpp"
 #include "program/passes.hpp"
@@ -39,10 +40,10 @@ TEST_P(Certified, ProgramsAreMeasured) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Functions, Certified,
-                         testing::Values(FunctionKind::inverse_dynamics, FunctionKind::mass_matrix,
-                                         FunctionKind::bias, FunctionKind::forward_dynamics,
-                                         FunctionKind::energy, FunctionKind::body_poses,
-                                         FunctionKind::inverse_dynamics_derivatives),
+                         testing::Values(FunctionKind("inverse_dynamics"), FunctionKind("mass_matrix"),
+                                         FunctionKind("bias"), FunctionKind("forward_dynamics"),
+                                         FunctionKind("energy"), FunctionKind("body_poses"),
+                                         FunctionKind("inverse_dynamics_derivatives")),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
 TEST(Conditioning, SumsOfWhatCancelsAreTold) {

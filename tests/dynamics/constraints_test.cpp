@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/recursions/formulations.hpp"
 #include "dynamics/sleigh.hpp"
@@ -338,7 +339,7 @@ TEST(Constraints, NoneGiveNoRows) {
   const Kinematics kinematics = loaded.kinematics();
   const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
   const std::vector<OutputExpressions> outputs =
-      function_outputs(kinematics, equations, FunctionKind::constraints);
+      function_outputs(kinematics, equations, FunctionKind("constraints"));
   ASSERT_EQ(outputs.size(), 4u);
   for (const OutputExpressions& output : outputs) EXPECT_TRUE(output.values.empty());
   const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);

@@ -14,8 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
-#include "emit/function_signature.hpp"
+#include "functions/function_table.hpp"
 #include "mechanism/load.hpp"
 #include "pipeline.hpp"
 
@@ -47,12 +48,8 @@ inline void put(std::span<const alembert::EmittedFile> files, const std::string&
 /// A description compiled to programs of all functions that give anything for it.
 inline alembert::CompiledMechanism all_functions(const std::string& path,
                                                  alembert::CompileOptions options = {}) {
-  alembert::ExprGraph graph;
-  const alembert::Mechanism mechanism = alembert::load_mechanism(alembert::read_source(path), graph);
-  for (const alembert::FunctionKind kind : alembert::all_function_kinds())
-    if (alembert::array_size(alembert::find_signature(to_string(kind))->results[0].size, mechanism) > 0)
-      options.functions.push_back(kind);
-  options.singular = alembert::SingularMass::leave_out;
+  for (const alembert::OutputFunction& row : alembert::kOutputFunctions) options.functions.emplace_back(row);
+  options.inapplicable = alembert::Inapplicable::leave_out;
   return alembert::compile_mechanism(alembert::read_source(path), options);
 }
 inline std::vector<alembert::Program> programs_of(const alembert::CompiledMechanism& compiled) {
@@ -71,7 +68,7 @@ inline std::string caller(const std::string& name, const std::vector<std::string
       "  switch (f) {{\n",
       name, number);
   for (std::size_t f = 0; f < functions.size(); ++f) {
-    const auto& signature = *alembert::find_signature(functions[f]);
+    const auto& signature = *alembert::find_function(functions[f]);
     text += fmt::format("    case {}: return {}_{}(", f, name, functions[f]);
     for (std::size_t i = 0; i < signature.arguments.size(); ++i) text += fmt::format("a[{}], ", i);
     if (signature.takes_inputs) text += "t, p, w, ";

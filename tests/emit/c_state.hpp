@@ -103,7 +103,7 @@ struct CCall {
     for (const alembert::OutputArray& output : program.outputs) size += output.values.size();
     results.assign(size, std::numeric_limits<Real>::quiet_NaN());
     std::vector<const Real*> arguments;
-    for (const ArgumentKind kind : alembert::find_signature(program.function)->arguments)
+    for (const ArgumentKind kind : alembert::find_function(program.function)->arguments)
       arguments.push_back(no_argument ? nullptr : state.array(kind).data());
     std::vector<Real*> to;
     std::size_t first = 0;

@@ -6,7 +6,8 @@
 #include <deque>
 #include <random>
 
-#include "emit/function_signature.hpp"
+#include "emit/argument_lists.hpp"
+#include "functions/array_shape.hpp"
 #include "program/operation.hpp"
 #include "program/passes.hpp"
 #include "program/program_maker.hpp"
@@ -127,7 +128,7 @@ Coordinate coordinate(Mechanism& mechanism, std::string name, CoordinateType typ
   return c;
 }
 
-std::vector<InputSlot> slots_of(const Mechanism& mechanism, const FunctionSignature& signature) {
+std::vector<InputSlot> slots_of(const Mechanism& mechanism, const OutputFunction& signature) {
   std::vector<InputSlot> slots;
   for (const ArgumentKind kind : signature.arguments) {
     const int size = kind == ArgumentKind::q ? mechanism.nq : mechanism.nv;
@@ -146,12 +147,12 @@ std::vector<InputSlot> slots_of(const Mechanism& mechanism, const FunctionSignat
   return slots;
 }
 
-Program random_function(const Mechanism& mechanism, const FunctionSignature& signature,
-                        std::size_t operations, std::uint64_t seed, bool smooth = false) {
+Program random_function(const Mechanism& mechanism, const OutputFunction& signature, std::size_t operations,
+                        std::uint64_t seed, bool smooth = false) {
   std::vector<OutputArray> outputs;
   for (const ResultArray& result : signature.results)
     outputs.push_back(
-        {std::string(result.name), static_cast<std::uint32_t>(array_size(result.size, mechanism)), 1, {}});
+        {std::string(result.name), static_cast<std::uint32_t>(array_shape(result, mechanism).size()), 1, {}});
   return random_program(std::string(signature.name), slots_of(mechanism, signature), std::move(outputs),
                         operations, seed, smooth);
 }
@@ -204,7 +205,7 @@ Sample every_function() {
   m.constraints[1].name = "closed";
   m.constraints[1].equations.resize(1);
   std::uint64_t seed = 1;
-  for (const FunctionSignature& signature : function_signatures()) {
+  for (const OutputFunction& signature : kOutputFunctions) {
     const bool smooth = signature.name == "mass_matrix" || signature.name == "energy";
     s.programs.push_back(random_function(m, signature, smooth ? 60 : 300, seed++, smooth));
   }
@@ -230,8 +231,8 @@ Sample evil() {
 Sample big() {
   Sample s;
   Mechanism& m = s.mechanism = one_body("sample_big", 6);
-  s.programs.push_back(random_function(m, *find_signature("inverse_dynamics"), 20000, 100));
-  s.programs.push_back(random_function(m, *find_signature("mass_matrix"), 9000, 101));
+  s.programs.push_back(random_function(m, *find_function("inverse_dynamics"), 20000, 100));
+  s.programs.push_back(random_function(m, *find_function("mass_matrix"), 9000, 101));
   return s;
 }
 
@@ -243,7 +244,7 @@ Program with_dot_products(const Mechanism& m, std::string_view function, std::si
   std::vector<OutputArray> outputs{{"M", n, n, {}}};
   if (function != "mass_matrix") outputs.push_back({"c", n, 1, {}});
   ProgramMaker maker(0);
-  maker.program = random_program(std::string(function), slots_of(m, *find_signature(function)),
+  maker.program = random_program(std::string(function), slots_of(m, *find_function(function)),
                                  std::move(outputs), operations, operations);
   std::vector<std::vector<std::uint32_t>> left(n), right(n);
   const std::size_t values = maker.program.code.size();

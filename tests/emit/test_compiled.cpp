@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <sample_all/sample_all.hpp>
 #include <sample_big/sample_big.hpp>
 #include <sample_evil/sample_evil.hpp>
@@ -18,6 +19,7 @@
 #include "alembert/energy.hpp"
 #include "alembert/mechanism.hpp"
 #include "emit/sample.hpp"
+#include "functions/function_table.hpp"
 #include "program/passes.hpp"
 #include "runtime/allocation_counter.hpp"
 
@@ -113,46 +115,24 @@ const alembert::Program& program_of(const sample::Sample& s, const std::string& 
 
 TEST(Compiled, EqualsTheInterpreterBitForBit) {
   const sample::Sample s = sample::every_function();
-  std::size_t finite = 0, values = 0;
+  std::size_t finite = 0, values = 0, calls = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Arguments a = random_arguments(all::kNq, all::kNv, seed);
     const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
-    std::vector<double> out(200);
-    const auto compare = [&](const std::string& function) {
+    const all::Inputs<double>& in = a.in;
+    namespace m = alembert::mechanisms::sample_all;
+    const auto visit = [&](const std::string& function, const auto& call) {
       const std::vector<double> expected = interpreted(program_of(s, function), a);
-      expect_same_bits(std::span(out).first(expected.size()), expected, function);
+      std::vector<double> out(expected.size());
+      call(out.data());
+      expect_same_bits(out, expected, function);
       values += expected.size();
       for (const double x : expected) finite += std::isfinite(x) ? 1 : 0;
+      ++calls;
     };
-    all::inverse_dynamics(q, qd, qdd, a.in, out.data());
-    compare("inverse_dynamics");
-    all::mass_matrix(q, a.in, out.data());
-    compare("mass_matrix");
-    all::bias(q, qd, a.in, out.data());
-    compare("bias");
-    all::mass_matrix_and_bias(q, qd, a.in, out.data(), out.data() + all::kNv * all::kNv);
-    compare("mass_matrix_and_bias");
-    all::forward_dynamics(q, qd, tau, a.in, out.data());
-    compare("forward_dynamics");
-    all::coordinate_rates(q, qd, out.data());
-    compare("coordinate_rates");
-    all::energy(q, qd, a.in, out.data());
-    compare("energy");
-    all::body_poses(q, a.in, out.data());
-    compare("body_poses");
-    all::frame_poses(q, a.in, out.data());
-    compare("frame_poses");
-    all::frame_jacobians(q, a.in, out.data());
-    compare("frame_jacobians");
-    all::constraints(q, qd, a.in, out.data(), out.data() + 18, out.data() + 21, out.data() + 24);
-    compare("constraints");
-    all::body_jacobians(q, a.in, out.data());
-    compare("body_jacobians");
-    all::body_inertias(a.in, out.data());
-    compare("body_inertias");
-    all::inverse_dynamics_derivatives(q, qd, qdd, a.in, out.data(), out.data() + all::kNv * all::kNv);
-    compare("inverse_dynamics_derivatives");
+#include "sample_calls.inc"
   }
+  EXPECT_EQ(calls, 50 * std::size(alembert::kOutputFunctions));
   EXPECT_GT(finite, values / 2) << "the samples test little: too many values are not finite";
 }
 
@@ -361,28 +341,27 @@ TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {
   namespace evil = alembert::mechanisms::sample_evil;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Arguments a = random_arguments(all::kNq, all::kNv, seed);
+    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
+    std::map<std::string, std::vector<double>> plain;
+    {
+      namespace m = alembert::mechanisms::sample_all;
+      const all::Inputs<double>& in = a.in;
+      const auto visit = [&](const char* function, const auto& call) {
+        call(plain.try_emplace(function, 200).first->second.data());
+      };
+#include "sample_calls.inc"
+    }
+    namespace m = evil;
     evil::Inputs<double> in;
     in.t = a.in.t;
     in.parameters = a.in.parameters;
     in.wrenches = a.in.wrenches;
-    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
-    std::vector<double> plain(200), same(200);
-    const auto compare = [&](const char* function) { expect_same_bits(same, plain, function); };
-    all::inverse_dynamics(q, qd, qdd, a.in, plain.data());
-    evil::inverse_dynamics(q, qd, qdd, in, same.data());
-    compare("inverse_dynamics");
-    all::mass_matrix_and_bias(q, qd, a.in, plain.data(), plain.data() + 36);
-    evil::mass_matrix_and_bias(q, qd, in, same.data(), same.data() + 36);
-    compare("mass_matrix_and_bias");
-    all::forward_dynamics(q, qd, tau, a.in, plain.data());
-    evil::forward_dynamics(q, qd, tau, in, same.data());
-    compare("forward_dynamics");
-    all::coordinate_rates(q, qd, plain.data());
-    evil::coordinate_rates(q, qd, same.data());
-    compare("coordinate_rates");
-    all::frame_jacobians(q, a.in, plain.data());
-    evil::frame_jacobians(q, in, same.data());
-    compare("frame_jacobians");
+    const auto visit = [&](const char* function, const auto& call) {
+      std::vector<double> same(200);
+      call(same.data());
+      expect_same_bits(same, plain.at(function), function);
+    };
+#include "sample_calls.inc"
   }
 }
 

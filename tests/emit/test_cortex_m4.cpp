@@ -47,7 +47,7 @@ std::string states_header(const std::vector<Program>& programs, const std::vecto
   }
   for (const Program& program : programs) {
     std::vector<std::string> to_arguments, to_results;
-    for (const ArgumentKind kind : alembert::find_signature(program.function)->arguments)
+    for (const ArgumentKind kind : alembert::find_function(program.function)->arguments)
       to_arguments.push_back(std::to_string(places[kind]));
     if (to_arguments.empty()) to_arguments.emplace_back("0");
     std::size_t size = 0;

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
-#include "emit/function_signature.hpp"
 #include "emit/sample.hpp"
 #include "emit/statements/statements.hpp"
 #include "program/program_maker.hpp"
@@ -172,7 +172,7 @@ TEST(Emit, BlocksLoadAValueOnce) {
     sum += 2;
   }
   program.outputs = {{"c", 1, 1, {sum}}};
-  FunctionSignature signature = *find_signature("bias");
+  OutputFunction signature = *find_function("bias");
   const FunctionBody body = function_body(program, signature);
   ASSERT_GE(body.blocks.size(), 3U);
   int loads = 0;
@@ -209,7 +209,7 @@ TEST(Emit, ProgramsThatDoNotFitAreDefects) {
 TEST(Emit, ARecursionIsWrittenOnceAndRunOften) {
   const sample::Sample s = sample::stepping();
   const Program& program = s.programs[0];
-  const FunctionBody body = function_body(program, *find_signature("inverse_dynamics"));
+  const FunctionBody body = function_body(program, *find_function("inverse_dynamics"));
   std::size_t statements = 0;
   for (const CodeBlock& block : body.blocks) statements += block.statements;
   std::size_t in_loops = 0;
@@ -225,7 +225,7 @@ TEST(Emit, EqualResultsAtEvenDistancesAreALoop) {
   const std::uint32_t square = m.mul(m.input(0), m.input(0));
   for (std::size_t i = 3; i < 40; ++i) c[i] = i == 3 ? m.add(square, square) : square;
   for (std::size_t i = 40; i < 120; i += 2) c[i] = square;
-  const FunctionBody body = function_body(m.returning(c), *find_signature("bias"));
+  const FunctionBody body = function_body(m.returning(c), *find_function("bias"));
   const std::string& text = body.blocks[0].statement_lines;
   EXPECT_THAT(text, HasSubstr("\nc[2] = S(0.0);\n"));
   EXPECT_THAT(text, HasSubstr("for (int i = 4; i <= 40; ++i) c[i] = t0;\n"));
@@ -258,7 +258,7 @@ TEST(Emit, LoopsThatReadInNoOrderAreWrittenStraightOn) {
   for (std::uint32_t i = 0; i < 4; ++i) y.push_back(m.mul(x[i], x[i]));
   for (const std::uint32_t i : {0, 2, 1, 3}) z.push_back(m.add(y[i], y[i]));
   Program program = m.returning(z);
-  const FunctionSignature& signature = *find_signature("inverse_dynamics");
+  const OutputFunction& signature = *find_function("inverse_dynamics");
   const std::string straight = function_body(program, signature).blocks[0].statement_lines;
   program.loops = {{y[0], 1, 4}, {z[0], 1, 4}};
   const FunctionBody body = function_body(program, signature);

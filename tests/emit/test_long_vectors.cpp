@@ -17,7 +17,7 @@ TEST(LongVectors, RowsTwoByTwoAreTheSameNumbers) {
   using Model = avx::chain::Mechanism<>;
   alembert::CompileOptions options;
   options.loop_results = 6;
-  options.functions = {alembert::FunctionKind::mass_matrix};
+  options.functions = {alembert::FunctionKind("mass_matrix")};
   const alembert::CompiledMechanism compiled = alembert::compile_mechanism(
       alembert::read_source(std::string(ALEMBERT_SOURCE_DIR) + "/tests/emit/chain.yaml"), options);
   const alembert::Program& program = compiled.functions.at(0).program;

@@ -255,7 +255,7 @@ TEST(PlannedStatements, GiveEveryBitWithSixteenRegisters) {
     const Program ordered = order_for_registers(program, States::many);
     const BlockSizes sizes = round % 2 == 0 ? BlockSizes{} : BlockSizes{120, 80};
     const FunctionBody body =
-        function_body(ordered, *find_signature("inverse_dynamics"), sizes, Registers::planned);
+        function_body(ordered, *find_function("inverse_dynamics"), sizes, Registers::planned);
     Reader reader(arrays);
     for (const CodeBlock& block : body.blocks) reader.run(block.statement_lines);
     const std::vector<double> expected = run(program, x);
@@ -277,7 +277,7 @@ TEST(PlannedStatements, NameAnElementOnceThoughTwoInputsAreIt) {
   program.outputs[0].name = "tau";
   for (InputSlot& slot : program.inputs) slot = {ArgumentKind::q, 0, "q"};
   const FunctionBody body =
-      function_body(program, *find_signature("inverse_dynamics"), {}, Registers::planned);
+      function_body(program, *find_function("inverse_dynamics"), {}, Registers::planned);
   EXPECT_NE(body.blocks[0].statement_lines.find("const S q0 = q[0];"), std::string::npos);
   EXPECT_NE(body.blocks[0].statement_lines.find("const S q0_2 = q[0];"), std::string::npos);
   Reader reader({{"q[0]", 3}});

@@ -109,7 +109,7 @@ FunctionBody body_of(std::vector<Instruction> code, std::vector<double> constant
   for (std::uint32_t i = 0; i < 4; ++i)
     program.inputs.push_back({ArgumentKind::q, i, "angle*/\n" + std::to_string(i)});
   program.outputs = {{"tau", 1, 1, {static_cast<std::uint32_t>(program.code.size() - 1)}}};
-  return function_body(program, *find_signature("inverse_dynamics"), sizes);
+  return function_body(program, *find_function("inverse_dynamics"), sizes);
 }
 const std::string kLoads =
     "const S q0 = q[0];  // angle* / 0\nconst S q1 = q[1];  // angle* / 1\nconst S q2 = q[2];  // angle* / "
@@ -202,7 +202,7 @@ TEST(Statements, LongExpressionsAreCut) {
 
 TEST(Statements, BlocksPassValuesThroughAnArrayThatIsReused) {
   const sample::Sample s = sample::big();
-  const FunctionBody body = function_body(s.programs[0], *find_signature("inverse_dynamics"));
+  const FunctionBody body = function_body(s.programs[0], *find_function("inverse_dynamics"));
   ASSERT_GT(body.blocks.size(), 2u);
   EXPECT_GT(body.crossing, 0u);
   std::size_t stores = 0;

@@ -69,7 +69,7 @@ void print_counts(const std::string& title, int joints, bool chain, bool every_j
   for (int i = 0; i < kMechanisms; ++i) {
     Writer writer(seed + static_cast<unsigned>(i));
     CompileOptions options;
-    options.functions = {FunctionKind::inverse_dynamics, FunctionKind::forward_dynamics};
+    options.functions = {FunctionKind("inverse_dynamics"), FunctionKind("forward_dynamics")};
     const auto source = std::make_shared<const SourceText>(
         SourceText{"random.yaml", writer.description(joints, chain, every_joint)});
     const CompiledMechanism compiled = compile_mechanism(source, options);

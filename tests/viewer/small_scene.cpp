@@ -2,6 +2,7 @@
 #include "viewer/small_scene.hpp"
 
 #include "dynamics/equations.hpp"
+#include "dynamics/function_builders.hpp"
 #include "mechanism/load.hpp"
 #include "symbolic/passes.hpp"
 
@@ -14,7 +15,7 @@ void SmallScene::add(const std::string& description, const std::vector<double>& 
   const Kinematics kinematics = symbolic_kinematics(mechanism, graph);
   const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
   const std::vector<Expr> poses =
-      function_outputs(kinematics, equations, FunctionKind::body_poses).at(0).values;
+      function_outputs(kinematics, equations, FunctionKind("body_poses")).at(0).values;
   BakedMotion motion;
   for (const double value : values) {
     std::vector<double> symbols(graph.symbol_count(), 0.0);

@@ -2,11 +2,13 @@
 #include "dynamics/checks/certificate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/function_builders.hpp"
 #include "program/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
@@ -34,43 +36,59 @@ struct Wanted {
   Extended noise = 0;  ///< of the values: so much is left of what cancels
 };
 
+Extended largest_entry(const VectorXe& v) {
+  return v.size() == 0 ? Extended(0) : v.lpNorm<Eigen::Infinity>();
+}
+
+/// The arrays of a function that is compared with the forces themselves, or with differences of them.
+struct ByForces {
+  FunctionKind kind;
+  Extended (*noise)();  ///< of the values, relative to the forces
+  std::vector<Wanted> (*arrays)(const PlainEquations&, const PlainEquations::State&, const VectorXe& signs);
+};
+
+/// These need no expressions of their own: what is written is compared with the forces, evaluated more often.
+/// Every other function is compared with what its builder makes of the plain equations.
+const std::array kByForces{
+    ByForces{FunctionKind("inverse_dynamics"), [] { return kExtendedRounding; },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe&) -> std::vector<Wanted> { return {{plain.forces(state)}}; }},
+    ByForces{FunctionKind("mass_matrix"), [] { return kExtendedRounding; },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe& signs) -> std::vector<Wanted> {
+               return {{plain.mass_times(state, signs), signs}};
+             }},
+    ByForces{FunctionKind("bias"), [] { return kExtendedRounding; },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe&) -> std::vector<Wanted> { return {{plain.bias(state)}}; }},
+    ByForces{FunctionKind("mass_matrix_and_bias"), [] { return kExtendedRounding; },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe& signs) -> std::vector<Wanted> {
+               return {{plain.mass_times(state, signs), signs}, {plain.bias(state)}};
+             }},
+    ByForces{FunctionKind("forward_dynamics"), [] { return Extended(0); },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe&) -> std::vector<Wanted> { return {{plain.accelerations(state)}}; }},
+    ByForces{FunctionKind("inverse_dynamics_derivatives"), [] { return kDifferenceNoise; },
+             [](const PlainEquations& plain, const PlainEquations::State& state,
+                const VectorXe& signs) -> std::vector<Wanted> {
+               return {{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}};
+             }},
+};
+
 /// What the arrays of a function should be.
 std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
                                   const PlainEquations::State& state, const VectorXe& signs) {
-  const auto largest = [](const VectorXe& v) {
-    return v.size() == 0 ? Extended(0) : v.lpNorm<Eigen::Infinity>();
-  };
-  const auto forces = [&](std::vector<Wanted> arrays, const Extended& noise) {
-    const Extended size = largest(plain.forces(state));
-    for (Wanted& array : arrays) array.noise = noise * size;
+  if (const auto* row = std::ranges::find(kByForces, kind, &ByForces::kind); row != kByForces.end()) {
+    std::vector<Wanted> arrays = row->arrays(plain, state, signs);
+    if (const Extended noise = row->noise(); noise > 0) {
+      const Extended size = largest_entry(plain.forces(state));
+      for (Wanted& array : arrays) array.noise = noise * size;
+    }
     return arrays;
-  };
-  switch (kind) {
-    case FunctionKind::inverse_dynamics:
-      return forces({{plain.forces(state)}}, kExtendedRounding);
-    case FunctionKind::mass_matrix:
-      return forces({{plain.mass_times(state, signs), signs}}, kExtendedRounding);
-    case FunctionKind::bias:
-      return forces({{plain.bias(state)}}, kExtendedRounding);
-    case FunctionKind::mass_matrix_and_bias:
-      return forces({{plain.mass_times(state, signs), signs}, {plain.bias(state)}}, kExtendedRounding);
-    case FunctionKind::forward_dynamics:
-      return {{plain.accelerations(state)}};
-    case FunctionKind::inverse_dynamics_derivatives:
-      return forces({{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}},
-                    kDifferenceNoise);
-    case FunctionKind::coordinate_rates:
-    case FunctionKind::energy:
-    case FunctionKind::body_poses:
-    case FunctionKind::frame_poses:
-    case FunctionKind::frame_jacobians:
-    case FunctionKind::constraints:
-    case FunctionKind::body_jacobians:
-    case FunctionKind::body_inertias:
-      break;
   }
   const std::vector<Extended> all = plain.outputs(kind, state);
-  const Extended noise = kExtendedRounding * largest(Eigen::Map<const VectorXe>(
+  const Extended noise = kExtendedRounding * largest_entry(Eigen::Map<const VectorXe>(
                                                  all.data(), static_cast<Eigen::Index>(all.size())));
   std::vector<Wanted> arrays;
   Eigen::Index at = 0;
@@ -179,7 +197,8 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   return worst;
 }
 
-bool Certificate::explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const {
+bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
+  const std::vector<OutputExpressions> plain = plain_function_outputs(kinematics_, kind);
   double bound = kLargestError;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const bool without_value =

@@ -42,10 +42,10 @@ class Certificate {
   static bool is_small(const MeasuredError& error) {
     return error.relative <= kLargestError && error.without_value.empty();
   }
-  /// Whether `plain`, the expressions of the function by the plain equations, in double precision may have
-  /// rounding errors as large, and no values where the program has none (a function that overflows). Bounds
-  /// of errors can be far above them: what has a small error goes before what has an explained one.
-  bool explains(const MeasuredError& error, const std::vector<OutputExpressions>& plain) const;
+  /// Whether the plain equations in double precision may have rounding errors as large, and have no values
+  /// where the program has none (a function that overflows). Bounds of errors can be far above them: what has
+  /// a small error goes before what has an explained one.
+  bool explains(const MeasuredError& error, FunctionKind kind) const;
 
   const PlainEquations& plain() const { return plain_; }
 

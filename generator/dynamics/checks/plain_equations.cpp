@@ -3,7 +3,7 @@
 
 #include <Eigen/LU>
 
-#include "dynamics/recursions/constraints.hpp"
+#include "dynamics/function_builders.hpp"
 #include "dynamics/recursions/formulations.hpp"
 
 namespace alembert {
@@ -13,45 +13,11 @@ namespace {
 /// Steps of central differences. Their error is that of a third derivative times its square.
 const Extended kStep = 1e-16;
 
-std::vector<Expr> plain_outputs(const Kinematics& k, FunctionKind kind) {
-  switch (kind) {
-    case FunctionKind::energy:
-      return energies(k.mechanism, k.tree, k.graph);
-    case FunctionKind::body_poses:
-      return body_poses(k.mechanism, k.tree, k.graph);
-    case FunctionKind::frame_poses:
-      return frame_poses(k.mechanism, k.tree, k.graph);
-    case FunctionKind::frame_jacobians:
-      return frame_jacobians(k.mechanism, k.derivatives, frame_poses(k.mechanism, k.tree, k.graph), k.graph);
-    case FunctionKind::body_jacobians:
-      return body_jacobians(k.mechanism, k.tree, k.graph);
-    case FunctionKind::body_inertias:
-      return body_inertias(k.mechanism);
-    case FunctionKind::coordinate_rates: {
-      const std::vector<Expr> N = k.derivatives.coordinate_rate_matrix();
-      std::vector<Expr> rates(static_cast<std::size_t>(k.mechanism.nq), k.graph.zero());
-      for (std::size_t i = 0; i < N.size(); ++i) {
-        const int speed = static_cast<int>(i) % k.mechanism.nv;
-        rates[i / static_cast<std::size_t>(k.mechanism.nv)] += N[i] * k.derivatives.speed(speed);
-      }
-      return rates;
-    }
-    case FunctionKind::constraints: {
-      const ConstraintEquations equations = constraint_equations(k.mechanism, k.tree, k.derivatives, k.graph);
-      std::vector<Expr> all = equations.P;
-      for (const std::vector<Expr>* more : {&equations.gamma, &equations.velocity, &equations.position})
-        all.insert(all.end(), more->begin(), more->end());
-      return all;
-    }
-    case FunctionKind::inverse_dynamics:
-    case FunctionKind::mass_matrix:
-    case FunctionKind::bias:
-    case FunctionKind::mass_matrix_and_bias:
-    case FunctionKind::forward_dynamics:
-    case FunctionKind::inverse_dynamics_derivatives:
-      break;
-  }
-  return {};
+std::vector<Expr> plain_values(const Kinematics& kinematics, FunctionKind kind) {
+  std::vector<Expr> all;
+  for (const OutputExpressions& output : plain_function_outputs(kinematics, kind))
+    all.insert(all.end(), output.values.begin(), output.values.end());
+  return all;
 }
 
 VectorXe vector(const std::vector<Extended>& values) {
@@ -154,7 +120,7 @@ VectorXe PlainEquations::by_speeds(const State& state, const VectorXe& v) const 
 std::vector<Extended> PlainEquations::outputs(FunctionKind kind, const State& state) const {
   auto found = others_.find(kind);
   if (found == others_.end())
-    found = others_.emplace(kind, ExtendedFunction(plain_outputs(kinematics_, kind))).first;
+    found = others_.emplace(kind, ExtendedFunction(plain_values(kinematics_, kind))).first;
   return found->second(state);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dynamics/equations.hpp"
+#include "functions/function_table.hpp"
 #include "symbolic/extended.hpp"
 
 namespace alembert {
@@ -44,7 +45,7 @@ class PlainEquations {
   /// The forces' derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
   VectorXe along_speeds(const State& state, const VectorXe& v) const;
   VectorXe by_speeds(const State& state, const VectorXe& v) const;
-  /// Results of a function that is none of these, all arrays one after another.
+  /// Results of a function as its builder makes them of the plain equations, all arrays one after another.
   std::vector<Extended> outputs(FunctionKind kind, const State& state) const;
 
   /// Nodes that `forces` evaluates: what the others take is a multiple of it.

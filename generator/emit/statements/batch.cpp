@@ -11,6 +11,7 @@
 
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
+#include "functions/array_shape.hpp"
 #include "program/passes.hpp"
 #include "registers/register_order.hpp"
 #include "support/error.hpp"
@@ -45,7 +46,7 @@ bool has_program(std::span<const Program> programs, std::string_view function) {
   return std::ranges::find(programs, function, &Program::function) != programs.end();
 }
 
-std::string cpp_batch_parameters(const FunctionSignature& signature, bool defaults) {
+std::string cpp_batch_parameters(const OutputFunction& signature, bool defaults) {
   std::string out = "::std::size_t n, ::std::size_t stride, ";
   for (const ArgumentKind kind : signature.arguments)
     out += fmt::format("const double* {}, ", array_name(kind));
@@ -54,7 +55,7 @@ std::string cpp_batch_parameters(const FunctionSignature& signature, bool defaul
   return out + "const ::alembert::BatchOptions& options" + (defaults ? " = {}" : "");
 }
 
-std::string c_batch_parameters(const FunctionSignature& signature) {
+std::string c_batch_parameters(const OutputFunction& signature) {
   std::string out = "size_t n, size_t stride, ";
   for (const ArgumentKind kind : signature.arguments)
     out += fmt::format("const double* {}, ", array_name(kind));
@@ -63,7 +64,7 @@ std::string c_batch_parameters(const FunctionSignature& signature) {
   return out + "int threads";
 }
 
-std::string c_batch_call(const FunctionSignature& signature) {
+std::string c_batch_call(const OutputFunction& signature) {
   std::string out = "n, stride, ";
   for (const ArgumentKind kind : signature.arguments) out += fmt::format("{}, ", array_name(kind));
   out += "in, ";
@@ -82,14 +83,14 @@ struct PackArray {
   bool result;
 };
 
-std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const FunctionSignature& signature) {
+std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const OutputFunction& signature) {
   std::vector<PackArray> arrays;
   for (const ArgumentKind kind : signature.arguments)
     arrays.push_back({array_name(kind),
                       static_cast<std::size_t>(kind == ArgumentKind::q ? mechanism.nq : mechanism.nv),
                       false});
   for (const ResultArray& result : signature.results)
-    arrays.push_back({result.name, array_size(result.size, mechanism), true});
+    arrays.push_back({result.name, array_shape(result, mechanism).size(), true});
   return arrays;
 }
 
@@ -101,7 +102,7 @@ struct PackFunction {
 };
 
 PackFunction pack_function(const Mechanism& mechanism, const Program& program, const EmitOptions& options) {
-  const FunctionSignature& signature = *find_signature(program.function);
+  const OutputFunction& signature = *find_function(program.function);
   const std::size_t products = dot_products(program);
   const bool straight = products > 0 && products < options.batch_dot_products;
   const Program written = straight ? schedule(program) : program;
@@ -162,9 +163,9 @@ std::string array_of_packs(std::string_view name, const std::string& count, std:
 
 /// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
 /// program of M and c. `packs`: the function that is called.
-std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& signature, bool solved,
+std::string lanes_function(const Mechanism& mechanism, const OutputFunction& signature, bool solved,
                            const PackFunction& packs) {
-  const FunctionSignature& called = solved ? *find_signature(kSolvedFrom) : signature;
+  const OutputFunction& called = solved ? *find_function(kSolvedFrom) : signature;
   std::string arrays, loads, stores, call = "window.packs", finite;
   std::size_t size = 0, argument = 0, result = 0;
   const auto add = [&](const PackArray& array) {
@@ -215,11 +216,11 @@ std::string lanes_function(const Mechanism& mechanism, const FunctionSignature& 
                                            {"finite", finite}});
 }
 
-std::string lanes_file(const Mechanism& mechanism, const std::vector<const FunctionSignature*>& functions,
+std::string lanes_file(const Mechanism& mechanism, const std::vector<const OutputFunction*>& functions,
                        const std::map<std::string, PackFunction, std::less<>>& pack_functions,
                        const std::string& set, const Slots& common) {
   std::string definitions, table;
-  for (const FunctionSignature* signature : functions) {
+  for (const OutputFunction* signature : functions) {
     const bool solved = !pack_functions.contains(signature->name);
     definitions += (definitions.empty() ? "" : "\n") +
                    lanes_function(mechanism, *signature, solved,
@@ -262,12 +263,12 @@ std::vector<std::string> default_batch_functions() {
   return {"inverse_dynamics", "mass_matrix_and_bias", "forward_dynamics"};
 }
 
-std::vector<const FunctionSignature*> batch_signatures(const Mechanism& mechanism,
-                                                       std::span<const Program> programs,
-                                                       const EmitOptions& options) {
-  std::vector<const FunctionSignature*> signatures;
+std::vector<const OutputFunction*> batch_signatures(const Mechanism& mechanism,
+                                                    std::span<const Program> programs,
+                                                    const EmitOptions& options) {
+  std::vector<const OutputFunction*> signatures;
   std::vector<std::string> known;
-  for (const FunctionSignature& signature : function_signatures()) {
+  for (const OutputFunction& signature : kOutputFunctions) {
     known.emplace_back(signature.name);
     if (std::ranges::count(options.batch, signature.name) > 1)
       throw InputError(mechanism.where, fmt::format("batch: {} is given twice", signature.name));
@@ -279,7 +280,7 @@ std::vector<const FunctionSignature*> batch_signatures(const Mechanism& mechanis
       throw InputError(mechanism.where, fmt::format("batch: {} needs {}, which is not among the functions",
                                                     signature.name, needed));
     for (const ResultArray& result : signature.results)
-      if (array_size(result.size, mechanism) == 0)
+      if (array_shape(result, mechanism).size() == 0)
         throw InputError(mechanism.where,
                          fmt::format("batch: {} of this mechanism has no results", signature.name));
     signatures.push_back(&signature);
@@ -308,7 +309,7 @@ std::vector<std::string> batch_paths(const std::string& name, const EmitOptions&
 std::string batch_c_declarations(const Mechanism& mechanism, std::span<const Program> programs,
                                  const EmitOptions& options, const Slots& common) {
   std::string declarations;
-  for (const FunctionSignature* signature : batch_signatures(mechanism, programs, options)) {
+  for (const OutputFunction* signature : batch_signatures(mechanism, programs, options)) {
     const std::string start = fmt::format("int {}_{}_batch(", mechanism.name, signature->name);
     declarations +=
         "\n" + fill_template("batch_c_declaration.h",
@@ -322,11 +323,11 @@ std::string batch_c_declarations(const Mechanism& mechanism, std::span<const Pro
 
 std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const Program> programs,
                                      const EmitOptions& options, const Slots& common) {
-  const std::vector<const FunctionSignature*> functions = batch_signatures(mechanism, programs, options);
+  const std::vector<const OutputFunction*> functions = batch_signatures(mechanism, programs, options);
   const std::vector<std::string> sets = sets_of(options);
   std::string declarations, definitions, c_definitions, tables, choices;
   for (std::size_t k = 0; k < functions.size(); ++k) {
-    const FunctionSignature& signature = *functions[k];
+    const OutputFunction& signature = *functions[k];
     const std::string name(signature.name);
     const std::size_t start = fmt::format("::std::size_t {}_batch(", name).size();
     const auto wrapped = [&](const std::string& list, std::size_t at) {
@@ -367,7 +368,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
   std::string packs;
   std::map<std::string, PackFunction, std::less<>> pack_functions;
   for (const Program& program : programs) {
-    const auto needs = [&](const FunctionSignature* f) {
+    const auto needs = [&](const OutputFunction* f) {
       return f->name == program.function ||
              (f->name == "forward_dynamics" && program.function == kSolvedFrom &&
               !has_program(programs, "forward_dynamics"));

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
-#include "emit/function_signature.hpp"
 #include "emit/text_template.hpp"
 
 namespace alembert {
@@ -21,9 +21,9 @@ std::vector<std::string> default_batch_functions();
 /// The functions of these names as they stand in the table. forward_dynamics needs no program: without one it
 /// is solved from mass_matrix_and_bias. Throws InputError at the mechanism for what is unknown or not among
 /// the programs.
-std::vector<const FunctionSignature*> batch_signatures(const Mechanism& mechanism,
-                                                       std::span<const Program> programs,
-                                                       const EmitOptions& options);
+std::vector<const OutputFunction*> batch_signatures(const Mechanism& mechanism,
+                                                    std::span<const Program> programs,
+                                                    const EmitOptions& options);
 
 /// The files, in the order of batch_paths.
 std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const Program> programs,

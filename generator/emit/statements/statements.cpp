@@ -72,7 +72,7 @@ std::string input_source(const InputSlot& slot, const Syntax& syntax) {
 /// Writes the statements of a layout.
 class Writer {
  public:
-  Writer(const Program& program, const FunctionSignature& signature, const BlockSizes& sizes,
+  Writer(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
          Registers registers, const Syntax& syntax)
       : program_(program),
         signature_(signature),
@@ -571,7 +571,7 @@ class Writer {
   }
 
   const Program& program_;
-  const FunctionSignature& signature_;
+  const OutputFunction& signature_;
   const Syntax& syntax_;
   StatementLayout layout_;
   std::optional<RegisterPlan> plan_;
@@ -587,8 +587,8 @@ class Writer {
 
 }  // namespace
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
-                           const BlockSizes& sizes, Registers registers, const Syntax& syntax) {
+FunctionBody function_body(const Program& program, const OutputFunction& signature, const BlockSizes& sizes,
+                           Registers registers, const Syntax& syntax) {
   Writer writer(program, signature, sizes, registers, syntax);
   if (writer.possible()) return writer.write();
   Program straight = program;

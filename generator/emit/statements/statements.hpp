@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/function_signature.hpp"
+#include "emit/argument_lists.hpp"
 #include "emit/statements/syntax.hpp"
 #include "program/program.hpp"
 #include "registers/statement_layout.hpp"
@@ -42,7 +42,7 @@ struct FunctionBody {
 /// ALEMBERT_FROM_MEMORY.
 enum class Registers { compiled, planned };
 
-FunctionBody function_body(const Program& program, const FunctionSignature& signature,
+FunctionBody function_body(const Program& program, const OutputFunction& signature,
                            const BlockSizes& sizes = {}, Registers registers = Registers::compiled,
                            const Syntax& syntax = cpp_syntax());
 

@@ -29,6 +29,7 @@ struct Mechanism {
   static constexpr int kNv = ::alembert::mechanisms::body_on_torus::kNv;
   static constexpr int kNc = ::alembert::mechanisms::body_on_torus::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::body_on_torus::kBodyCount;
+  static constexpr int kNframes = ::alembert::mechanisms::body_on_torus::kFrameCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;
@@ -52,7 +53,8 @@ struct Mechanism {
     return qd;
   }
 
-  /// Generalized forces for the rates qdd: tau = M(q) qdd + c(q, qd).
+  /// Inverse dynamics: the generalized forces that give the speeds the rates qdd.
+  ///   tau = M(q) qdd + c(q, qd)
   static SpeedVector inverse_dynamics(const CoordinateVector& q, const SpeedVector& qd, const SpeedVector& qdd,
                                       const Inputs& in = Inputs()) {
     SpeedVector tau;
@@ -60,48 +62,53 @@ struct Mechanism {
     return tau;
   }
 
-  /// Mass matrix, symmetric, in full.
+  /// Mass matrix, also called joint-space inertia matrix.
+  ///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
   static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
     SpeedMatrix M;
     ::alembert::mechanisms::body_on_torus::mass_matrix<S>(q.data(), in, M.data());
     return M;
   }
 
-  /// Bias forces c of tau = M(q) qdd + c(q, qd).
+  /// Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+  ///   tau = M(q) qdd + c(q, qd)
   static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
     SpeedVector c;
     ::alembert::mechanisms::body_on_torus::bias<S>(q.data(), qd.data(), in, c.data());
     return c;
   }
 
-  /// Mass matrix and bias forces of tau = M(q) qdd + c(q, qd).
+  /// Mass matrix and bias forces at once: shorter than one after the other.
+  ///   tau = M(q) qdd + c(q, qd)
   static void mass_matrix_and_bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, SpeedMatrix& M,
                                    SpeedVector& c) {
     ::alembert::mechanisms::body_on_torus::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
   }
 
-  /// Rates of the coordinates, N(q) qd.
+  /// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
+  /// its body.
+  ///   dq/dt = N(q) qd
   static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
     CoordinateVector qdot;
     ::alembert::mechanisms::body_on_torus::coordinate_rates<S>(q.data(), qd.data(), qdot.data());
     return qdot;
   }
 
-  /// Kinetic and potential energy, J.
+  /// Kinetic and potential energy.
+  ///   e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
   static ::Eigen::Matrix<S, 2, 1> energy(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
     ::Eigen::Matrix<S, 2, 1> e;
     ::alembert::mechanisms::body_on_torus::energy<S>(q.data(), qd.data(), in, e.data());
     return e;
   }
 
-  /// Poses of the bodies of kBodyNames in the world.
-  static ::std::array<Pose, ::alembert::mechanisms::body_on_torus::kBodyCount> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
-    ::std::array<S, 12 * ::alembert::mechanisms::body_on_torus::kBodyCount> entries;
-    ::std::array<Pose, ::alembert::mechanisms::body_on_torus::kBodyCount> poses;
-    ::alembert::mechanisms::body_on_torus::body_poses<S>(q.data(), in, entries.data());
-    for (unsigned i = 0; i < poses.size(); ++i)
-      poses[i] = ::Eigen::Map<const ::Eigen::Matrix<S, 3, 4, ::Eigen::RowMajor>>(entries.data() + 12 * i);
-    return poses;
+  /// Poses of the bodies in the world.
+  static ::std::array<Pose, kNbodies> body_poses(const CoordinateVector& q, const Inputs& in = Inputs()) {
+    ::std::array<Pose, kNbodies> W;
+    ::alembert::SizedMatrix<S, kNbodies * 3 * 4, 1> W_rows;
+    ::alembert::mechanisms::body_on_torus::body_poses<S>(q.data(), in, W_rows.data());
+    ::alembert::from_rows(W_rows.data(), W);
+    return W;
   }
 };
 

@@ -94,57 +94,68 @@ using ::alembert::sines_and_cosines;
 
 }  // namespace detail
 
-/// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
-/// tau [2] is the result.
+/// Inverse dynamics: the generalized forces that give the speeds the rates qdd.
+///   tau = M(q) qdd + c(q, qd)
+/// tau [2]: generalized forces, N m for a speed in rad/s, N for one in m/s.
+/// Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
 /// Operations: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
-/// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
-/// M [2 x 2] is the result, symmetric and written in full, in SI units of tau/qdd.
+/// Mass matrix, also called joint-space inertia matrix.
+///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
+/// M [2 x 2], row by row: symmetric and written in full, in units of tau / qdd.
 /// Operations: 46 multiplications, 33 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 1.1e-15 where it was measured).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
-/// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
-/// tau = M(q) qdd + c(q, qd). c [2] is the result, in units of tau.
+/// Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+///   tau = M(q) qdd + c(q, qd)
+/// c [2]: bias forces, in units of tau.
 /// Operations: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
-/// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
-/// M [2 x 2], symmetric and written in full, and c [2] are the results.
+/// Mass matrix and bias forces at once: shorter than one after the other.
+///   tau = M(q) qdd + c(q, qd)
+/// M [2 x 2], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+/// c [2]: bias forces, in units of tau.
 /// Operations: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
-/// Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
-/// qdot [2] is the result, per second.
+/// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
+/// its body.
+///   dq/dt = N(q) qd
+/// qdot [2]: per second.
 /// Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates(const S* q, const S* qd, S* qdot);
 
-/// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
-/// e [2] is the result, in J.
+/// Kinetic and potential energy.
+///   e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
+/// e [2]: kinetic and potential energy, J.
 /// Operations: 55 multiplications, 34 additions, 5 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
 template <class S>
 void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
 
-/// Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
-/// body's axes and p, m, is its origin. W [2 x 3 x 4] is the result.
+/// Poses of the bodies in the world.
+/// W [2 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
+///   is its origin, m.
 /// Operations: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
 template <class S>
 void body_poses(const S* q, const Inputs<S>& in, S* W);
 
-/// Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
-/// are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
+/// Poses of the named frames in the world.
+/// F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
+///   axes, p is its origin, m.
 /// Operations: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
 template <class S>
 void frame_poses(const S* q, const Inputs<S>& in, S* F);
 
-/// Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 2 matrix J, row by row, such that J qd is
-/// its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
-/// prescribed in time adds. J [1 x 6 x 2] is the result.
+/// Geometric Jacobians of the named frames, in world axes.
+///   J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
+/// J [1 x 6 x 2], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
 /// Operations: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
 template <class S>
 void frame_jacobians(const S* q, const Inputs<S>& in, S* J);

@@ -53,48 +53,58 @@ extern const double pendulum_initial_speeds[1];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double pendulum_default_parameters[0 + 1];
 
-/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
-   tau [1] is the result.
+/* Inverse dynamics: the generalized forces that give the speeds the rates qdd.
+     tau = M(q) qdd + c(q, qd)
+   tau [1]: generalized forces, N m for a speed in rad/s, N for one in m/s.
+   Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
    Operations: 2 multiplications, 1 addition, 1 sin/cos/tan (reduced formulation; relative error 2.4e-16 where it was measured).
  */
 int pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                               const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
-   M [1 x 1] is the result, symmetric and written in full, in SI units of tau/qdd.
+/* Mass matrix, also called joint-space inertia matrix.
+     kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
+   M [1 x 1], row by row: symmetric and written in full, in units of tau / qdd.
    Operations: 0 multiplications, 0 additions (reduced formulation; relative error 6.3e-17 where it was measured).
  */
 int pendulum_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
-   tau = M(q) qdd + c(q, qd). c [1] is the result, in units of tau.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+     tau = M(q) qdd + c(q, qd)
+   c [1]: bias forces, in units of tau.
    Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
  */
 int pendulum_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                   double* c);
 
-/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
-   M [1 x 1], symmetric and written in full, and c [1] are the results.
+/* Mass matrix and bias forces at once: shorter than one after the other.
+     tau = M(q) qdd + c(q, qd)
+   M [1 x 1], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   c [1]: bias forces, in units of tau.
    Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
  */
 int pendulum_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                   const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
-   qdot [1] is the result, per second.
+/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
+   its body.
+     dq/dt = N(q) qd
+   qdot [1]: per second.
    Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
  */
 int pendulum_coordinate_rates(const double* q, const double* qd, double* qdot);
 
-/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
-   e [2] is the result, in J.
+/* Kinetic and potential energy.
+     e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
+   e [2]: kinetic and potential energy, J.
    Operations: 3 multiplications, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
  */
 int pendulum_energy(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                     double* e);
 
-/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
-   body's axes and p, m, is its origin. W [1 x 3 x 4] is the result.
+/* Poses of the bodies in the world.
+   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
+     is its origin, m.
    Operations: 0 multiplications, 0 additions, 2 sin/cos/tan (reduced formulation; relative error 5e-17 where it was measured).
  */
 int pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

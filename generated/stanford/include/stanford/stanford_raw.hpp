@@ -100,44 +100,54 @@ using ::alembert::sines_and_cosines;
 
 }  // namespace detail
 
-/// Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
-/// tau [6] is the result.
+/// Inverse dynamics: the generalized forces that give the speeds the rates qdd.
+///   tau = M(q) qdd + c(q, qd)
+/// tau [6]: generalized forces, N m for a speed in rad/s, N for one in m/s.
+/// Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
 /// Operations: 135 multiplications, 105 additions, 8 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
-/// Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
-/// M [6 x 6] is the result, symmetric and written in full, in SI units of tau/qdd.
+/// Mass matrix, also called joint-space inertia matrix.
+///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
+/// M [6 x 6], row by row: symmetric and written in full, in units of tau / qdd.
 /// Operations: 50 multiplications, 37 additions, 6 sin/cos/tan (reduced formulation; relative error 1.2e-16 where it was measured).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
-/// Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
-/// tau = M(q) qdd + c(q, qd). c [6] is the result, in units of tau.
+/// Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+///   tau = M(q) qdd + c(q, qd)
+/// c [6]: bias forces, in units of tau.
 /// Operations: 126 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
-/// Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
-/// M [6 x 6], symmetric and written in full, and c [6] are the results.
+/// Mass matrix and bias forces at once: shorter than one after the other.
+///   tau = M(q) qdd + c(q, qd)
+/// M [6 x 6], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+/// c [6]: bias forces, in units of tau.
 /// Operations: 176 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
-/// Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
-/// qdot [6] is the result, per second.
+/// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
+/// its body.
+///   dq/dt = N(q) qd
+/// qdot [6]: per second.
 /// Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
 template <class S>
 void coordinate_rates(const S* q, const S* qd, S* qdot);
 
-/// Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
-/// e [2] is the result, in J.
+/// Kinetic and potential energy.
+///   e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
+/// e [2]: kinetic and potential energy, J.
 /// Operations: 88 multiplications, 56 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
 
-/// Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
-/// body's axes and p, m, is its origin. W [6 x 3 x 4] is the result.
+/// Poses of the bodies in the world.
+/// W [6 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
+///   is its origin, m.
 /// Operations: 43 multiplications, 19 additions, 10 sin/cos/tan (reduced formulation; relative error 2e-16 where it was measured).
 template <class S>
 void body_poses(const S* q, const Inputs<S>& in, S* W);

@@ -53,63 +53,74 @@ extern const double tree_every_joint_initial_speeds[20];
 /* Values of the runtime parameters in the description, and a 0 after the last. */
 extern const double tree_every_joint_default_parameters[0 + 1];
 
-/* Inverse dynamics: generalized forces that give the rates qdd, tau = M(q) qdd + c(q, qd).
-   tau [20] is the result.
+/* Inverse dynamics: the generalized forces that give the speeds the rates qdd.
+     tau = M(q) qdd + c(q, qd)
+   tau [20]: generalized forces, N m for a speed in rad/s, N for one in m/s.
+   Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
    Operations: 924 multiplications, 936 additions, 16 sin/cos/tan (reduced formulation; relative error 8.9e-16 where it was measured).
  */
 int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                       const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix M(q): kinetic energy is 1/2 qd^T M qd where no motion is prescribed.
-   M [20 x 20] is the result, symmetric and written in full, in SI units of tau/qdd.
+/* Mass matrix, also called joint-space inertia matrix.
+     kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
+   M [20 x 20], row by row: symmetric and written in full, in units of tau / qdd.
    Operations: 872 multiplications, 902 additions, 16 sin/cos/tan (reduced formulation; relative error 4e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* M);
 
-/* Bias forces c(q, qd): Coriolis, centrifugal and gravity terms less those of external wrenches, so that
-   tau = M(q) qdd + c(q, qd). c [20] is the result, in units of tau.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+     tau = M(q) qdd + c(q, qd)
+   c [20]: bias forces, in units of tau.
    Operations: 888 multiplications, 867 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).
  */
 int tree_every_joint_bias(const double* q, const double* qd, double t, const double* parameters,
                           const double* wrenches, double* c);
 
-/* Mass matrix and bias forces at once, sharing what they have in common: tau = M(q) qdd + c(q, qd).
-   M [20 x 20], symmetric and written in full, and c [20] are the results.
+/* Mass matrix and bias forces at once: shorter than one after the other.
+     tau = M(q) qdd + c(q, qd)
+   M [20 x 20], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   c [20]: bias forces, in units of tau.
    Operations: 1725 multiplications, 1729 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates, dq/dt = N(q) qd: the speeds themselves, but for a quaternion p half of p (w, 0).
-   qdot [22] is the result, per second.
+/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
+   its body.
+     dq/dt = N(q) qd
+   qdot [22]: per second.
    Operations: 30 multiplications, 16 additions (reduced formulation; relative error 9.7e-17 where it was measured).
  */
 int tree_every_joint_coordinate_rates(const double* q, const double* qd, double* qdot);
 
-/* Energy at a state: e[0] kinetic, 1/2 sum (m |v|^2 + w^T J w); e[1] potential, -sum m g^T r, zero at the world's origin.
-   e [2] is the result, in J.
+/* Kinetic and potential energy.
+     e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
+   e [2]: kinetic and potential energy, J.
    Operations: 792 multiplications, 713 additions, 16 sin/cos/tan (reduced formulation; relative error 8.5e-16 where it was measured).
  */
 int tree_every_joint_energy(const double* q, const double* qd, double t, const double* parameters,
                             const double* wrenches, double* e);
 
-/* Poses of the bodies in the world: per body of kBodyNames the 3 x 4 matrix [R p], row by row; the columns of R are the
-   body's axes and p, m, is its origin. W [10 x 3 x 4] is the result.
+/* Poses of the bodies in the world.
+   W [10 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes,
+     p is its origin, m.
    Operations: 274 multiplications, 287 additions, 16 sin/cos/tan (reduced formulation; relative error 3.3e-16 where it was measured).
  */
 int tree_every_joint_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
-/* Poses of the named frames in the world: per frame of kFrameNames the 3 x 4 matrix [R p], row by row; the columns of R
-   are the frame's axes and p, m, is its origin. F [1 x 3 x 4] is the result.
+/* Poses of the named frames in the world.
+   F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
+     axes, p is its origin, m.
    Operations: 82 multiplications, 88 additions, 4 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
  */
 int tree_every_joint_frame_poses(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* F);
 
-/* Jacobians of the named frames in the world: per frame of kFrameNames the 6 x 20 matrix J, row by row, such that J qd is
-   its angular velocity x y z, rad/s, and then the velocity x y z of its origin, m/s, in world axes, less what motion
-   prescribed in time adds. J [1 x 6 x 20] is the result.
+/* Geometric Jacobians of the named frames, in world axes.
+     J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
+   J [1 x 6 x 20], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
    Operations: 527 multiplications, 399 additions, 4 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).
  */
 int tree_every_joint_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,

@@ -1,0 +1,196 @@
+// The builders of output functions (see the header).
+#include "dynamics/function_builders.hpp"
+
+#include <algorithm>
+
+#include "dynamics/choice/force_derivatives.hpp"
+#include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/formulations.hpp"
+#include "functions/array_shape.hpp"
+#include "support/error.hpp"
+#include "symbolic/passes.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// What a builder may use.
+struct Ingredients {
+  const Kinematics& kinematics;
+  std::vector<const MotionTree*> trees;  ///< of the same motions; any will do
+  const EquationsOfMotion* equations;    ///< null unless the builder is of_equations
+
+  const Mechanism& mechanism() const { return kinematics.mechanism; }
+  ExprGraph& graph() const { return kinematics.graph; }
+};
+
+/// The entries of each result, row by row.
+using Results = std::vector<std::vector<Expr>>;
+
+/// What `make` gives for a tree of motions: for the one that takes the fewest operations.
+template <class Make>
+Results for_shortest_tree(const Ingredients& given, Make make) {
+  std::vector<Expr> shortest = make(given.mechanism(), *given.trees.front(), given.graph());
+  if (given.trees.size() == 1) return {shortest};
+  shortest = value_number(shortest);
+  for (std::size_t i = 1; i < given.trees.size(); ++i) {
+    std::vector<Expr> other = value_number(make(given.mechanism(), *given.trees[i], given.graph()));
+    if (count_operations(other).total() < count_operations(shortest).total()) shortest = std::move(other);
+  }
+  return {shortest};
+}
+
+/// M^-1 of the right side, by the way that takes fewer operations.
+std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const EquationsOfMotion& equations,
+                                   std::vector<Expr> right_side) {
+  std::optional<std::vector<Expr>> articulated;
+  if (equations.articulated) {
+    const auto solve = [&](const MotionTree& tree) {
+      return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
+    };
+    articulated = solve(*equations.articulated);
+    // Regrouping may have left mass between two motions of one speed.
+    if (!articulated) articulated = solve(kinematics.tree);
+  }
+  if (!articulated) return straight_line_solve(equations.M, std::move(right_side));
+  *articulated = value_number(*articulated);
+  const std::size_t length = count_operations(*articulated).total();
+  // M and c alone are a part of the other way, which is O(n^3): it is not made in vain.
+  std::vector<Expr> part = equations.M;
+  part.insert(part.end(), right_side.begin(), right_side.end());
+  if (5 * count_operations(part).total() > 6 * length) return *articulated;
+  const std::vector<Expr> other = straight_line_solve(equations.M, std::move(right_side));
+  // Where it is close, the optimised programs decide.
+  const std::size_t other_length = count_operations(value_number(other)).total();
+  const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
+  const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
+    return close ? kinematics.lengths.of(values).first : operations;
+  };
+  return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
+}
+
+Results build_forward_dynamics(const Ingredients& given) {
+  std::vector<Expr> right_side;
+  for (int k = 0; k < given.mechanism().nv; ++k)
+    right_side.push_back(tau_symbol(given.mechanism(), k, given.graph()) -
+                         given.equations->c[static_cast<std::size_t>(k)]);
+  return {solved_for_rates(given.kinematics, *given.equations, std::move(right_side))};
+}
+
+Results build_coordinate_rates(const Ingredients& given) {
+  const SpeedDerivatives& derivatives = given.kinematics.derivatives;
+  const std::vector<Expr> N = derivatives.coordinate_rate_matrix();
+  const std::size_t nv = static_cast<std::size_t>(given.mechanism().nv);
+  std::vector<Expr> rates(static_cast<std::size_t>(given.mechanism().nq), given.graph().zero());
+  for (std::size_t i = 0; i < N.size(); ++i)
+    rates[i / nv] += N[i] * derivatives.speed(static_cast<int>(i % nv));
+  return {rates};
+}
+
+Results build_frame_jacobians(const Ingredients& given) {
+  const std::vector<Expr> poses = frame_poses(given.mechanism(), given.kinematics.tree, given.graph());
+  return {frame_jacobians(given.mechanism(), given.kinematics.derivatives, poses, given.graph())};
+}
+
+Results build_constraints(const Ingredients& given) {
+  ConstraintEquations equations = constraint_equations(given.mechanism(), given.kinematics.tree,
+                                                       given.kinematics.derivatives, given.graph());
+  return {std::move(equations.P), std::move(equations.gamma), std::move(equations.velocity),
+          std::move(equations.position)};
+}
+
+Results build_inverse_dynamics_derivatives(const Ingredients& given) {
+  const std::vector<Expr> both = force_derivatives(given.kinematics, *given.equations);
+  const auto middle = both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2);
+  return {{both.begin(), middle}, {middle, both.end()}};
+}
+
+struct Builder {
+  FunctionKind kind;
+  bool of_equations;
+  Results (*build)(const Ingredients& given);
+};
+
+constexpr Builder kBuilders[] = {
+    {FunctionKind("inverse_dynamics"), true,
+     [](const Ingredients& given) -> Results { return {given.equations->Q}; }},
+    {FunctionKind("mass_matrix"), true,
+     [](const Ingredients& given) -> Results { return {given.equations->M}; }},
+    {FunctionKind("bias"), true, [](const Ingredients& given) -> Results { return {given.equations->c}; }},
+    {FunctionKind("mass_matrix_and_bias"), true,
+     [](const Ingredients& given) -> Results {
+       return {given.equations->M, given.equations->c};
+     }},
+    {FunctionKind("forward_dynamics"), true, build_forward_dynamics},
+    {FunctionKind("coordinate_rates"), false, build_coordinate_rates},
+    {FunctionKind("energy"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, energies); }},
+    {FunctionKind("body_poses"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, body_poses); }},
+    {FunctionKind("frame_poses"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, frame_poses); }},
+    {FunctionKind("frame_jacobians"), false, build_frame_jacobians},
+    {FunctionKind("constraints"), false, build_constraints},
+    {FunctionKind("body_jacobians"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, body_jacobians); }},
+    {FunctionKind("body_inertias"), false,
+     [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
+    {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
+};
+
+constexpr bool all_have_builders() {
+  return std::ranges::all_of(kOutputFunctions, [](const OutputFunction& row) {
+    return std::ranges::count(kBuilders, FunctionKind(row), &Builder::kind) == 1;
+  });
+}
+static_assert(all_have_builders(), "each row of the function table needs one entry here");
+
+const Builder& builder_of(FunctionKind kind) {
+  return *std::ranges::find(kBuilders, kind, &Builder::kind);
+}
+
+std::vector<OutputExpressions> with_shapes(const Mechanism& mechanism, FunctionKind kind, Results values) {
+  std::vector<OutputExpressions> outputs;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ResultArray& result = kind.row().results[i];
+    const TableShape shape = table_shape(result, mechanism);
+    outputs.push_back({std::string(result.name), static_cast<std::uint32_t>(shape.rows),
+                       static_cast<std::uint32_t>(shape.columns), std::move(values[i])});
+  }
+  return outputs;
+}
+
+}  // namespace
+
+bool is_of_equations(FunctionKind kind) {
+  return builder_of(kind).of_equations;
+}
+
+std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
+                                                const EquationsOfMotion& equations, FunctionKind kind) {
+  const Builder& builder = builder_of(kind);
+  Ingredients given{kinematics, {&kinematics.tree}, &equations};
+  if (kinematics.peeled) given.trees.push_back(&*kinematics.peeled);
+  Results values = builder.build(given);
+  if (!builder.of_equations) {
+    // All at once, so that what they share is found. Equations are numbered already.
+    std::vector<Expr> flat;
+    for (const std::vector<Expr>& array : values) flat.insert(flat.end(), array.begin(), array.end());
+    flat = value_number(flat);
+    auto next = flat.begin();
+    for (std::vector<Expr>& array : values) {
+      for (Expr& value : array) value = *next++;
+    }
+  }
+  return with_shapes(kinematics.mechanism, kind, std::move(values));
+}
+
+std::vector<OutputExpressions> plain_function_outputs(const Kinematics& kinematics, FunctionKind kind) {
+  const Builder& builder = builder_of(kind);
+  std::optional<EquationsOfMotion> equations;
+  if (builder.of_equations) equations = equations_of_motion(kinematics, Formulation::reduced, plain_passes());
+  return with_shapes(kinematics.mechanism, kind,
+                     builder.build({kinematics, {&kinematics.tree}, equations ? &*equations : nullptr}));
+}
+
+}  // namespace alembert

@@ -1,0 +1,22 @@
+// What documentation says of an output function, in every language. In: its row of the table, the mechanism's
+// sizes, operations. Out: lines of plain text, not yet marked as a comment.
+#pragma once
+
+#include <string>
+
+#include "functions/function_table.hpp"
+#include "mechanism/model.hpp"
+
+namespace alembert {
+
+/// `M [6 x 6]`, with a number of blocks in front where there are several: `W [7 x 3 x 4]`.
+std::string result_with_shape(const ResultArray& result, const Mechanism& mechanism);
+
+/// Summary and formula.
+std::string function_summary(const OutputFunction& function);
+
+/// Summary, formula, results with shapes and units, remark, source and operations.
+std::string function_doc(const OutputFunction& function, const Mechanism& mechanism,
+                         const std::string& operations);
+
+}  // namespace alembert

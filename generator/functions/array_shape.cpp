@@ -1,0 +1,76 @@
+// Sizes of arrays (see the header).
+#include "functions/array_shape.hpp"
+
+#include <algorithm>
+
+#include "mechanism/constraint_rows.hpp"
+#include "support/error.hpp"
+
+namespace alembert {
+
+namespace {
+
+std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
+  switch (extent.of) {
+    case Extent::Of::number:
+      return static_cast<std::size_t>(extent.number);
+    case Extent::Of::coordinates:
+      return static_cast<std::size_t>(mechanism.nq);
+    case Extent::Of::speeds:
+      return static_cast<std::size_t>(mechanism.nv);
+    case Extent::Of::constraint_rows:
+      return constraint_rows(mechanism).size();
+  }
+  throw InternalError("there is no such extent");
+}
+
+std::size_t number_of(Per per, const Mechanism& mechanism) {
+  switch (per) {
+    case Per::mechanism:
+      return 1;
+    case Per::body:
+      return mechanism.bodies.size();
+    case Per::frame:
+      return mechanism.frames.size();
+  }
+  throw InternalError("there are no such blocks");
+}
+
+}  // namespace
+
+ArrayShape array_shape(const ResultArray& result, const Mechanism& mechanism) {
+  return {number_of(result.per, mechanism), number_of(result.rows, mechanism),
+          number_of(result.columns, mechanism)};
+}
+
+TableShape table_shape(const ResultArray& result, const Mechanism& mechanism) {
+  const ArrayShape shape = array_shape(result, mechanism);
+  if (result.per == Per::mechanism || has_speed_columns(result))
+    return {shape.blocks * shape.rows, shape.columns};
+  return {shape.blocks, shape.rows * shape.columns};
+}
+
+std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
+  switch (kind) {
+    case ArgumentKind::q:
+      return static_cast<std::size_t>(mechanism.nq);
+    case ArgumentKind::qd:
+    case ArgumentKind::qdd:
+    case ArgumentKind::tau:
+      return static_cast<std::size_t>(mechanism.nv);
+    case ArgumentKind::time:
+      return 1;
+    case ArgumentKind::parameter:
+      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::runtime));
+    case ArgumentKind::wrench:
+      return 6 * static_cast<std::size_t>(std::ranges::count_if(mechanism.bodies, &Body::external_wrench));
+  }
+  throw InternalError("there is no such argument");
+}
+
+bool has_results(const OutputFunction& function, const Mechanism& mechanism) {
+  return std::ranges::all_of(
+      function.results, [&](const ResultArray& result) { return array_shape(result, mechanism).size() > 0; });
+}
+
+}  // namespace alembert

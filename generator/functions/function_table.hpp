@@ -1,0 +1,208 @@
+// The table of output functions: a row says what a function is called, takes, gives and means. Declarations
+// in every language, wrappers, docstrings, help and reports are made from it; the expressions of a function
+// are built by its entry in dynamics/function_builders.cpp. A function that is in both works everywhere.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include "program/program.hpp"
+
+namespace alembert {
+
+/// Up to N values, in constant expressions too.
+template <class T, std::size_t N>
+class Few {
+ public:
+  constexpr Few(std::initializer_list<T> values) {
+    for (const T& value : values) values_[size_++] = value;
+  }
+  constexpr const T* begin() const { return values_.data(); }
+  constexpr const T* end() const { return values_.data() + size_; }
+  constexpr std::size_t size() const { return size_; }
+  constexpr const T& operator[](std::size_t i) const { return values_[i]; }
+  constexpr const T& back() const { return values_[size_ - 1]; }
+
+ private:
+  std::array<T, N> values_{};
+  std::size_t size_ = 0;
+};
+
+/// A number of rows or columns: so many, or as many as the mechanism has of something.
+struct Extent {
+  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows };
+  Of of = Of::number;
+  int number = 1;
+  constexpr Extent() = default;
+  constexpr Extent(int n) : number(n) {}
+  constexpr Extent(Of what) : of(what) {}
+  constexpr bool operator==(const Extent&) const = default;
+};
+inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
+                        kPerConstraintRow = Extent::Of::constraint_rows;
+
+/// What a result has one block of rows and columns for.
+enum class Per : std::uint8_t { mechanism, body, frame };
+
+/// How Eigen's interface returns blocks: an array of matrices, or one matrix with the blocks below each
+/// other.
+enum class Blocks : std::uint8_t { in_array, stacked };
+
+/// An array that a function fills, row by row.
+struct ResultArray {
+  std::string_view name;
+  std::string_view meaning;        ///< with units, frames and the order of rows
+  Extent rows = {}, columns = {};  ///< of each block
+  Per per = Per::mechanism;
+  Blocks blocks = Blocks::in_array;
+  bool symmetric = false;
+};
+
+/// What functions are about; `report` counts those of dynamics unless told otherwise.
+enum class Topic : std::uint8_t { dynamics, kinematics, derivatives };
+
+/// A row of the table. The function takes the arrays of `arguments` in this order, then the inputs (time,
+/// parameters, wrenches) if `takes_inputs`, then its results, whether a given mechanism uses them or not.
+struct OutputFunction {
+  std::string_view name;
+  Topic topic;
+  bool by_default;  ///< `generate` writes it unless told otherwise
+  Few<ArgumentKind, 3> arguments;
+  bool takes_inputs;
+  std::string_view summary;  ///< one sentence
+  std::string_view formula;  ///< empty: there is none
+  Few<ResultArray, 4> results;
+  std::string_view remark;  ///< guarantee, errors, frames; empty: none
+  std::string_view source;  ///< where the formula stands, or is explained; empty: it is the definition
+};
+
+// clang-format off
+inline constexpr OutputFunction kOutputFunctions[] = {
+    {"inverse_dynamics", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Inverse dynamics: the generalized forces that give the speeds the rates qdd.",
+     "tau = M(q) qdd + c(q, qd)",
+     {{"tau", "generalized forces, N m for a speed in rad/s, N for one in m/s", kPerSpeed}},
+     "", "Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13"},
+    {"mass_matrix", Topic::dynamics, true, {ArgumentKind::q}, true,
+     "Mass matrix, also called joint-space inertia matrix.",
+     "kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time",
+     {{"M", "symmetric and written in full, in units of tau / qdd", kPerSpeed, kPerSpeed, Per::mechanism, Blocks::in_array,
+       true}},
+     "", ""},
+    {"bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.",
+     "tau = M(q) qdd + c(q, qd)",
+     {{"c", "bias forces, in units of tau", kPerSpeed}},
+     "", ""},
+    {"mass_matrix_and_bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Mass matrix and bias forces at once: shorter than one after the other.",
+     "tau = M(q) qdd + c(q, qd)",
+     {{"M", "mass matrix, symmetric and written in full, in units of tau / qdd", kPerSpeed, kPerSpeed, Per::mechanism,
+       Blocks::in_array, true},
+      {"c", "bias forces, in units of tau", kPerSpeed}},
+     "", ""},
+    {"forward_dynamics", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::tau}, true,
+     "Forward dynamics without a branch: the rates of the speeds under the generalized forces tau.",
+     "qdd = M(q)^-1 (tau - c(q, qd))",
+     {{"qdd", "rates of the speeds, rad/s^2 or m/s^2", kPerSpeed}},
+     "Constraints are left out. Where M is singular, qdd is not finite: check it, or call alembert::forward_dynamics of the "
+     "runtime, which returns a status.",
+     "Featherstone, Rigid Body Dynamics Algorithms, chapter 7, or a Cholesky factorization, whichever is shorter"},
+    {"coordinate_rates", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, false,
+     "Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.",
+     "dq/dt = N(q) qd",
+     {{"qdot", "per second", kPerCoordinate}},
+     "", ""},
+    {"energy", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Kinetic and potential energy.",
+     "e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin",
+     {{"e", "kinetic and potential energy, J", 2}},
+     "", ""},
+    {"body_poses", Topic::kinematics, true, {ArgumentKind::q}, true,
+     "Poses of the bodies in the world.",
+     "",
+     {{"W", "for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p is its origin, m",
+       3, 4, Per::body}},
+     "", ""},
+    {"frame_poses", Topic::kinematics, true, {ArgumentKind::q}, true,
+     "Poses of the named frames in the world.",
+     "",
+     {{"F", "for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's axes, p is its origin, m",
+       3, 4, Per::frame}},
+     "", ""},
+    {"frame_jacobians", Topic::kinematics, true, {ArgumentKind::q}, true,
+     "Geometric Jacobians of the named frames, in world axes.",
+     "J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds",
+     {{"J", "for each frame of kFrameNames 6 rows: 3 angular, then 3 linear",
+       6, kPerSpeed, Per::frame}},
+     "", ""},
+    {"constraints", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Constraints at a state: a row for each name of kConstraintNames.",
+     "velocity = P(q) qd + (part from time) = 0, its rate P qdd + gamma = 0; M qdd + c = tau + P^T lambda",
+     {{"P", "constraint matrix, a row for each constraint", kPerConstraintRow, kPerSpeed},
+      {"gamma", "part of the rates that is left without qdd", kPerConstraintRow},
+      {"velocity", "residuals of the speeds", kPerConstraintRow},
+      {"position", "phi(q, t), the equation whose rate a row of kHolonomic is; 0 for the others", kPerConstraintRow}},
+     "M, c and the other functions are those of the mechanism without constraints.", ""},
+    {"body_jacobians", Topic::kinematics, false, {ArgumentKind::q}, true,
+     "Geometric Jacobians of the bodies at their centres of mass, in world axes.",
+     "J(q) qd = (angular velocity x y z, velocity of the centre of mass x y z), less what motion prescribed in time adds",
+     {{"J", "for each body of kBodyNames 6 rows: 3 angular, then 3 linear",
+       6, kPerSpeed, Per::body, Blocks::stacked}},
+     "", ""},
+    {"body_inertias", Topic::kinematics, false, {}, true,
+     "Masses, centres of mass and inertias of the bodies, in the axes of each body.",
+     "",
+     {{"inertias", "for each body of kBodyNames its mass, kg, its centre of mass x y z, m, and its inertia about it "
+       "xx yy zz xy xz yz, kg m^2",
+       1, 10, Per::body, Blocks::stacked}},
+     "", ""},
+    {"inverse_dynamics_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Partial derivatives of inverse dynamics: along the speeds, that is by the coordinates, and by the speeds.",
+     "tau_q[.][k] = change of tau(q, qd, qdd) as q changes by N(q) e_k, tau_qd = d tau / d qd",
+     {{"tau_q", "column k is the derivative by coordinate k; of a quaternion, by a turn about an axis "
+       "of its body",
+       kPerSpeed, kPerSpeed},
+      {"tau_qd", "column k is the derivative by speed k", kPerSpeed, kPerSpeed}},
+     "By the rates qdd they are M(q). Those of forward dynamics at the same state are -M^-1 tau_q and -M^-1 tau_qd.", ""},
+};
+// clang-format on
+
+/// One of the functions of the table, by its name: FunctionKind("bias"). A name that is not there does not
+/// compile.
+class FunctionKind {
+ public:
+  consteval explicit FunctionKind(std::string_view name) : index_(index_of(name)) {
+    if (index_ == std::size(kOutputFunctions)) throw "no such function";
+  }
+  constexpr explicit FunctionKind(const OutputFunction& row)
+      : index_(static_cast<std::size_t>(&row - kOutputFunctions)) {}
+  constexpr const OutputFunction& row() const { return kOutputFunctions[index_]; }
+  constexpr auto operator<=>(const FunctionKind&) const = default;
+
+ private:
+  static constexpr std::size_t index_of(std::string_view name) {
+    std::size_t i = 0;
+    while (i < std::size(kOutputFunctions) && kOutputFunctions[i].name != name) ++i;
+    return i;
+  }
+  std::size_t index_;
+};
+
+constexpr std::string_view to_string(FunctionKind kind) {
+  return kind.row().name;
+}
+
+/// Null if there is no function of this name.
+constexpr const OutputFunction* find_function(std::string_view name) {
+  for (const OutputFunction& row : kOutputFunctions) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+}  // namespace alembert
