@@ -68,7 +68,7 @@ function(_alembert_mechanism_name file variable)
   set(${variable} "${CMAKE_MATCH_1}" PARENT_SCOPE)
 endfunction()
 
-# Lets the files name_batch_SET.cpp among those given use their instructions, where compiler and processor are such.
+# Lets the files name_batch_SET.cpp among those given use their instructions, where compiler and processor have them.
 # Without these flags they are empty.
 function(_alembert_batch_flags fp_contract)
   set(baseline)

@@ -37,7 +37,8 @@ std::string plural(std::size_t n, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-std::string counts_text(const Program& program) {
+/// Errors are measured in double; code for float alone says so.
+std::string counts_text(const Program& program, bool float_only) {
   const OperationCount n = count(program);
   std::string text = fmt::format("{}, {}", plural(n.mul, "multiplication", "multiplications"),
                                  plural(n.add, "addition", "additions"));
@@ -49,8 +50,9 @@ std::string counts_text(const Program& program) {
   if (const std::size_t in_loops = operations_in_loops(program); in_loops > 0)
     text += fmt::format(", {} operations in loops over steps", in_loops);
   if (!program.formulation.empty()) {
-    const std::string error =
-        program.error ? fmt::format("; relative error {:.2g} where it was measured", *program.error) : "";
+    const std::string error = program.error ? fmt::format("; relative error {:.2g}{} where it was measured",
+                                                          *program.error, float_only ? " in double" : "")
+                                            : "";
     text += fmt::format(" ({} formulation{})", comment_text(program.formulation), error);
   }
   return text;
@@ -103,7 +105,7 @@ std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<
   std::vector<WrittenFunction> functions;
   const auto add = [&](const Program& program, const OutputFunction& signature) {
     check_program(program, signature, mechanism);
-    functions.push_back({&signature, counts_text(program),
+    functions.push_back({&signature, counts_text(program, syntax.number == "float"),
                          function_body(order_for_registers(program, States::one), signature, {},
                                        Registers::compiled, syntax)});
   };
@@ -204,8 +206,9 @@ std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std:
   return out;
 }
 
-std::string documented(const WrittenFunction& function, const Mechanism& mechanism, std::string_view prefix) {
-  return prefix_lines(function_doc(*function.signature, mechanism, function.counts), prefix);
+std::string documented(const WrittenFunction& function, const Mechanism& mechanism, std::string_view prefix,
+                       const std::string& c_prefix = "") {
+  return prefix_lines(function_doc(*function.signature, mechanism, function.counts, c_prefix), prefix);
 }
 
 std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
@@ -257,7 +260,7 @@ std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFuncti
   for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
     const std::string doc =
-        "/* " + prefix_lines(documented(function, mechanism, ""), "   ").substr(3) + " */";
+        "/* " + prefix_lines(documented(function, mechanism, "", mechanism.name), "   ").substr(3) + " */";
     declarations +=
         (declarations.empty() ? "" : "\n") +
         fill_template("c_declaration.h",

@@ -15,8 +15,9 @@ std::string result_with_shape(const ResultArray& result, const Mechanism& mechan
 /// Summary and formula.
 std::string function_summary(const OutputFunction& function);
 
-/// Summary, formula, results with shapes and units, remark, source and operations.
+/// Summary, formula, results with shapes and units, remark, source and operations. With a prefix, lists of names are
+/// those of C: PREFIX_body_names for kBodyNames.
 std::string function_doc(const OutputFunction& function, const Mechanism& mechanism,
-                         const std::string& operations);
+                         const std::string& operations, const std::string& c_prefix = "");
 
 }  // namespace alembert

@@ -11,6 +11,7 @@
 #include "emit/statements/literals.hpp"
 #include "emit/statements/syntax.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/names.hpp"
 
 namespace alembert {
 namespace {
@@ -110,6 +111,98 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
   return out;
 }
 
+/// What the functions take besides the state, in the comment of the C interface.
+std::string c_inputs(const std::string& mechanism, std::size_t parameters, std::size_t wrenches) {
+  const std::string first =
+      parameters == 0
+          ? "parameters  NULL: there are no runtime parameters"
+          : fmt::format(
+                "parameters  [{}] runtime parameters in SI units; NULL for the values of the description",
+                parameters);
+  const std::string second = wrenches == 0 ? "wrenches    NULL: no body takes an external wrench"
+                                           : fmt::format(
+                                                 "wrenches    [{} x 6] per body of {}_wrench_body_names the "
+                                                 "force x y z at its centre of mass, N, and the torque\n"
+                                                 "            x y z, N m, both in world axes; NULL for none",
+                                                 wrenches, mechanism);
+  return first + "\n" + second;
+}
+
+/// The same as members of Inputs in C++; where there are none, arrays of no elements.
+std::string cpp_inputs(const std::vector<std::string>& parameter_defaults, std::size_t wrenches) {
+  const std::string first = parameter_defaults.empty()
+                                ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
+                                : "/// Runtime parameters in SI units, in the order of kParameterNames; the "
+                                  "values of the description unless changed.\n"
+                                  "::std::array<S, kParameterCount> parameters = " +
+                                      cpp_array(parameter_defaults) + ";";
+  const std::string second = wrenches == 0
+                                 ? "::std::array<S, 0> wrenches = {};  ///< no body takes an external wrench"
+                                 : "/// Six per body of kWrenchBodyNames: force x y z at its centre of mass, "
+                                   "N, and torque x y z, N m, both in world axes.\n"
+                                   "::std::array<S, 6 * kWrenchCount> wrenches = {};";
+  return first + "\n" + second;
+}
+
+/// A named index, such as that of a frame in kFrameNames.
+struct Index {
+  std::string name;
+  int value;
+};
+
+/// Named indices of one kind; `type` is that of the generated code.
+struct Indices {
+  std::string type;
+  std::vector<Index> items;
+};
+
+std::vector<Indices> indices_of(const Mechanism& mechanism) {
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
+                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}}};
+  const auto add = [&out](std::size_t kind, const std::string& name, int value) {
+    // A macro would be replaced, and a class has no member of its own name.
+    const bool taken = !objection_to_mechanism_name(name).empty() || name == out[kind].type;
+    out[kind].items.push_back({taken ? name + "_" : name, value});
+  };
+  const auto add_next = [&](std::size_t kind, const std::string& name) {
+    add(kind, name, static_cast<int>(out[kind].items.size()));
+  };
+  for (const Coordinate& c : mechanism.coordinates) {
+    add(0, c.name, c.first_q);
+    add(1, c.name, c.first_speed);
+  }
+  for (const Body& body : mechanism.bodies) {
+    add_next(2, body.name);
+    if (body.external_wrench) add_next(5, body.name);
+  }
+  for (const Frame& frame : mechanism.frames) add_next(3, frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) add_next(4, parameter.name);
+  std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
+  return out;
+}
+
+/// `struct Frame { enum : int { tool = 0 }; };` and so on, a line each.
+std::string index_structs(const Mechanism& mechanism) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism)) {
+    std::vector<std::string> items;
+    for (const Index& index : indices.items) items.push_back(fmt::format("{} = {}", index.name, index.value));
+    const std::string list = wrapped(items);
+    out += fmt::format("{}struct {} {{ enum : int {{{}{} }}; }};", out.empty() ? "" : "\n", indices.type,
+                       list.starts_with('\n') ? "" : " ", list);
+  }
+  return out;
+}
+
+/// The same as members of a class: `using Frame = ::NAMESPACE::Frame;`.
+std::string index_aliases(const Mechanism& mechanism, const std::string& full_namespace) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism))
+    out += fmt::format("{0}using {1} = ::{2}::{1};", out.empty() ? "" : "\n", indices.type, full_namespace);
+  return out;
+}
+
 }  // namespace
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
@@ -130,6 +223,8 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},
+      {"c_inputs", c_inputs(mechanism.name, names.parameters.size(), names.wrench_bodies.size())},
+      {"index_aliases", index_aliases(mechanism, full_namespace)},
   };
 }
 
@@ -151,9 +246,11 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"lower_limits", cpp_array(limits(mechanism, true))},
       {"upper_limits", cpp_array(limits(mechanism, false))},
       {"quaternion_offsets", cpp_array(quaternions)},
+      {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
-      {"parameter_defaults", cpp_array(parameter_defaults(mechanism, "S({})", "double"))},
+      {"cpp_inputs",
+       cpp_inputs(parameter_defaults(mechanism, "S({})", "double"), names.wrench_bodies.size())},
   };
 }
 

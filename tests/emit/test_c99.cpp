@@ -13,6 +13,7 @@
 #include "emit/c_library.hpp"
 #include "emit/c_state.hpp"
 #include "emit/sample.hpp"
+#include "mechanism/names.hpp"
 #include "pipeline.hpp"
 #include "program/passes.hpp"
 
@@ -126,8 +127,22 @@ TEST(C99, HeaderIsThatOfTheInterfaceOfCpp) {
   };
   EXPECT_GT(declarations(c[0].text).size(), 2000u);
   EXPECT_EQ(declarations(c[0].text), declarations(same->text));
+  // Lists have the names that they have in C.
+  EXPECT_THAT(c[0].text, HasSubstr("sample_all_body_names the matrix [R p]"));
+  EXPECT_THAT(c[0].text, testing::Not(HasSubstr("kBodyNames")));
+  EXPECT_THAT(cpp[1].text, HasSubstr("kBodyNames the matrix [R p]"));
   for (const char* word : {"std::", "nullptr", "Eigen", "template", "malloc", "#include <c"})
     EXPECT_THAT(c[1].text, testing::Not(HasSubstr(word)));
+}
+
+TEST(C99, KeywordsAreNoNames) {
+  for (const char* keyword :
+       {"auto",   "break",  "case",     "char",       "const",    "continue", "default",  "do",
+        "double", "else",   "enum",     "extern",     "float",    "for",      "goto",     "if",
+        "inline", "int",    "long",     "register",   "restrict", "return",   "short",    "signed",
+        "sizeof", "static", "struct",   "switch",     "typedef",  "union",    "unsigned", "void",
+        "while",  "_Bool",  "_Complex", "_Imaginary", "volatile"})
+    EXPECT_NE(alembert::objection_to_mechanism_name(keyword), "") << keyword;
 }
 
 TEST(C99, OneScalarAndNoBatches) {
@@ -145,6 +160,11 @@ TEST(C99, OneScalarAndNoBatches) {
   EXPECT_THAT(error_of(options), HasSubstr("C is written for one scalar type"));
   options.scalars = {"float"};
   EXPECT_EQ(error_of(options), "");
+  Program measured = s.programs[0];
+  measured.formulation = "reduced";
+  measured.error = 2e-16;
+  const auto files = alembert::emit_mechanism(s.mechanism, {&measured, 1}, options);
+  EXPECT_THAT(files[0].text, HasSubstr("relative error 2e-16 in double where it was measured"));
   options.batch = {"bias"};
   EXPECT_THAT(error_of(options), HasSubstr("functions over many states are written in C++ only"));
 }

@@ -26,6 +26,9 @@ namespace m = alembert::mechanisms::macro_names;
 TEST(MacroNames, AreTextInGeneratedCode) {
   EXPECT_EQ(m::kCoordinateNames[0], "M_PI");
   EXPECT_EQ(m::kBodyNames[1], "BUFSIZ");
+  static_assert(m::Coordinate::M_PI_ == 0 && m::Coordinate::signbit == 4 && m::Speed::signbit == 4);
+  static_assert(m::Body::BUFSIZ_ == 1 && m::Frame::RAND_MAX_ == 0 && m::Parameter::math_errhandling_ == 1);
+  static_assert(m::Mechanism<>::Wrench::E2BIG_ == 0);
   EXPECT_EQ(m::kParameterNames[0], "SIGINT");
   EXPECT_STREQ(macro_names_frame_names[0], "RAND_MAX");
   const auto mass = m::Mechanism<double>::mass_matrix(m::Mechanism<double>::initial_coordinates());

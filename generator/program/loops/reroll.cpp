@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kFewestValues = 16;
 
 // So many ranges of steps are tried for a loop, those first that would be best if all went well.
-constexpr std::size_t kTries = 100;
+constexpr std::size_t kLoopTries = 100;
 
 // Sweeps along a chain: forward dynamics has three.
 constexpr int kMostSweeps = 6;
@@ -213,7 +213,7 @@ class Rerolling {
     while (!ranges.empty()) {
       Body best;
       Range from{};
-      std::size_t tries = kTries;
+      std::size_t tries = kLoopTries;
       for (const Range& range : ranges) {
         if (tries-- == 0) break;
         if (range.saved <= best.saved()) continue;

@@ -20,7 +20,7 @@ int main() {
   std::printf("time    turn    lift   elbow  gripper x       y       z\n");
   for (int k = 0; k <= 1000; ++k) {
     if (k % 250 == 0) {
-      const Arm::Pose gripper = Arm::frame_poses(q)[0];  // [R p] in world axes
+      const Arm::Pose gripper = Arm::frame_poses(q)[Arm::Frame::gripper];  // [R p] in world axes
       std::printf("%4.2f %7.4f %7.4f %7.4f    %7.4f %7.4f %7.4f\n", in.t, q(0), q(1), q(2), gripper(0, 3),
                   gripper(1, 3), gripper(2, 3));
     }

@@ -22,13 +22,15 @@ int main() {
   Crane::CoordinateVector q = Crane::initial_coordinates();
   Crane::SpeedVector qd = Crane::initial_speeds();
   Crane::Inputs in;
-  in.parameters[0] = 6.0F;  // length of the rope
+  in.parameters[Crane::Parameter::length] = 6.0F;  // length of the rope
   std::printf("second  trolley  load: x      y      z\n");
   const auto begin = std::chrono::steady_clock::now();
   for (int frame = 0; frame < 600; ++frame) {
     const Player player = keys(frame);
-    in.parameters[0] += 0.02F * (player.wanted_rope - in.parameters[0]);
-    in.wrenches[1] = frame / 60 == 4 ? 600.0F : 0.0F;  // wind along y for a second, N: force, then torque
+    in.parameters[Crane::Parameter::length] +=
+        0.02F * (player.wanted_rope - in.parameters[Crane::Parameter::length]);
+    in.wrenches[6 * Crane::Wrench::load + 1] =
+        frame / 60 == 4 ? 600.0F : 0.0F;  // wind along y for a second, N: force, then torque
     const auto forces = [&](float, const Crane::CoordinateVector&,
                             const Crane::SpeedVector& u) -> Crane::SpeedVector {
       return {4000.0F * (player.wanted_speed - u(0)), -300.0F * u(1),
@@ -38,10 +40,10 @@ int main() {
       if (alembert::semi_implicit_euler_step<Crane>(q, qd, in, 1.0F / 240, forces) != alembert::Status::ok)
         return 1;
     if (frame % 60 == 59) {  // where to draw the load
-      const Crane::Pose load = Crane::body_poses(q, in)[1];
-      std::printf("%6d %8.2f %8.2f %6.2f %6.2f\n", (frame + 1) / 60, static_cast<double>(q(0)),
-                  static_cast<double>(load(0, 3)), static_cast<double>(load(1, 3)),
-                  static_cast<double>(load(2, 3)));
+      const Crane::Pose load = Crane::body_poses(q, in)[Crane::Body::load];
+      std::printf("%6d %8.2f %8.2f %6.2f %6.2f\n", (frame + 1) / 60,
+                  static_cast<double>(q(Crane::Coordinate::trolley)), static_cast<double>(load(0, 3)),
+                  static_cast<double>(load(1, 3)), static_cast<double>(load(2, 3)));
     }
   }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;

@@ -6,14 +6,15 @@
 #include <knee/knee.hpp>
 
 using Knee = alembert::mechanisms::knee::Mechanism<>;
-enum Frame : unsigned { patella, tibia_front, ischium, tibia_back };  // as in the description
+using Frame = Knee::Frame;  // names of the description's frames, as indices
 
 struct Muscle {
-  Frame origin, insertion;
+  unsigned origin, insertion;
   double strongest;  // N
   double rest;       // m, the length at which it is strongest
 };
-constexpr Muscle kQuadriceps{patella, tibia_front, 2500, 0.13}, kHamstrings{ischium, tibia_back, 1500, 0.42};
+constexpr Muscle kQuadriceps{Frame::patella, Frame::tibia_front, 2500, 0.13},
+    kHamstrings{Frame::ischium, Frame::tibia_back, 1500, 0.42};
 
 struct Pull {
   double length, rate, force, tau;  // m, m/s, N, generalized force
@@ -57,7 +58,7 @@ int main() {
   std::printf("time   shank [deg]  quadriceps [N]  hamstrings [N]  energy [J]  work [J]\n");
   for (int k = 0; k <= 1000; ++k) {
     if (k % 100 == 0) {
-      const auto shank = Knee::body_poses(q)[1];
+      const auto shank = Knee::body_poses(q)[Knee::Body::shank];
       std::printf("%4.2f %12.1f %15.1f %15.1f %11.4f %9.4f\n", in.t,
                   std::atan2(-shank(2, 0), shank(0, 0)) * 57.29578,
                   pull(kQuadriceps, quadriceps_activation(in.t), q, qd).force,

@@ -24,6 +24,10 @@ namespace alembert::mechanisms::bead_on_helix {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::bead_on_helix::Coordinate;
+  using Speed = ::alembert::mechanisms::bead_on_helix::Speed;
+  using Body = ::alembert::mechanisms::bead_on_helix::Body;
+  using Wrench = ::alembert::mechanisms::bead_on_helix::Wrench;
   using Inputs = ::alembert::mechanisms::bead_on_helix::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::bead_on_helix::kNq;
   static constexpr int kNv = ::alembert::mechanisms::bead_on_helix::kNv;

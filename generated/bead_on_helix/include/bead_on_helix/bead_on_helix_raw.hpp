@@ -58,12 +58,18 @@ inline constexpr ::std::array<double, kNq> kUpperLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
+/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
+/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+struct Coordinate { enum : int { s = 0, spin = 1 }; };
+struct Speed { enum : int { s = 0, spin = 1 }; };
+struct Body { enum : int { bead = 0 }; };
+struct Wrench { enum : int { bead = 0 }; };
+
 /// What the functions take besides the state.
 template <class S>
 struct Inputs {
   S t = S(0.0);  ///< time, s
-  /// Runtime parameters in SI units, in the order of kParameterNames; the values of the description unless changed.
-  ::std::array<S, kParameterCount> parameters = {};
+  ::std::array<S, 0> parameters = {};  ///< there are no runtime parameters
   /// Six per body of kWrenchBodyNames: force x y z at its centre of mass, N, and torque x y z, N m, both in world axes.
   ::std::array<S, 6 * kWrenchCount> wrenches = {};
 };

@@ -24,6 +24,9 @@ namespace alembert::mechanisms::body_on_torus {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::body_on_torus::Coordinate;
+  using Speed = ::alembert::mechanisms::body_on_torus::Speed;
+  using Body = ::alembert::mechanisms::body_on_torus::Body;
   using Inputs = ::alembert::mechanisms::body_on_torus::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::body_on_torus::kNq;
   static constexpr int kNv = ::alembert::mechanisms::body_on_torus::kNv;

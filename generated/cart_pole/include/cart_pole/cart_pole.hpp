@@ -24,6 +24,10 @@ namespace alembert::mechanisms::cart_pole {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::cart_pole::Coordinate;
+  using Speed = ::alembert::mechanisms::cart_pole::Speed;
+  using Body = ::alembert::mechanisms::cart_pole::Body;
+  using Wrench = ::alembert::mechanisms::cart_pole::Wrench;
   using Inputs = ::alembert::mechanisms::cart_pole::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::cart_pole::kNq;
   static constexpr int kNv = ::alembert::mechanisms::cart_pole::kNv;

@@ -24,6 +24,9 @@ namespace alembert::mechanisms::chain6r {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::chain6r::Coordinate;
+  using Speed = ::alembert::mechanisms::chain6r::Speed;
+  using Body = ::alembert::mechanisms::chain6r::Body;
   using Inputs = ::alembert::mechanisms::chain6r::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::chain6r::kNq;
   static constexpr int kNv = ::alembert::mechanisms::chain6r::kNv;

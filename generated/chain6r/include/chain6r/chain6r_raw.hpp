@@ -62,14 +62,19 @@ inline constexpr ::std::array<double, kNq> kUpperLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
+/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
+/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+struct Coordinate { enum : int { q1 = 0, q2 = 1, q3 = 2, q4 = 3, q5 = 4, q6 = 5 }; };
+struct Speed { enum : int { q1 = 0, q2 = 1, q3 = 2, q4 = 3, q5 = 4, q6 = 5 }; };
+struct Body { enum : int {
+    link1 = 0, link2 = 1, link3 = 2, link4 = 3, link5 = 4, link6 = 5 }; };
+
 /// What the functions take besides the state.
 template <class S>
 struct Inputs {
   S t = S(0.0);  ///< time, s
-  /// Runtime parameters in SI units, in the order of kParameterNames; the values of the description unless changed.
-  ::std::array<S, kParameterCount> parameters = {};
-  /// Six per body of kWrenchBodyNames: force x y z at its centre of mass, N, and torque x y z, N m, both in world axes.
-  ::std::array<S, 6 * kWrenchCount> wrenches = {};
+  ::std::array<S, 0> parameters = {};  ///< there are no runtime parameters
+  ::std::array<S, 0> wrenches = {};  ///< no body takes an external wrench
 };
 
 // Arguments of the functions below; arrays must not overlap.

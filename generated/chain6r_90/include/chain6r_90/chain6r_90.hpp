@@ -24,6 +24,9 @@ namespace alembert::mechanisms::chain6r_90 {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::chain6r_90::Coordinate;
+  using Speed = ::alembert::mechanisms::chain6r_90::Speed;
+  using Body = ::alembert::mechanisms::chain6r_90::Body;
   using Inputs = ::alembert::mechanisms::chain6r_90::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::chain6r_90::kNq;
   static constexpr int kNv = ::alembert::mechanisms::chain6r_90::kNv;

@@ -13,9 +13,8 @@ Arguments; arrays must not overlap:
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
-  wrenches    [0 x 6] per body of double_pendulum_wrench_body_names the force x y z at its centre of mass, N, and the torque
-              x y z, N m, both in world axes; NULL for none
+  parameters  NULL: there are no runtime parameters
+  wrenches    NULL: no body takes an external wrench
 
 Angles are in rad and lengths in m.
 */
@@ -103,8 +102,8 @@ int double_pendulum_energy(const double* q, const double* qd, double t, const do
                            const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [2 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [2 x 3 x 4], row by row: for each body of double_pendulum_body_names the matrix [R p]: the columns of R are
+     the body's axes, p is its origin, m.
    Operations: 6 multiplications, 2 additions, 4 sin/cos/tan (reduced formulation; relative error 9.5e-17 where it was measured).
  */
 int double_pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);

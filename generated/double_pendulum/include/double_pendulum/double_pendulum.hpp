@@ -24,6 +24,9 @@ namespace alembert::mechanisms::double_pendulum {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::double_pendulum::Coordinate;
+  using Speed = ::alembert::mechanisms::double_pendulum::Speed;
+  using Body = ::alembert::mechanisms::double_pendulum::Body;
   using Inputs = ::alembert::mechanisms::double_pendulum::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::double_pendulum::kNq;
   static constexpr int kNv = ::alembert::mechanisms::double_pendulum::kNv;

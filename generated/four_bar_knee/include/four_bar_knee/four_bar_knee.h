@@ -13,7 +13,7 @@ Arguments; arrays must not overlap:
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of four_bar_knee_wrench_body_names the force x y z at its centre of mass, N, and the torque
               x y z, N m, both in world axes; NULL for none
 
@@ -103,22 +103,22 @@ int four_bar_knee_energy(const double* q, const double* qd, double t, const doub
                          const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [2 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [2 x 3 x 4], row by row: for each body of four_bar_knee_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 18 multiplications, 14 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
  */
 int four_bar_knee_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
 /* Poses of the named frames in the world.
-   F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
-     axes, p is its origin, m.
+   F [1 x 3 x 4], row by row: for each frame of four_bar_knee_frame_names the matrix [R p]: the columns of R are
+     the frame's axes, p is its origin, m.
    Operations: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
  */
 int four_bar_knee_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
 /* Geometric Jacobians of the named frames, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
-   J [1 x 6 x 2], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
+   J [1 x 6 x 2], row by row: for each frame of four_bar_knee_frame_names 6 rows: 3 angular, then 3 linear.
    Operations: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
  */
 int four_bar_knee_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,

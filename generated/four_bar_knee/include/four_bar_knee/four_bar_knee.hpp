@@ -24,6 +24,11 @@ namespace alembert::mechanisms::four_bar_knee {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::four_bar_knee::Coordinate;
+  using Speed = ::alembert::mechanisms::four_bar_knee::Speed;
+  using Body = ::alembert::mechanisms::four_bar_knee::Body;
+  using Frame = ::alembert::mechanisms::four_bar_knee::Frame;
+  using Wrench = ::alembert::mechanisms::four_bar_knee::Wrench;
   using Inputs = ::alembert::mechanisms::four_bar_knee::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::four_bar_knee::kNq;
   static constexpr int kNv = ::alembert::mechanisms::four_bar_knee::kNv;

@@ -13,7 +13,7 @@ Arguments; arrays must not overlap:
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of free_body_wrench_body_names the force x y z at its centre of mass, N, and the torque
               x y z, N m, both in world axes; NULL for none
 
@@ -103,22 +103,22 @@ int free_body_energy(const double* q, const double* qd, double t, const double* 
                      double* e);
 
 /* Poses of the bodies in the world.
-   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [1 x 3 x 4], row by row: for each body of free_body_body_names the matrix [R p]: the columns of R are the
+     body's axes, p is its origin, m.
    Operations: 9 multiplications, 21 additions (reduced formulation; relative error 2.9e-16 where it was measured).
  */
 int free_body_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
 /* Poses of the named frames in the world.
-   F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
-     axes, p is its origin, m.
+   F [1 x 3 x 4], row by row: for each frame of free_body_frame_names the matrix [R p]: the columns of R are the
+     frame's axes, p is its origin, m.
    Operations: 15 multiplications, 27 additions (reduced formulation; relative error 2.9e-16 where it was measured).
  */
 int free_body_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
 /* Geometric Jacobians of the named frames, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
-   J [1 x 6 x 6], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
+   J [1 x 6 x 6], row by row: for each frame of free_body_frame_names 6 rows: 3 angular, then 3 linear.
    Operations: 48 multiplications, 41 additions (reduced formulation; relative error 4.5e-16 where it was measured).
  */
 int free_body_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);

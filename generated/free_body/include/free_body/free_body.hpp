@@ -24,6 +24,11 @@ namespace alembert::mechanisms::free_body {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::free_body::Coordinate;
+  using Speed = ::alembert::mechanisms::free_body::Speed;
+  using Body = ::alembert::mechanisms::free_body::Body;
+  using Frame = ::alembert::mechanisms::free_body::Frame;
+  using Wrench = ::alembert::mechanisms::free_body::Wrench;
   using Inputs = ::alembert::mechanisms::free_body::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::free_body::kNq;
   static constexpr int kNv = ::alembert::mechanisms::free_body::kNv;

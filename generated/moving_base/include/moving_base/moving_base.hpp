@@ -24,6 +24,9 @@ namespace alembert::mechanisms::moving_base {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::moving_base::Coordinate;
+  using Speed = ::alembert::mechanisms::moving_base::Speed;
+  using Body = ::alembert::mechanisms::moving_base::Body;
   using Inputs = ::alembert::mechanisms::moving_base::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::moving_base::kNq;
   static constexpr int kNv = ::alembert::mechanisms::moving_base::kNv;

@@ -24,6 +24,9 @@ namespace alembert::mechanisms::pendulum {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::pendulum::Coordinate;
+  using Speed = ::alembert::mechanisms::pendulum::Speed;
+  using Body = ::alembert::mechanisms::pendulum::Body;
   using Inputs = ::alembert::mechanisms::pendulum::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::pendulum::kNq;
   static constexpr int kNv = ::alembert::mechanisms::pendulum::kNv;

@@ -13,9 +13,8 @@ Arguments; arrays must not overlap:
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
-  wrenches    [0 x 6] per body of puma560_wrench_body_names the force x y z at its centre of mass, N, and the torque
-              x y z, N m, both in world axes; NULL for none
+  parameters  NULL: there are no runtime parameters
+  wrenches    NULL: no body takes an external wrench
 
 Angles are in rad and lengths in m.
 */
@@ -105,22 +104,22 @@ int puma560_energy(const double* q, const double* qd, double t, const double* pa
                    double* e);
 
 /* Poses of the bodies in the world.
-   W [6 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [6 x 3 x 4], row by row: for each body of puma560_body_names the matrix [R p]: the columns of R are the body's
+     axes, p is its origin, m.
    Operations: 63 multiplications, 30 additions, 12 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
  */
 int puma560_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
 /* Poses of the named frames in the world.
-   F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
-     axes, p is its origin, m.
+   F [1 x 3 x 4], row by row: for each frame of puma560_frame_names the matrix [R p]: the columns of R are the
+     frame's axes, p is its origin, m.
    Operations: 64 multiplications, 33 additions, 12 sin/cos/tan (reduced formulation; relative error 2.5e-16 where it was measured).
  */
 int puma560_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
 /* Geometric Jacobians of the named frames, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
-   J [1 x 6 x 6], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
+   J [1 x 6 x 6], row by row: for each frame of puma560_frame_names 6 rows: 3 angular, then 3 linear.
    Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
  */
 int puma560_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches, double* J);

@@ -24,6 +24,10 @@ namespace alembert::mechanisms::puma560 {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::puma560::Coordinate;
+  using Speed = ::alembert::mechanisms::puma560::Speed;
+  using Body = ::alembert::mechanisms::puma560::Body;
+  using Frame = ::alembert::mechanisms::puma560::Frame;
   using Inputs = ::alembert::mechanisms::puma560::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::puma560::kNq;
   static constexpr int kNv = ::alembert::mechanisms::puma560::kNv;

@@ -24,6 +24,10 @@ namespace alembert::mechanisms::rolling_wheels {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::rolling_wheels::Coordinate;
+  using Speed = ::alembert::mechanisms::rolling_wheels::Speed;
+  using Body = ::alembert::mechanisms::rolling_wheels::Body;
+  using Wrench = ::alembert::mechanisms::rolling_wheels::Wrench;
   using Inputs = ::alembert::mechanisms::rolling_wheels::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::rolling_wheels::kNq;
   static constexpr int kNv = ::alembert::mechanisms::rolling_wheels::kNv;

@@ -24,6 +24,10 @@ namespace alembert::mechanisms::runtime_parameters {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::runtime_parameters::Coordinate;
+  using Speed = ::alembert::mechanisms::runtime_parameters::Speed;
+  using Body = ::alembert::mechanisms::runtime_parameters::Body;
+  using Parameter = ::alembert::mechanisms::runtime_parameters::Parameter;
   using Inputs = ::alembert::mechanisms::runtime_parameters::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::runtime_parameters::kNq;
   static constexpr int kNv = ::alembert::mechanisms::runtime_parameters::kNv;

@@ -13,7 +13,7 @@ Arguments; arrays must not overlap:
   qdd         [3] rates of the speeds
   tau         [3] generalized forces: N m for a speed in rad/s, N for one in m/s
   t           time, s
-  parameters  [0] runtime parameters in SI units; NULL for the values of the description
+  parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of spherical_pendulum_wrench_body_names the force x y z at its centre of mass, N, and the torque
               x y z, N m, both in world axes; NULL for none
 
@@ -104,8 +104,8 @@ int spherical_pendulum_energy(const double* q, const double* qd, double t, const
                               const double* wrenches, double* e);
 
 /* Poses of the bodies in the world.
-   W [1 x 3 x 4], row by row: for each body of kBodyNames the matrix [R p]: the columns of R are the body's axes, p
-     is its origin, m.
+   W [1 x 3 x 4], row by row: for each body of spherical_pendulum_body_names the matrix [R p]: the columns of R are
+     the body's axes, p is its origin, m.
    Operations: 9 multiplications, 21 additions (reduced formulation; relative error 2e-16 where it was measured).
  */
 int spherical_pendulum_body_poses(const double* q, double t, const double* parameters, const double* wrenches,

@@ -24,6 +24,10 @@ namespace alembert::mechanisms::spherical_pendulum {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::spherical_pendulum::Coordinate;
+  using Speed = ::alembert::mechanisms::spherical_pendulum::Speed;
+  using Body = ::alembert::mechanisms::spherical_pendulum::Body;
+  using Wrench = ::alembert::mechanisms::spherical_pendulum::Wrench;
   using Inputs = ::alembert::mechanisms::spherical_pendulum::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::spherical_pendulum::kNq;
   static constexpr int kNv = ::alembert::mechanisms::spherical_pendulum::kNv;

@@ -24,6 +24,9 @@ namespace alembert::mechanisms::stanford {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::stanford::Coordinate;
+  using Speed = ::alembert::mechanisms::stanford::Speed;
+  using Body = ::alembert::mechanisms::stanford::Body;
   using Inputs = ::alembert::mechanisms::stanford::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::stanford::kNq;
   static constexpr int kNv = ::alembert::mechanisms::stanford::kNv;

@@ -24,6 +24,9 @@ namespace alembert::mechanisms::tori_mated {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::tori_mated::Coordinate;
+  using Speed = ::alembert::mechanisms::tori_mated::Speed;
+  using Body = ::alembert::mechanisms::tori_mated::Body;
   using Inputs = ::alembert::mechanisms::tori_mated::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::tori_mated::kNq;
   static constexpr int kNv = ::alembert::mechanisms::tori_mated::kNv;

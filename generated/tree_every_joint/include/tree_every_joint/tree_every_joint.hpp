@@ -24,6 +24,11 @@ namespace alembert::mechanisms::tree_every_joint {
 template <class S = double>
 struct Mechanism {
   using Scalar = S;
+  using Coordinate = ::alembert::mechanisms::tree_every_joint::Coordinate;
+  using Speed = ::alembert::mechanisms::tree_every_joint::Speed;
+  using Body = ::alembert::mechanisms::tree_every_joint::Body;
+  using Frame = ::alembert::mechanisms::tree_every_joint::Frame;
+  using Wrench = ::alembert::mechanisms::tree_every_joint::Wrench;
   using Inputs = ::alembert::mechanisms::tree_every_joint::Inputs<S>;
   static constexpr int kNq = ::alembert::mechanisms::tree_every_joint::kNq;
   static constexpr int kNv = ::alembert::mechanisms::tree_every_joint::kNv;

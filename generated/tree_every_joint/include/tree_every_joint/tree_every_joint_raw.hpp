@@ -87,12 +87,24 @@ inline constexpr ::std::array<double, kNq> kUpperLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 2> kQuaternionOffsets = {{3, 17}};
 
+/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
+/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+struct Coordinate { enum : int {
+    x = 0, y = 1, z = 2, attitude = 3, shoulder = 7, slide = 8, screw = 9, twist = 10, reach = 11, pitch = 12,
+    roll = 13, px = 14, py = 15, pa = 16, ball = 17, bend = 21 }; };
+struct Speed { enum : int {
+    x = 0, y = 1, z = 2, attitude = 3, shoulder = 6, slide = 7, screw = 8, twist = 9, reach = 10, pitch = 11,
+    roll = 12, px = 13, py = 14, pa = 15, ball = 16, bend = 19 }; };
+struct Body { enum : int {
+    trunk = 0, arm = 1, piston = 2, drill = 3, tube = 4, gimbal = 5, slab = 6, hand = 7, finger = 8, thumb = 9 }; };
+struct Frame { enum : int { drill_tip = 0 }; };
+struct Wrench { enum : int { trunk = 0, drill = 1 }; };
+
 /// What the functions take besides the state.
 template <class S>
 struct Inputs {
   S t = S(0.0);  ///< time, s
-  /// Runtime parameters in SI units, in the order of kParameterNames; the values of the description unless changed.
-  ::std::array<S, kParameterCount> parameters = {};
+  ::std::array<S, 0> parameters = {};  ///< there are no runtime parameters
   /// Six per body of kWrenchBodyNames: force x y z at its centre of mass, N, and torque x y z, N m, both in world axes.
   ::std::array<S, 6 * kWrenchCount> wrenches = {};
 };
