@@ -15,74 +15,19 @@
 #include <new>
 #include <utility>
 
-#include "commands/commands.hpp"
+#include "commands/common_options.hpp"
+#include "commands/run_check.hpp"
+#include "commands/run_evaluate.hpp"
+#include "commands/run_generate.hpp"
+#include "commands/run_import.hpp"
+#include "commands/run_report.hpp"
+#include "commands/run_simulate.hpp"
+#include "commands/warnings.hpp"
 #include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
 #include "import/importers.hpp"
-#include "mechanism/load.hpp"
 
 namespace alembert {
-
-CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
-                          Inapplicable inapplicable) {
-  CompileOptions options;
-  options.inapplicable = inapplicable;
-  options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
-  options.formulation = common.formulation;
-  options.passes = common.passes;
-  options.loop_operations = common.loop_operations;
-  options.loop_results = common.loop_results;
-  options.functions = std::move(functions);
-  if (common.verbose) options.talk = &std::cerr;
-  if (!common.dump_stage.empty()) {
-    options.dump = &std::cout;
-    options.dump_stage = common.dump_stage;
-  }
-  return compile_mechanism(read_source(common.file), options);
-}
-
-FunctionChoice function_choice(const std::vector<std::string>& names) {
-  FunctionChoice choice;
-  if (names == std::vector<std::string>{"all"}) {
-    for (const OutputFunction& row : kOutputFunctions) choice.kinds.emplace_back(row);
-    choice.inapplicable = Inapplicable::leave_out;
-    return choice;
-  }
-  std::vector<std::string> known;
-  for (const OutputFunction& row : kOutputFunctions) known.emplace_back(row.name);
-  for (const std::string& name : names) {
-    const SourceLocation here{std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1};
-    const OutputFunction* row = find_function(name);
-    if (row == nullptr)
-      throw InputError(here, "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
-    const FunctionKind kind(*row);
-    if (std::ranges::find(choice.kinds, kind) != choice.kinds.end())
-      throw InputError(here, name + " is given twice");
-    choice.kinds.push_back(kind);
-  }
-  return choice;
-}
-
-std::string function_list() {
-  std::string out = "Output functions; * marks those that `generate` writes unless told otherwise.\n";
-  for (const auto& [topic, title] : {std::pair(Topic::dynamics, "Dynamics"),
-                                     {Topic::kinematics, "Kinematics"},
-                                     {Topic::derivatives, "Derivatives"}}) {
-    out += fmt::format("\n{}\n", title);
-    for (const OutputFunction& row : kOutputFunctions) {
-      if (row.topic != topic) continue;
-      std::string arguments;
-      for (const ArgumentKind kind : row.arguments)
-        arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", array_name(kind));
-      std::string results;
-      for (const ResultArray& result : row.results)
-        results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
-      out += fmt::format("{} {}({}) -> {}\n      {}\n", row.by_default ? "*" : " ", row.name, arguments,
-                         results, row.summary);
-    }
-  }
-  return out;
-}
 
 namespace {
 

@@ -12,11 +12,20 @@
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/function_builders.hpp"
+#include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
 #include "mechanism/extreme_number.hpp"
 #include "mechanism/load.hpp"
-#include "program/passes.hpp"
-#include "symbolic/passes.hpp"
+#include "program/count.hpp"
+#include "program/dump.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/loops/reroll.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
+#include "program/verify/verify.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "dynamics/checks/certificate.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
+#include "program/count.hpp"
 #include "program/program.hpp"
 #include "support/error.hpp"
 

@@ -1,8 +1,8 @@
 // Warnings in, diagnostics on standard error out.
+#include "commands/warnings.hpp"
+
 #include <span>
 #include <string>
-
-#include "commands/commands.hpp"
 
 namespace alembert {
 

@@ -1,13 +1,15 @@
 // D* (Guenter, "Efficient symbolic differentiation for graphics applications", 2007). In: roots and
 // variables. Out: the Jacobian, from the derivative graph factored until every entry is one product.
+#include "differentiation/d_star.hpp"
+
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/factoring.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/labelled_graph.hpp"
 #include "differentiation/path_comparison.hpp"
 #include "differentiation/products.hpp"
+#include "differentiation/reverse.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

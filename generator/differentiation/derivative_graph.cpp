@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "differentiation/partials.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
@@ -40,7 +40,7 @@ DerivativeGraph derivative_graph(std::span<const Expr> roots, std::span<const Ex
   std::vector<bool> is_variable(size, false);
   for (const Expr& variable : variables) {
     const std::uint32_t id = variable.ref().node();
-    if (variable.ref().negative() || graph.node(id).op != Op::symbol)
+    if (variable.ref().negative() || graph.node(id).op != Operation::symbol)
       throw std::invalid_argument("jacobian: a variable must be a symbol");
     if (is_variable[id]) throw std::invalid_argument("jacobian: a variable is repeated");
     is_variable[id] = true;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "support/error.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {

@@ -1,5 +1,7 @@
 // Forward mode. In: roots and variables. Out: the Jacobian, one column a sweep: the tangent of every node
 // with respect to one variable, children before parents.
+#include "differentiation/forward.hpp"
+
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/jacobian.hpp"
 

@@ -4,7 +4,11 @@
 
 #include <utility>
 
-#include "symbolic/passes.hpp"
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
+#include "differentiation/reverse.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 

@@ -12,7 +12,7 @@
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/dominators.hpp"
 #include "differentiation/pair_set.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 

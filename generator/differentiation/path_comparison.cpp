@@ -5,7 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
@@ -23,12 +26,12 @@ bool is_exact(const ExprGraph& expressions, std::span<const Expr> roots) {
   std::unordered_map<std::uint32_t, bool> has_root;  // node -> there is a square root in it
   for (const std::uint32_t id : postorder(roots)) {
     const Node& node = expressions.node(id);
-    if (node.op == Op::real || node.op == Op::abs || node.op == Op::sign) return false;
+    if (node.op == Operation::real || node.op == Operation::abs || node.op == Operation::sign) return false;
     bool below = false;
     if (node.arity() >= 1) below = has_root[node.a.node()];
     if (node.arity() >= 2) below = has_root[node.b.node()] || below;
-    if (node.op == Op::sqrt && (below || node.constant)) return false;
-    has_root[id] = below || node.op == Op::sqrt;
+    if (node.op == Operation::sqrt && (below || node.constant)) return false;
+    has_root[id] = below || node.op == Operation::sqrt;
   }
   return true;
 }

@@ -1,5 +1,7 @@
 // Reverse mode. In: roots and variables. Out: the Jacobian, one row a sweep: the adjoint of every node, that
 // is the derivative of one root with respect to it, parents before children.
+#include "differentiation/reverse.hpp"
+
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/jacobian.hpp"
 

@@ -4,11 +4,15 @@
 #include <algorithm>
 
 #include "dynamics/choice/force_derivatives.hpp"
+#include "dynamics/recursions/articulated_bodies.hpp"
 #include "dynamics/recursions/constraints.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/outputs.hpp"
+#include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 

@@ -7,7 +7,7 @@
 
 #include "dynamics/equations.hpp"
 #include "functions/function_table.hpp"
-#include "program/passes.hpp"
+#include "program/lower.hpp"
 
 namespace alembert {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "emit/names.hpp"
+#include "emit/common_slots.hpp"
 #include "emit/statements/literals.hpp"
 #include "mechanism/names.hpp"
 

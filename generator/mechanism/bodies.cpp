@@ -1,11 +1,15 @@
 // Sections `bodies` and `frames`: lists of mappings in, bodies ordered parents first and frames out.
+#include "mechanism/bodies.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
+#include "mechanism/geometry.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/transform_checks.hpp"
 #include "mechanism/transforms.hpp"
 
 namespace alembert {

@@ -1,5 +1,7 @@
 // Section `coordinates`: list of names or mappings in, coordinates with indices, symbols and initial values
 // out.
+#include "mechanism/coordinates.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>

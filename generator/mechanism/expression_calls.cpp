@@ -14,31 +14,10 @@ namespace {
 
 constexpr std::size_t kMaximumKnots = 1000;
 
-struct Function {
-  std::string_view name;
-  Expr (*build)(Expr);
-  double (*value)(double);
-};
-// Indirections, because overload sets have no address.
-constexpr Function kFunctions[] = {
-    {"sin", [](Expr x) { return sin(x); }, [](double x) { return std::sin(x); }},
-    {"cos", [](Expr x) { return cos(x); }, [](double x) { return std::cos(x); }},
-    {"tan", [](Expr x) { return tan(x); }, [](double x) { return std::tan(x); }},
-    {"asin", [](Expr x) { return asin(x); }, [](double x) { return std::asin(x); }},
-    {"acos", [](Expr x) { return acos(x); }, [](double x) { return std::acos(x); }},
-    {"atan", [](Expr x) { return atan(x); }, [](double x) { return std::atan(x); }},
-    {"sqrt", [](Expr x) { return sqrt(x); }, [](double x) { return std::sqrt(x); }},
-    {"exp", [](Expr x) { return exp(x); }, [](double x) { return std::exp(x); }},
-    {"log", [](Expr x) { return log(x); }, [](double x) { return std::log(x); }},
-    {"abs", [](Expr x) { return abs(x); }, [](double x) { return std::abs(x); }},
-    {"sinh", [](Expr x) { return sinh(x); }, [](double x) { return std::sinh(x); }},
-    {"cosh", [](Expr x) { return cosh(x); }, [](double x) { return std::cosh(x); }},
-    {"tanh", [](Expr x) { return tanh(x); }, [](double x) { return std::tanh(x); }},
-};
-
 std::vector<std::string> function_names() {
-  std::vector<std::string> names = {"atan2", "position"};
-  for (const Function& function : kFunctions) names.emplace_back(function.name);
+  std::vector<std::string> names = {"position"};
+  for (const OperationFacts& row : kOperationFacts)
+    if (row.in_language) names.emplace_back(row.name);
   return names;
 }
 
@@ -75,21 +54,15 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   }
   const Operand& x = arguments[0];
   try {
-    if (function == "atan2") {
-      if (x.value.initial == 0 && arguments[1].value.initial == 0)
-        throw error(reading, token.begin,
-                    fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
-                                out.value.dependence == Dependence::none ? "" : " at the initial state"));
-      out.value.initial = std::atan2(x.value.initial, arguments[1].value.initial);
-      out.value.expr = atan2(x.value.expr, arguments[1].value.expr);
-    } else {
-      check_call(reading, function, x, out);
-      for (const Function& f : kFunctions)
-        if (f.name == function) {
-          out.value.initial = f.value(x.value.initial);
-          out.value.expr = f.build(x.value.expr);
-        }
-    }
+    const Operand& y = arguments.back();
+    if (function == "atan2" && x.value.initial == 0 && y.value.initial == 0)
+      throw error(reading, token.begin,
+                  fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
+                              out.value.dependence == Dependence::none ? "" : " at the initial state"));
+    check_call(reading, function, x, out);
+    const Operation op = *function_called(function);
+    out.value.initial = apply(op, x.value.initial, y.value.initial);
+    out.value.expr = apply(op, x.value.expr, y.value.expr);
   } catch (const std::domain_error&) {
     throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }

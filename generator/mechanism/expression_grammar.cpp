@@ -305,17 +305,25 @@ std::vector<PostfixToken> parse_expression(std::string_view text) {
   return std::move(state.postfix);
 }
 
+std::optional<Operation> function_called(std::string_view name) {
+  for (const OperationFacts& row : kOperationFacts)
+    if (row.in_language && row.name == name) return row.operation;
+  return std::nullopt;
+}
+
 int function_arity(std::string_view name) {
-  if (name == "atan2") return 2;
-  const std::vector<std::string>& names = reserved_names();
-  const bool reserved = std::find(names.begin(), names.end(), name) != names.end();
-  return reserved && name != "pi" && name != "t" && name != "spline" ? 1 : 0;
+  const std::optional<Operation> function = function_called(name);
+  return function ? operand_count(*function) : 0;
 }
 
 const std::vector<std::string>& reserved_names() {
-  static const std::vector<std::string> names = {"sin",   "cos",  "tan",    "asin", "acos", "atan",
-                                                 "atan2", "sqrt", "exp",    "log",  "abs",  "sinh",
-                                                 "cosh",  "tanh", "spline", "pi",   "t"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const OperationFacts& row : kOperationFacts)
+      if (row.in_language) all.emplace_back(row.name);
+    all.insert(all.end(), {"spline", "pi", "t"});
+    return all;
+  }();
   return names;
 }
 

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "support/operation.hpp"
 
 namespace alembert {
 
@@ -51,7 +54,9 @@ inline constexpr std::size_t kMaximumExpressionLength = std::size_t{1} << 20;
 /// Throws SyntaxError.
 std::vector<PostfixToken> parse_expression(std::string_view text);
 
-/// Functions an expression may call, and how many arguments they take (0: no such function).
+/// The function that an expression may call by this name, if there is one.
+std::optional<Operation> function_called(std::string_view name);
+/// How many arguments it takes; 0: there is no such function.
 int function_arity(std::string_view name);
 /// Names that mean something in every description: functions, `pi` and `t`.
 const std::vector<std::string>& reserved_names();

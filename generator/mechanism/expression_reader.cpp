@@ -16,7 +16,7 @@ namespace {
 /// The rational that an expression is, if it is one.
 std::optional<Rational> as_rational(const Expr& x) {
   const Node& node = x.graph().node(x.ref().node());
-  if (node.op != Op::rational) return std::nullopt;
+  if (node.op != Operation::rational) return std::nullopt;
   Rational value = x.graph().rational_value(x.ref().node());
   if (x.ref().negative()) value.numerator = -value.numerator;
   return value;

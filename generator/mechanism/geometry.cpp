@@ -1,4 +1,6 @@
 // Section `geometry` of a body: list of shapes in, shapes with checked sizes out.
+#include "mechanism/geometry.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,6 +8,7 @@
 
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/transform_checks.hpp"
 #include "mechanism/transforms.hpp"
 
 namespace alembert {

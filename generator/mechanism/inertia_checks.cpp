@@ -1,5 +1,7 @@
 // Inertias that no body can have: bodies in, warnings out. Bodies that are fixed together are judged as one,
 // since many files spread the inertia of one over several, and only the sum counts.
+#include "mechanism/inertia_checks.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -11,8 +13,9 @@
 
 #include "mechanism/loading.hpp"
 #include "mechanism/symbols_below.hpp"
+#include "mechanism/transform_checks.hpp"
 #include "mechanism/transforms.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 namespace {

@@ -1,10 +1,13 @@
 // Joints: names for common products of factors.
+#include "mechanism/joints.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
+#include "mechanism/coordinates.hpp"
 #include "mechanism/section.hpp"
 #include "mechanism/transforms.hpp"
 

@@ -3,10 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/bodies.hpp"
+#include "mechanism/constraint_reader.hpp"
+#include "mechanism/coordinates.hpp"
 #include "mechanism/document.hpp"
+#include "mechanism/inertia_checks.hpp"
 #include "mechanism/loading.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/transform_checks.hpp"
 
 namespace alembert {
 namespace {

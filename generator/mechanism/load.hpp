@@ -12,10 +12,6 @@
 
 namespace alembert {
 
-/// Reads a whole file (`-`: standard input). Throws InputError at 1:1 if it cannot be read, is a directory,
-/// is empty or is over 16 MiB.
-std::shared_ptr<const SourceText> read_source(const std::string& path);
-
 /// Parses and checks a description (mechanisms/README.md: all checks that need no equations of motion).
 /// Expressions are made in `graph`. Throws InputError with the place of what is wrong.
 Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph);

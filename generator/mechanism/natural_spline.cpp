@@ -8,15 +8,15 @@ namespace {
 
 /// The constant as a rational or a double, so that arithmetic with it folds to one number.
 Expr folded(const ConstantNumber& number) {
-  const Op op = number.expr.graph().node(number.expr.ref().node()).op;
-  return op == Op::rational ? number.expr : number.expr.graph().real(number.value);
+  const Operation op = number.expr.graph().node(number.expr.ref().node()).op;
+  return op == Operation::rational ? number.expr : number.expr.graph().real(number.value);
 }
 
 double number_of(const Expr& x) {
   const ExprGraph& graph = x.graph();
   const std::uint32_t id = x.ref().node();
   const double magnitude =
-      graph.node(id).op == Op::rational ? graph.rational_value(id).to_double() : graph.real_value(id);
+      graph.node(id).op == Operation::rational ? graph.rational_value(id).to_double() : graph.real_value(id);
   return x.ref().negative() ? -magnitude : magnitude;
 }
 

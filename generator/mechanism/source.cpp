@@ -1,4 +1,6 @@
 // Stage `load`, first step: a path in, its text out, or an error at 1:1.
+#include "mechanism/source.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -24,7 +24,7 @@ SymbolsBelow::SymbolsBelow(const ExprGraph& graph, const Mechanism& mechanism)
 
   for (std::uint32_t id = 0; id < graph.size(); ++id) {
     const Node& node = graph.node(id);
-    if (node.op == Op::symbol) {
+    if (node.op == Operation::symbol) {
       kinds_[id] = kind_of[graph.symbol_index(id)];
       if (const int c = coordinate_of[graph.symbol_index(id)]; c >= 0) sets_[id].push_back(c);
       continue;

@@ -1,5 +1,7 @@
 // Checks of transforms that need values or dependences: that a matrix is a rotation, that no transform has
 // more than six speeds, and that every coordinate moves something.
+#include "mechanism/transform_checks.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +13,8 @@
 #include "mechanism/section.hpp"
 #include "mechanism/symbols_below.hpp"
 #include "mechanism/transforms.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanism/coordinates.hpp"
+#include "mechanism/joints.hpp"
 #include "mechanism/section.hpp"
-#include "symbolic/passes.hpp"
+#include "mechanism/transform_checks.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 namespace {

@@ -7,6 +7,9 @@
 
 namespace alembert {
 
+/// Reads a list of factors (transforms.cpp). `what` names it: `the transform of body 'arm'`.
+Transform read_transform(Loading& loading, const YamlNode& list, const std::string& what);
+
 /// A constant direction: a coordinate axis with a sign, or a unit vector.
 struct Axis {
   int coordinate_axis = 2;  ///< 0, 1, 2, or -1 if `direction` is none of them
@@ -21,16 +24,5 @@ Factor rotation_about(const Axis& axis, const Expr& angle, const SourceLocation&
 Factor shift_along(const Axis& axis, const Expr& distance, const SourceLocation& where);
 /// Rotation by a quaternion coordinate; a second use of it is an error.
 Factor rotation_by_quaternion(Loading& loading, const YamlNode& name, const std::string& what);
-
-/// Appends the factors that a joint stands for (joints.cpp).
-void append_joint(Loading& loading, const YamlNode& node, const std::string& what, Transform& transform);
-
-/// All expressions of a factor; those of a quaternion by its first symbol.
-std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
-/// Whether an expression has a symbol below it.
-bool depends_on(const Vec3& point, const Expr& symbol);
-/// Throws where a body's transform moves with more than six speeds, at a shape that moves in its body, and at
-/// a coordinate that moves no body.
-void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order);
 
 }  // namespace alembert

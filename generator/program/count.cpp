@@ -1,12 +1,13 @@
-// Stage `count`: program in, operation counts out, by the convention in program.hpp.
+// Stage `count`: program in, operation counts out, by the convention in the header.
+#include "program/count.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {
@@ -52,42 +53,25 @@ OperationCount count(const Program& program) {
   for (std::size_t i = 0; i < program.code.size(); ++i) {
     const Instruction& c = program.code[i];
     if (alone[i] != 0) continue;
-    switch (c.op) {
-      case Operation::constant:
-      case Operation::input:
-      case Operation::neg:
+    switch (facts(c.op).counted) {
+      case Counted::free:
         break;
-      case Operation::add:
-      case Operation::sub:
+      case Counted::add:
         if (angle[i] == 0 || (alone[c.a] == 0 && alone[c.b] == 0)) ++n.add;
         break;
-      case Operation::mul: {
+      case Counted::mul: {
         const double factor = std::max(magnitude(c.a), magnitude(c.b));
         if (factor == 1) break;
         ++(factor == 2 ? n.add : n.mul);
         break;
       }
-      case Operation::div:
+      case Counted::div:
         ++n.div;
         break;
-      case Operation::sin:
-      case Operation::cos:
-      case Operation::tan:
+      case Counted::trig:
         ++n.trig;
         break;
-      case Operation::sqrt:
-      case Operation::asin:
-      case Operation::acos:
-      case Operation::atan:
-      case Operation::atan2:
-      case Operation::exp:
-      case Operation::log:
-      case Operation::abs:
-      case Operation::sign:
-      case Operation::sinh:
-      case Operation::cosh:
-      case Operation::tanh:
-      case Operation::pow:
+      case Counted::other:
         ++n.other;
         break;
     }

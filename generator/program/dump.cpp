@@ -1,12 +1,13 @@
 // Stage `dump`: program in, text out, one instruction a line, for people and for comparing two programs.
+#include "program/dump.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
 #include <string>
 #include <string_view>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {
@@ -42,48 +43,23 @@ std::string dump(const Program& program) {
     const Instruction& c = program.code[i];
     const std::string_view name = operation_name(c.op);
     fmt::format_to(out, "t{} = ", i);
-    switch (c.op) {
-      case Operation::constant:
-        fmt::format_to(out, "{}", program.constants[c.a]);
-        break;
-      case Operation::input: {
-        const InputSlot& slot = program.inputs[c.a];
-        if (slot.kind == ArgumentKind::time)
-          fmt::format_to(out, "t");
-        else
-          fmt::format_to(out, "{}[{}]", argument_name(slot.kind), slot.index);
-        if (!slot.name.empty()) fmt::format_to(out, "  # {}", slot.name);
-        break;
-      }
-      case Operation::add:
-      case Operation::sub:
-      case Operation::mul:
-      case Operation::div:
-        fmt::format_to(out, "t{} {} t{}", c.a, name, c.b);
-        break;
-      case Operation::neg:
-        fmt::format_to(out, "-t{}", c.a);
-        break;
-      case Operation::atan2:
-      case Operation::pow:
-        fmt::format_to(out, "{}(t{}, t{})", name, c.a, c.b);
-        break;
-      case Operation::sqrt:
-      case Operation::sin:
-      case Operation::cos:
-      case Operation::tan:
-      case Operation::asin:
-      case Operation::acos:
-      case Operation::atan:
-      case Operation::exp:
-      case Operation::log:
-      case Operation::abs:
-      case Operation::sign:
-      case Operation::sinh:
-      case Operation::cosh:
-      case Operation::tanh:
-        fmt::format_to(out, "{}(t{})", name, c.a);
-        break;
+    if (c.op == Operation::constant) {
+      fmt::format_to(out, "{}", program.constants[c.a]);
+    } else if (c.op == Operation::input) {
+      const InputSlot& slot = program.inputs[c.a];
+      if (slot.kind == ArgumentKind::time)
+        fmt::format_to(out, "t");
+      else
+        fmt::format_to(out, "{}[{}]", argument_name(slot.kind), slot.index);
+      if (!slot.name.empty()) fmt::format_to(out, "  # {}", slot.name);
+    } else if (c.op == Operation::neg) {
+      fmt::format_to(out, "-t{}", c.a);
+    } else if (!is_call(c.op)) {
+      fmt::format_to(out, "t{} {} t{}", c.a, name, c.b);
+    } else if (operand_count(c.op) == 2) {
+      fmt::format_to(out, "{}(t{}, t{})", name, c.a, c.b);
+    } else {
+      fmt::format_to(out, "{}(t{})", name, c.a);
     }
     text += "\n";
   }

@@ -1,16 +1,17 @@
 // Stage `interpret`: a program and the values of its inputs in, the values of its outputs out. Every
 // instruction is one rounding to double, so that the result equals that of the compiled code bit for bit.
+#include "program/interpret.hpp"
+
 #include <cstddef>
 #include <string>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 
 void interpret(const Program& program, std::span<const double> inputs, std::span<double> outputs,
-               std::vector<double>& scratch, FunctionValue function) {
+               std::vector<double>& scratch) {
   std::size_t expected = 0;
   for (const OutputArray& output : program.outputs) expected += output.values.size();
   if (inputs.size() != program.inputs.size() || outputs.size() != expected)
@@ -26,10 +27,8 @@ void interpret(const Program& program, std::span<const double> inputs, std::span
       v[i] = program.constants[c.a];
     else if (c.op == Operation::input)
       v[i] = inputs[c.a];
-    else {
-      const double b = operand_count(c.op) == 2 ? v[c.b] : 0.0;
-      v[i] = function != nullptr && is_function(c.op) ? function(c.op, v[c.a], b) : apply(c.op, v[c.a], b);
-    }
+    else
+      v[i] = apply(c.op, v[c.a], operand_count(c.op) == 2 ? v[c.b] : 0.0);
   }
   std::size_t k = 0;
   for (const OutputArray& output : program.outputs)

@@ -4,17 +4,20 @@
 // Besides `verify` the only stage of this room that knows expressions. The order of everything follows
 // `postorder`, which is structural, so that the program does not depend on the order in which the expressions
 // were built.
+#include "program/lower.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "program/expression_operation.hpp"
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "program/sign_placement.hpp"
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "support/operation.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 namespace {
@@ -27,50 +30,27 @@ constexpr long double kCancellation = 0x1p-58L;
 long double fold(const ExprGraph& graph, std::uint32_t id, const std::vector<long double>& folded) {
   const Node& n = graph.node(id);
   const auto value = [&folded](Ref r) { return r.negative() ? -folded[r.node()] : folded[r.node()]; };
-  switch (n.op) {
-    case Op::rational: {
-      const Rational r = graph.rational_value(id);
-      return static_cast<long double>(r.numerator) / static_cast<long double>(r.denominator);
-    }
-    case Op::pi_multiple: {
-      const Rational r = graph.rational_value(id);
-      return std::numbers::pi_v<long double> * static_cast<long double>(r.numerator) /
-             static_cast<long double>(r.denominator);
-    }
-    case Op::real:
-      return graph.real_value(id);
-    case Op::add: {
-      const long double a = value(n.a), b = value(n.b), sum = a + b;
-      return std::abs(sum) < kCancellation * std::abs(a) ? 0 : sum;
-    }
-    case Op::symbol:
-    case Op::mul:
-    case Op::div:
-    case Op::sqrt:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::atan2:
-    case Op::exp:
-    case Op::log:
-    case Op::abs:
-    case Op::sign:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::pow:
-      break;
+  if (n.op == Operation::rational) {
+    const Rational r = graph.rational_value(id);
+    return static_cast<long double>(r.numerator) / static_cast<long double>(r.denominator);
   }
-  return apply(operation_of(n.op), value(n.a), n.arity() == 2 ? value(n.b) : 0.0L);
+  if (n.op == Operation::pi_multiple) {
+    const Rational r = graph.rational_value(id);
+    return std::numbers::pi_v<long double> * static_cast<long double>(r.numerator) /
+           static_cast<long double>(r.denominator);
+  }
+  if (n.op == Operation::real) return graph.real_value(id);
+  if (n.op == Operation::add) {
+    const long double a = value(n.a), b = value(n.b), sum = a + b;
+    return std::abs(sum) < kCancellation * std::abs(a) ? 0 : sum;
+  }
+  return apply(n.op, value(n.a), n.arity() == 2 ? value(n.b) : 0.0L);
 }
 
 double to_double(ExprGraph& graph, std::uint32_t id, long double folded) {
-  const Op op = graph.node(id).op;
+  const Operation op = graph.node(id).op;
   const double value =
-      op == Op::rational ? graph.rational_value(id).to_double() : static_cast<double>(folded);
+      op == Operation::rational ? graph.rational_value(id).to_double() : static_cast<double>(folded);
   if (!std::isfinite(value))
     throw InternalError("lower: the constant " + to_string(Expr(graph, Ref(id, false))) +
                         " has no finite value");
@@ -114,13 +94,13 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
       const Node& n = graph.node(id);
       if (n.constant) {
         folded[id] = fold(graph, id, folded);
-      } else if (n.op == Op::symbol) {
+      } else if (n.op == Operation::symbol) {
         const std::uint32_t index = graph.symbol_index(id);
         if (slot_of[index] == kNone)
           throw InternalError("lower: " + program.function + " depends on the symbol '" +
                               graph.symbol_name(index) + "', which no argument stands for");
         values[id] = program.graph.input(slot_of[index]);
-      } else if (n.op == Op::div && graph.node(n.b.node()).constant) {
+      } else if (n.op == Operation::div && graph.node(n.b.node()).constant) {
         // The reciprocal in extended precision, so that only its rounding to double is seen.
         const long double divisor = folded[n.b.node()];
         const double reciprocal = static_cast<double>(1 / divisor);
@@ -133,7 +113,7 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
       } else {
         const Value a = value_of(n.a);
         const Value b = n.arity() == 2 ? value_of(n.b) : Value();
-        values[id] = program.graph.make(operation_of(n.op), a, b);
+        values[id] = program.graph.make(n.op, a, b);
       }
     }
     for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -8,33 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace alembert {
+#include "support/operation.hpp"
 
-enum class Operation : std::uint8_t {
-  constant,  ///< constants[a]
-  input,     ///< inputs[a]
-  add,
-  sub,
-  mul,
-  div,
-  neg,
-  sqrt,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  atan2,
-  exp,
-  log,
-  abs,
-  sign,
-  sinh,
-  cosh,
-  tanh,
-  pow,
-};
+namespace alembert {
 
 /// No instruction, no node.
 inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -100,15 +76,6 @@ struct Program {
   std::vector<Loop> loops;                ///< to be written as such, see `reroll`; ascending, without overlap
   std::vector<DotProducts> dot_products;  ///< to be written as loops, see `gather_dot_products`
   std::uint32_t dot_product_code = 0;     ///< instructions that they are, the last ones of the code
-};
-
-/// Counting convention: subtractions are adds; negation and multiplication by +-1 are free; 2x is one add;
-/// divisions and sin/cos/tan are listed apart (a constant offset inside a sin/cos argument belongs to that
-/// call and counts nowhere else: sin(q + c) is one trig); everything that is computed from constants alone is
-/// folded. `other`: sqrt, exp, pow, ...
-struct OperationCount {
-  std::size_t mul = 0, add = 0, div = 0, trig = 0, other = 0;
-  std::size_t arithmetic() const { return mul + add; }
 };
 
 }  // namespace alembert

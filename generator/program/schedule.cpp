@@ -3,14 +3,15 @@
 // First come the sines and cosines that need no other function, with what their angles need: all of them can
 // be had from one vectorised call. The rest is in postorder from the outputs, which keeps the lives of values
 // short and beats breadth-first order by a fifth of the run time. sin and cos of one value stand together.
+#include "program/schedule.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -5,12 +5,14 @@
 // condition on the signs around it; a broken condition costs one negation. Two kinds of sweep lower the
 // number of broken conditions: from the outputs down, where a negation also moves to an operand at equal cost
 // (it may vanish in a difference or a constant below), and from the leaves up, where only gains count.
+#include "program/sign_placement.hpp"
+
 #include <bit>
 #include <unordered_map>
 #include <utility>
 
-#include "program/operation.hpp"
 #include "program/value_graph.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

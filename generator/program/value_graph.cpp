@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

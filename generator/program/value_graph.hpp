@@ -88,9 +88,4 @@ std::vector<std::uint32_t> use_counts(const ValueProgram& program, std::span<con
 /// Reads a program; dead instructions come along as nodes that nothing needs.
 ValueProgram to_values(const Program& program);
 
-/// Writes a program in `live_order`, choosing for each node whether it or its negative is computed so that
-/// few negations remain: -(a - b) becomes b - a, -(2.5*x) becomes -2.5*x, and products pass a sign to the
-/// factor that can take it.
-Program place_signs(const ValueProgram& program);
-
 }  // namespace alembert

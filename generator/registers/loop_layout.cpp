@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "program/operation.hpp"
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

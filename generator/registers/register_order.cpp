@@ -13,12 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "program/count.hpp"
+#include "program/interpret.hpp"
 #include "registers/list_schedule.hpp"
 #include "registers/order_search.hpp"
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

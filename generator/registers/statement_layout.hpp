@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/program.hpp"
 #include "registers/loop_layout.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 
@@ -33,18 +33,6 @@ inline Grain grain_over_packs(const Program& program) {
 }
 
 inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
-
-/// True for constants and inputs, which never have a statement.
-constexpr bool is_leaf(Operation op) {
-  return op == Operation::constant || op == Operation::input;
-}
-
-/// True for what is written as a call: sin(x), not a + b.
-constexpr bool is_call(Operation op) {
-  const bool has_operator = op == Operation::add || op == Operation::sub || op == Operation::mul ||
-                            op == Operation::div || op == Operation::neg;
-  return !is_leaf(op) && !has_operator;
-}
 
 /// Layout of one program: what is live, named, in which block, and where values cross.
 class StatementLayout {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
 
 namespace alembert {
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 
-#include "program/passes.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "program/interpret.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/optimize.hpp"
 
 namespace alembert {
 

@@ -48,46 +48,23 @@ SquareFactor square_factor(std::int64_t n) {
 
 }  // namespace
 
-Ref Builder::function(Op op, Ref x) {
+Ref Builder::function(Operation op, Ref x) {
   const Nested nested(*this);
-  switch (op) {
-    case Op::sqrt:
-      return square_root(x);
-    case Op::sin:
-      return sine(x);
-    case Op::cos:
-      return cosine(x);
-    case Op::tan:
-      return tangent(x);
-    case Op::asin:
-      return arcsine(x);
-    case Op::acos:
-      return arccosine(x);
-    case Op::atan:
-      return arctangent(x);
-    case Op::exp:
-      return exponential(x);
-    case Op::log:
-      return logarithm(x);
-    case Op::abs:
-      return absolute(x);
-    case Op::sign:
-      return signum(x);
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-      return hyperbolic(op, x);
-    case Op::rational:
-    case Op::pi_multiple:
-    case Op::real:
-    case Op::symbol:
-    case Op::add:
-    case Op::mul:
-    case Op::div:
-    case Op::atan2:
-    case Op::pow:
-      break;
-  }
+  // Those that have rules of their own.
+  struct Rule {
+    Operation op;
+    Ref (Builder::*make)(Ref);
+  };
+  static constexpr Rule kRules[] = {
+      {Operation::sqrt, &Builder::square_root}, {Operation::sin, &Builder::sine},
+      {Operation::cos, &Builder::cosine},       {Operation::tan, &Builder::tangent},
+      {Operation::asin, &Builder::arcsine},     {Operation::acos, &Builder::arccosine},
+      {Operation::atan, &Builder::arctangent},  {Operation::exp, &Builder::exponential},
+      {Operation::log, &Builder::logarithm},    {Operation::abs, &Builder::absolute},
+      {Operation::sign, &Builder::signum}};
+  for (const Rule& rule : kRules)
+    if (rule.op == op) return (this->*rule.make)(x);
+  if (is_call(op) && operand_count(op) == 1) return any_function(op, x);
   throw std::logic_error("not a function of one operand");
 }
 
@@ -97,13 +74,13 @@ Ref Builder::root_of_rational(Rational x) {
   if (!whole) {
     const std::int64_t n = integer_root(x.numerator), d = integer_root(x.denominator);
     if (n * n == x.numerator && d * d == x.denominator) return number(Rational(n, d));
-    return intern(Op::sqrt, number(x), Ref());
+    return intern(Operation::sqrt, number(x), Ref());
   }
   const SquareFactor found = square_factor(whole->numerator);
   const auto outside = make_rational(found.square, x.denominator);
   const Ref factor = number(*outside);
   if (found.rest == 1) return factor;
-  const Ref root = intern(Op::sqrt, number(found.rest), Ref());
+  const Ref root = intern(Operation::sqrt, number(found.rest), Ref());
   return product(factor, root);
 }
 
@@ -112,11 +89,11 @@ Ref Builder::square_root(Ref x) {
   if (constant(x)) {
     if (graph.bounds(x).upper < 0) not_defined("square root of a negative constant");
     if (rational(x)) return root_of_rational(rational_of(x));
-    if (op(x) == Op::real) return real(std::sqrt(numeric_value(x)));
+    if (op(x) == Operation::real) return real(std::sqrt(numeric_value(x)));
   }
   const Node n = node(x);
-  if (x.negative() || too_deep()) return intern(Op::sqrt, x, Ref());
-  if (n.op == Op::mul) {
+  if (x.negative() || too_deep()) return intern(Operation::sqrt, x, Ref());
+  if (n.op == Operation::mul) {
     if (n.a == n.b) return absolute(n.a);
     if (constant(n.a) && graph.bounds(n.a).lower > 0) {
       const Ref outside = square_root(n.a);
@@ -125,23 +102,23 @@ Ref Builder::square_root(Ref x) {
     }
     for (const bool first : {true, false}) {
       const Ref square = first ? n.a : n.b, rest = first ? n.b : n.a;
-      if (op(square) != Op::mul || node(square).a != node(square).b) continue;
+      if (op(square) != Operation::mul || node(square).a != node(square).b) continue;
       const Ref outside = absolute(node(square).a);
-      const Ref inside = function(Op::sqrt, rest);
+      const Ref inside = function(Operation::sqrt, rest);
       return product(outside, inside);
     }
   }
-  if (n.op == Op::div) {
-    const bool square_below = op(n.b) == Op::mul && node(n.b).a == node(n.b).b;
+  if (n.op == Operation::div) {
+    const bool square_below = op(n.b) == Operation::mul && node(n.b).a == node(n.b).b;
     const bool number_above = rational(n.a);
     if (square_below || (number_above && n.a != kOne)) {
-      const Ref above = function(Op::sqrt, n.a);
+      const Ref above = function(Operation::sqrt, n.a);
       if (square_below) return quotient(above, absolute(node(n.b).a));
-      const Ref rest = intern(Op::sqrt, intern(Op::div, kOne, n.b), Ref());
+      const Ref rest = intern(Operation::sqrt, intern(Operation::div, kOne, n.b), Ref());
       return product(above, rest);
     }
   }
-  return intern(Op::sqrt, x, Ref());
+  return intern(Operation::sqrt, x, Ref());
 }
 
 Ref Builder::absolute(Ref x) {
@@ -150,13 +127,13 @@ Ref Builder::absolute(Ref x) {
   if (range.lower >= 0) return x;
   if (range.upper <= 0) return -x;
   const Node n = node(x);
-  if (n.op == Op::mul && constant(n.a) && !n.constant) {
+  if (n.op == Operation::mul && constant(n.a) && !n.constant) {
     const Ref factor = absolute(n.a);
     const Ref rest = absolute(n.b);
     return product(factor, rest);
   }
-  if (n.op == Op::real) return x;
-  return intern(Op::abs, x, Ref());
+  if (n.op == Operation::real) return x;
+  return intern(Operation::abs, x, Ref());
 }
 
 Ref Builder::signum(Ref x) {
@@ -167,43 +144,42 @@ Ref Builder::signum(Ref x) {
   if (range.lower > 0) return signed_as(kOne, negative);
   if (range.upper < 0) return signed_as(kOne, !negative);
   const Node n = node(x);
-  if (n.op == Op::mul && constant(n.a)) {
+  if (n.op == Operation::mul && constant(n.a)) {
     const Interval factor = graph.bounds(n.a);
     if (factor.lower > 0) return signed_as(signum(n.b), negative);
     if (factor.upper < 0) return signed_as(signum(n.b), !negative);
   }
-  return signed_as(intern(Op::sign, x, Ref()), negative);
+  return signed_as(intern(Operation::sign, x, Ref()), negative);
 }
 
 Ref Builder::exponential(Ref x) {
   if (x == kZero) return kOne;
-  if (op(x) == Op::log && !x.negative()) return node(x).a;
-  if (op(x) == Op::real) return real(std::exp(numeric_value(x)));
-  return intern(Op::exp, x, Ref());
+  if (op(x) == Operation::log && !x.negative()) return node(x).a;
+  if (op(x) == Operation::real) return real(std::exp(numeric_value(x)));
+  return intern(Operation::exp, x, Ref());
 }
 
 Ref Builder::logarithm(Ref x) {
   if (x == kOne) return kZero;
   if (x == kZero) not_defined("logarithm of zero");
   if (constant(x) && graph.bounds(x).upper < 0) not_defined("logarithm of a negative constant");
-  if (op(x) == Op::exp && !x.negative()) return node(x).a;
-  if (op(x) == Op::real) return real(std::log(numeric_value(x)));
-  return intern(Op::log, x, Ref());
+  if (op(x) == Operation::exp && !x.negative()) return node(x).a;
+  if (op(x) == Operation::real) return real(std::log(numeric_value(x)));
+  return intern(Operation::log, x, Ref());
 }
 
-Ref Builder::hyperbolic(Op op_wanted, Ref x) {
-  const bool even = op_wanted == Op::cosh;
-  if (x == kZero) return even ? kOne : kZero;
-  const bool negative = x.negative() && !even;
-  x = magnitude(x);
-  if (op(x) == Op::real) {
-    const double value = numeric_value(x);
-    const double result = even                    ? std::cosh(value)
-                          : op_wanted == Op::sinh ? std::sinh(value)
-                                                  : std::tanh(value);
-    return signed_as(real(result), negative);
+// What holds for any function: its parity, numbers, and 0.
+Ref Builder::any_function(Operation wanted, Ref x) {
+  if (x == kZero) {
+    const double value = apply(wanted, 0.0, 0.0);
+    if (value == 0 || value == 1) return value == 0 ? kZero : kOne;
   }
-  return signed_as(intern(op_wanted, x, Ref()), negative);
+  const bool signless = parity(wanted) != Parity::none;
+  const bool negative = x.negative() && parity(wanted) == Parity::odd;
+  if (signless) x = magnitude(x);
+  const Ref out =
+      op(x) == Operation::real ? real(apply(wanted, numeric_value(x), 0.0)) : intern(wanted, x, Ref());
+  return signed_as(out, negative);
 }
 
 Ref Builder::integer_power(Ref x, std::int64_t n) {
@@ -225,7 +201,7 @@ Ref Builder::power(Ref x, Ref y) {
   if (rational(y)) {
     const Rational exponent = rational_of(y);
     if (exponent.denominator == 1) return integer_power(x, exponent.numerator);
-    if (exponent.denominator == 2) return integer_power(function(Op::sqrt, x), exponent.numerator);
+    if (exponent.denominator == 2) return integer_power(function(Operation::sqrt, x), exponent.numerator);
   }
   if (x == kZero) {
     const Interval range = graph.bounds(y);
@@ -234,10 +210,10 @@ Ref Builder::power(Ref x, Ref y) {
   }
   if (constant(x) && graph.bounds(x).upper < 0)
     not_defined("power of a negative constant with an exponent that is no integer");
-  if (numeric(x) && numeric(y) && (op(x) == Op::real || op(y) == Op::real)) {
+  if (numeric(x) && numeric(y) && (op(x) == Operation::real || op(y) == Operation::real)) {
     return real(std::pow(numeric_value(x), numeric_value(y)));
   }
-  return intern(Op::pow, x, y);
+  return intern(Operation::pow, x, y);
 }
 
 }  // namespace alembert

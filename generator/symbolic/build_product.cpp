@@ -9,7 +9,7 @@ namespace alembert {
 
 Builder::Term Builder::factor(Ref x) {
   const Node n = node(x);
-  if (n.op == Op::mul && constant(n.a) && (!n.constant || numeric(n.a))) {
+  if (n.op == Operation::mul && constant(n.a) && (!n.constant || numeric(n.a))) {
     return {signed_as(n.a, x.negative()), n.b};
   }
   return {signed_as(kOne, x.negative()), magnitude(x)};
@@ -19,26 +19,27 @@ Builder::Term Builder::factor(Ref x) {
 // so c stays where it is.
 bool Builder::is_scaled_sine(Ref x) const {
   const Node& n = node(x);
-  return n.op == Op::mul && op(n.a) == Op::real && (op(n.b) == Op::sin || op(n.b) == Op::cos);
+  return n.op == Operation::mul && op(n.a) == Operation::real &&
+         (op(n.b) == Operation::sin || op(n.b) == Operation::cos);
 }
 
 Builder::Term Builder::term(Ref x) {
   const Node n = node(x);
-  if (n.op == Op::div && n.a != kOne && constant(n.a) && (!n.constant || numeric(n.a))) {
-    return {signed_as(n.a, x.negative()), intern(Op::div, kOne, n.b)};
+  if (n.op == Operation::div && n.a != kOne && constant(n.a) && (!n.constant || numeric(n.a))) {
+    return {signed_as(n.a, x.negative()), intern(Operation::div, kOne, n.b)};
   }
   return factor(x);
 }
 
 Ref Builder::intern_product(Ref a, Ref b) {
   if (before(b, a)) std::swap(a, b);
-  return intern(Op::mul, a, b);
+  return intern(Operation::mul, a, b);
 }
 
 // Product of two numbers, unless it has no exact form of its own (pi * pi).
 std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
-  if (op(a) == Op::pi_multiple && op(b) == Op::pi_multiple) return std::nullopt;
-  if (op(a) != Op::real && op(b) != Op::real) {
+  if (op(a) == Operation::pi_multiple && op(b) == Operation::pi_multiple) return std::nullopt;
+  if (op(a) != Operation::real && op(b) != Operation::real) {
     const auto exact = mul(rational_of(a), rational_of(b));
     if (exact) return rational(a) && rational(b) ? number(*exact) : pi(*exact);
   }
@@ -60,7 +61,7 @@ Ref Builder::product(Ref a, Ref b) {
     if (const auto found = constant_product(a, b)) return signed_as(*found, negative);
     return signed_as(intern_product(a, b), negative);
   }
-  if (op(a) == Op::mul || op(b) == Op::mul) {
+  if (op(a) == Operation::mul || op(b) == Operation::mul) {
     const Term ta = is_scaled_sine(a) ? Term{kOne, a} : factor(a);
     const Term tb = is_scaled_sine(b) ? Term{kOne, b} : factor(b);
     if (ta.coefficient != kOne || tb.coefficient != kOne) {
@@ -68,7 +69,7 @@ Ref Builder::product(Ref a, Ref b) {
       // (c*x) * (d/y): the numerator takes c for nothing.
       for (const bool first : {true, false}) {
         const Ref divided = first ? ta.rest : tb.rest, other = first ? tb.rest : ta.rest;
-        if (op(divided) != Op::div || !constant(node(divided).a)) continue;
+        if (op(divided) != Operation::div || !constant(node(divided).a)) continue;
         const Ref scaled = product(coefficient, divided);
         return signed_as(product(scaled, other), negative);
       }
@@ -84,14 +85,15 @@ Ref Builder::product(Ref a, Ref b) {
 std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
   const Node nb = node(b);
   if (!nb.constant) {
-    if (nb.op == Op::mul && constant(nb.a)) {
+    if (nb.op == Operation::mul && constant(nb.a)) {
       const Ref gathered = product(a, nb.a);
       return product(gathered, nb.b);
     }
-    if (nb.op == Op::div && constant(nb.a)) {
+    if (nb.op == Operation::div && constant(nb.a)) {
       const Ref gathered = product(a, nb.a);
-      return gathered == kZero ? kZero
-                               : signed_as(intern(Op::div, magnitude(gathered), nb.b), gathered.negative());
+      return gathered == kZero
+                 ? kZero
+                 : signed_as(intern(Operation::div, magnitude(gathered), nb.b), gathered.negative());
     }
     return std::nullopt;
   }
@@ -102,7 +104,7 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
       const auto gathered = fold_product(a, tb.coefficient);
       if (gathered) return product(*gathered, tb.rest);
     }
-    if (nb.op == Op::div && nb.a == kOne) return intern(Op::div, a, nb.b);
+    if (nb.op == Operation::div && nb.a == kOne) return intern(Operation::div, a, nb.b);
     return std::nullopt;
   }
   const Term ta = term(a);
@@ -112,9 +114,9 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
     return product(coefficient, rest);
   }
   const Node na = node(a);
-  if (na.op == Op::sqrt && nb.op == Op::sqrt && a != b && rational(na.a) && rational(nb.a)) {
+  if (na.op == Operation::sqrt && nb.op == Operation::sqrt && a != b && rational(na.a) && rational(nb.a)) {
     if (const auto exact = mul(rational_of(na.a), rational_of(nb.a)))
-      return function(Op::sqrt, number(*exact));
+      return function(Operation::sqrt, number(*exact));
   }
   return cancel_product(a, b);
 }
@@ -123,27 +125,27 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
 std::optional<Ref> Builder::cancel_product(Ref a, Ref b) {
   if (a == b) {
     const Node n = node(a);
-    if (n.op == Op::sqrt) return n.a;
-    if (n.op == Op::abs) return product(n.a, n.a);
+    if (n.op == Operation::sqrt) return n.a;
+    if (n.op == Operation::abs) return product(n.a, n.a);
     return std::nullopt;
   }
   for (int turn = 0; turn < 2; ++turn, std::swap(a, b)) {
     const Node na = node(a), nb = node(b);
-    if (na.op == Op::sign) {
-      if (na.a == b) return function(Op::abs, b);
-      if (nb.op == Op::abs && nb.a == na.a) return na.a;
+    if (na.op == Operation::sign) {
+      if (na.a == b) return function(Operation::abs, b);
+      if (nb.op == Operation::abs && nb.a == na.a) return na.a;
     }
-    if (na.op == Op::sqrt && nb.op == Op::mul && (nb.a == a || nb.b == a)) {
+    if (na.op == Operation::sqrt && nb.op == Operation::mul && (nb.a == a || nb.b == a)) {
       return product(na.a, nb.a == a ? nb.b : nb.a);
     }
-    if (na.op != Op::div) continue;
+    if (na.op != Operation::div) continue;
     if (na.b == b) return na.a;
     const Node nd = node(na.b);
-    if (nd.op == Op::mul && (nd.a == b || nd.b == b)) return quotient(na.a, nd.a == b ? nd.b : nd.a);
-    if (nb.op == Op::mul && (nb.a == na.b || nb.b == na.b)) {
+    if (nd.op == Operation::mul && (nd.a == b || nd.b == b)) return quotient(na.a, nd.a == b ? nd.b : nd.a);
+    if (nb.op == Operation::mul && (nb.a == na.b || nb.b == na.b)) {
       return product(na.a, nb.a == na.b ? nb.b : nb.a);
     }
-    if (nb.op == Op::div && nb.a == na.b) return quotient(na.a, nb.b);
+    if (nb.op == Operation::div && nb.a == na.b) return quotient(na.a, nb.b);
   }
   return std::nullopt;
 }
@@ -153,25 +155,26 @@ Ref Builder::reciprocal(Ref c) {
   const bool negative = c.negative();
   c = magnitude(c);
   const Node n = node(c);
-  if (n.op == Op::rational) {
+  if (n.op == Operation::rational) {
     if (const auto exact = div(Rational(1), rational_of(c))) return signed_as(number(*exact), negative);
   }
-  if (n.op == Op::rational || n.op == Op::real) return signed_as(real(1 / numeric_value(c)), negative);
+  if (n.op == Operation::rational || n.op == Operation::real)
+    return signed_as(real(1 / numeric_value(c)), negative);
   Ref out;
-  if (n.op == Op::sqrt && rational(n.a)) {
+  if (n.op == Operation::sqrt && rational(n.a)) {
     out = product(reciprocal(n.a), c);
-  } else if (n.op == Op::mul && numeric(n.a)) {
+  } else if (n.op == Operation::mul && numeric(n.a)) {
     const Ref number_part = quotient(kOne, n.a);
     const Ref rest = quotient(kOne, n.b);
     out = product(number_part, rest);
-  } else if (n.op == Op::div) {
+  } else if (n.op == Operation::div) {
     out = quotient(n.b, n.a);
-  } else if (n.op == Op::pi_multiple && rational_of(c) != Rational(1)) {
+  } else if (n.op == Operation::pi_multiple && rational_of(c) != Rational(1)) {
     const Ref number_part = reciprocal(number(rational_of(c)));
-    const Ref rest = intern(Op::div, kOne, pi(Rational(1)));
+    const Ref rest = intern(Operation::div, kOne, pi(Rational(1)));
     out = product(number_part, rest);
   } else {
-    out = intern(Op::div, kOne, c);
+    out = intern(Operation::div, kOne, c);
   }
   return signed_as(out, negative);
 }
@@ -185,22 +188,22 @@ Ref Builder::quotient(Ref a, Ref b) {
   if (b == kOne) return signed_as(a, negative);
   if (a == b) return signed_as(kOne, negative);
   const Nested nested(*this);
-  if (too_deep()) return signed_as(intern(Op::div, a, b), negative);
+  if (too_deep()) return signed_as(intern(Operation::div, a, b), negative);
 
   if (constant(b)) {
-    if (op(a) == Op::pi_multiple && op(b) == Op::pi_multiple) {
+    if (op(a) == Operation::pi_multiple && op(b) == Operation::pi_multiple) {
       if (const auto exact = div(rational_of(a), rational_of(b))) return signed_as(number(*exact), negative);
     }
     const Ref factor = reciprocal(b);
     return signed_as(product(factor, a), negative);
   }
   const Node na = node(a), nb = node(b);
-  if (nb.op == Op::mul && constant(nb.a)) {
+  if (nb.op == Operation::mul && constant(nb.a)) {
     const Ref factor = reciprocal(nb.a);
     const Ref rest = quotient(a, nb.b);
     return signed_as(product(factor, rest), negative);
   }
-  if (nb.op == Op::div) {
+  if (nb.op == Operation::div) {
     const Ref dividend = product(a, nb.b);
     return signed_as(quotient(dividend, nb.a), negative);
   }
@@ -211,36 +214,37 @@ Ref Builder::quotient(Ref a, Ref b) {
       return signed_as(product(ta.coefficient, rest), negative);
     }
   }
-  if (na.op == Op::div) {
+  if (na.op == Operation::div) {
     const Ref divisor = product(na.b, b);
     return signed_as(quotient(na.a, divisor), negative);
   }
   if (const auto found = cancel_quotient(a, b)) return signed_as(*found, negative);
-  return signed_as(intern(Op::div, a, b), negative);
+  return signed_as(intern(Operation::div, a, b), negative);
 }
 
 // Quotients with a common factor, or of a value and its root. Operands unsigned, the divisor not constant.
 std::optional<Ref> Builder::cancel_quotient(Ref a, Ref b) {
   const Node na = node(a), nb = node(b);
-  if (na.op == Op::mul) {
+  if (na.op == Operation::mul) {
     if (na.a == b) return na.b;
     if (na.b == b) return na.a;
   }
-  if (nb.op == Op::mul) {
+  if (nb.op == Operation::mul) {
     if (nb.a == a) return quotient(kOne, nb.b);
     if (nb.b == a) return quotient(kOne, nb.a);
-    if (na.op == Op::mul) {
+    if (na.op == Operation::mul) {
       if (na.a == nb.a) return quotient(na.b, nb.b);
       if (na.a == nb.b) return quotient(na.b, nb.a);
       if (na.b == nb.a) return quotient(na.a, nb.b);
       if (na.b == nb.b) return quotient(na.a, nb.a);
     }
   }
-  if (nb.op == Op::sqrt) {
+  if (nb.op == Operation::sqrt) {
     if (nb.a == a) return b;
-    if (na.op == Op::mul && (na.a == nb.a || na.b == nb.a)) return product(b, na.a == nb.a ? na.b : na.a);
+    if (na.op == Operation::mul && (na.a == nb.a || na.b == nb.a))
+      return product(b, na.a == nb.a ? na.b : na.a);
   }
-  if (na.op == Op::sqrt && na.a == b) return quotient(kOne, a);
+  if (na.op == Operation::sqrt && na.a == b) return quotient(kOne, a);
   return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ Factors factors(const ExprGraph& graph, Ref x) {
   while (waiting > 0) {
     const Ref next = open[--waiting];
     const Node& node = graph.node(next.node());
-    if (node.op == Op::mul) {
+    if (node.op == Operation::mul) {
       if (out.size + waiting + 2 > Factors::kMost) {
         out.complete = false;
         return out;
@@ -70,15 +70,15 @@ constexpr double kCancellation = 0x1p-48;
 
 Ref Builder::intern_sum(Ref a, Ref b) {
   if (before(b, a)) std::swap(a, b);
-  return a.negative() ? -intern(Op::add, -a, -b) : intern(Op::add, a, b);
+  return a.negative() ? -intern(Operation::add, -a, -b) : intern(Operation::add, a, b);
 }
 
 // Sum of two numbers, unless it has no exact form of its own (1 + pi).
 std::optional<Ref> Builder::fold_sum(Ref a, Ref b) {
-  if (op(a) == op(b) && op(a) != Op::real) {
+  if (op(a) == op(b) && op(a) != Operation::real) {
     if (const auto exact = add(rational_of(a), rational_of(b)))
       return rational(a) ? number(*exact) : pi(*exact);
-  } else if (op(a) != Op::real && op(b) != Op::real) {
+  } else if (op(a) != Operation::real && op(b) != Operation::real) {
     return std::nullopt;
   }
   const double x = numeric_value(a), sum = x + numeric_value(b);
@@ -97,8 +97,9 @@ Ref Builder::sum(Ref a, Ref b) {
     if (const auto folded = fold_sum(a, b)) return *folded;
     return intern_sum(a, b);
   }
-  const Op oa = op(a), ob = op(b);
-  const bool product_a = oa == Op::mul || oa == Op::div, product_b = ob == Op::mul || ob == Op::div;
+  const Operation oa = op(a), ob = op(b);
+  const bool product_a = oa == Operation::mul || oa == Operation::div,
+             product_b = ob == Operation::mul || ob == Operation::div;
   if (product_a || product_b) {
     // Like terms: c*x + d*x.
     const Term ta = term(a), tb = term(b);
@@ -106,16 +107,16 @@ Ref Builder::sum(Ref a, Ref b) {
       const Ref coefficient = sum(ta.coefficient, tb.coefficient);
       return product(coefficient, ta.rest);
     }
-    if (ob == Op::mul) {
+    if (ob == Operation::mul) {
       if (const auto found = pythagorean(a, b)) return *found;
     }
   }
-  if (ob == Op::add) {
+  if (ob == Operation::add) {
     if (const auto found = sum_with_nested(a, b)) return *found;
   }
-  if (oa == Op::add) {
+  if (oa == Operation::add) {
     if (const auto found = sum_with_nested(b, a)) return *found;
-    if (ob == Op::add) {
+    if (ob == Operation::add) {
       if (const auto found = sum_of_sums(a, b)) return *found;
     }
   }
@@ -129,23 +130,24 @@ std::optional<Ref> Builder::sum_with_nested(Ref a, Ref b) {
   if (a == -p) return q;
   if (a == -q) return p;
   if (constant(p)) {
-    const bool fold = numeric(a) && numeric(p) && (op(a) == op(p) || op(a) == Op::real || op(p) == Op::real);
+    const bool fold =
+        numeric(a) && numeric(p) && (op(a) == op(p) || op(a) == Operation::real || op(p) == Operation::real);
     if (fold || (constant(a) && !constant(q))) {
       const Ref gathered = sum(a, p);
       return sum(gathered, q);
     }
-    if (op(p) == Op::pi_multiple && !constant(a)) {
+    if (op(p) == Operation::pi_multiple && !constant(a)) {
       const Ref rest = sum(a, q);
       return sum(p, rest);
     }
   }
-  if (op(a) != Op::mul) return std::nullopt;
+  if (op(a) != Operation::mul) return std::nullopt;
   // c*x + (d*x + q): never more operations, because both coefficients were multiplications.
   const Term ta = term(a);
   if (magnitude(ta.coefficient) == kOne) return std::nullopt;
   for (const bool first : {true, false}) {
     const Ref like = first ? p : q, other = first ? q : p;
-    if (op(like) != Op::mul) continue;
+    if (op(like) != Operation::mul) continue;
     const Term tl = term(like);
     if (tl.rest != ta.rest || magnitude(tl.coefficient) == kOne) continue;
     const Ref coefficient = sum(ta.coefficient, tl.coefficient);
@@ -169,15 +171,15 @@ std::optional<Ref> Builder::sum_of_sums(Ref a, Ref b) {
 // f sin^2 + f cos^2 = f,  f cosh^2 - f sinh^2 = f, and, for a constant f, f - f sin^2 = f cos^2, f - f cos^2
 // = f sin^2.
 std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
-  const bool lone = constant(a), multiplied = op(a) == Op::mul;
+  const bool lone = constant(a), multiplied = op(a) == Operation::mul;
   if (!lone && !multiplied) return std::nullopt;
   Factors fb = factors(graph, b);
   if (!fb.complete || fb.size < 2) return std::nullopt;
   // A squared function among the factors of b.
   std::size_t at = fb.size;
   for (std::size_t i = 0; i + 1 < fb.size && at == fb.size; ++i) {
-    const Op o = op(fb.at[i]);
-    if (o != Op::sin && o != Op::cos && o != Op::sinh && o != Op::cosh) continue;
+    const Operation o = op(fb.at[i]);
+    if (o != Operation::sin && o != Operation::cos && o != Operation::sinh && o != Operation::cosh) continue;
     for (std::size_t k = i + 1; k < fb.size; ++k) {
       if (fb.at[k] == fb.at[i]) at = i;
     }
@@ -187,16 +189,16 @@ std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
   if (!fa.complete) return std::nullopt;
   for (; at + 1 < fb.size; ++at) {
     const Ref squared = fb.at[at];
-    const Op o = op(squared);
-    if (o != Op::sin && o != Op::cos && o != Op::sinh && o != Op::cosh) continue;
+    const Operation o = op(squared);
+    if (o != Operation::sin && o != Operation::cos && o != Operation::sinh && o != Operation::cosh) continue;
     Factors rest = fb;
     erase(rest, at);
     if (!take(rest, squared)) continue;
-    const bool hyperbolic = o == Op::sinh || o == Op::cosh;
-    const Op partner_op = o == Op::sin    ? Op::cos
-                          : o == Op::cos  ? Op::sin
-                          : o == Op::sinh ? Op::cosh
-                                          : Op::sinh;
+    const bool hyperbolic = o == Operation::sinh || o == Operation::cosh;
+    const Operation partner_op = o == Operation::sin    ? Operation::cos
+                                 : o == Operation::cos  ? Operation::sin
+                                 : o == Operation::sinh ? Operation::cosh
+                                                        : Operation::sinh;
     const Ref argument = node(squared).a;
     if (lone && !hyperbolic && a.negative() != b.negative() && same(rest, fa)) {
       const Ref partner = function(partner_op, argument);
@@ -213,7 +215,7 @@ std::optional<Ref> Builder::pythagorean(Ref a, Ref b) {
       Ref common = kOne;
       for (std::size_t k = 0; k < remaining.size; ++k) common = product(common, remaining.at[k]);
       // cosh^2 carries the sign of the whole.
-      return signed_as(common, o == Op::cosh ? b.negative() : a.negative());
+      return signed_as(common, o == Operation::cosh ? b.negative() : a.negative());
     }
   }
   return std::nullopt;

@@ -49,8 +49,8 @@ Rational negated(Rational x) {
 
 Builder::Angle Builder::angle(Ref x) {
   const Node n = node(x);
-  if (n.op == Op::pi_multiple) return {kZero, rational_of(magnitude(x)), x.negative()};
-  if (n.op == Op::add && op(n.a) == Op::pi_multiple) {
+  if (n.op == Operation::pi_multiple) return {kZero, rational_of(magnitude(x)), x.negative()};
+  if (n.op == Operation::add && op(n.a) == Operation::pi_multiple) {
     const Rational offset = rational_of(n.a);
     if (n.b.negative()) return {magnitude(n.b), negated(offset), !x.negative()};
     return {n.b, offset, x.negative()};
@@ -62,10 +62,10 @@ Builder::Angle Builder::angle(Ref x) {
 Ref Builder::exact_sine(Rational m) {
   if (m.numerator == 0) return kZero;
   if (m == kSixth) return number(kHalf);
-  if (m == kQuarter) return product(number(kHalf), function(Op::sqrt, number(2)));
-  if (m == kThird) return product(number(kHalf), function(Op::sqrt, number(3)));
-  if (less(kQuarter, m)) return intern(Op::cos, pi(*add(kHalf, negated(m))), Ref());
-  return intern(Op::sin, pi(m), Ref());
+  if (m == kQuarter) return product(number(kHalf), function(Operation::sqrt, number(2)));
+  if (m == kThird) return product(number(kHalf), function(Operation::sqrt, number(3)));
+  if (less(kQuarter, m)) return intern(Operation::cos, pi(*add(kHalf, negated(m))), Ref());
+  return intern(Operation::sin, pi(m), Ref());
 }
 
 Ref Builder::sine(Ref x) {
@@ -83,7 +83,7 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
     const auto parts = divide(turned.multiple, 2);
     if (!parts) {
       negative = x.negative() && !cosine;
-      return signed_as(intern(cosine ? Op::cos : Op::sin, magnitude(x), Ref()), negative);
+      return signed_as(intern(cosine ? Operation::cos : Operation::sin, magnitude(x), Ref()), negative);
     }
     turned.multiple = parts->rest;
     // sin -> cos -> -sin -> -cos -> sin
@@ -95,7 +95,7 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
       if (!cosine) return signed_as(exact_sine(turned.multiple), negative);
       if (turned.multiple.numerator == 0) return signed_as(kOne, negative);
       if (less(turned.multiple, kQuarter) && turned.multiple != kSixth) {
-        return signed_as(intern(Op::cos, pi(turned.multiple), Ref()), negative);
+        return signed_as(intern(Operation::cos, pi(turned.multiple), Ref()), negative);
       }
       return signed_as(exact_sine(*add(kHalf, negated(turned.multiple))), negative);
     }
@@ -109,13 +109,13 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
   if (!too_deep()) {
     Ref out;
     bool found = true;
-    if (n.op == Op::asin) {
+    if (n.op == Operation::asin) {
       out = cosine ? complement_root(n.a, false) : n.a;
-    } else if (n.op == Op::acos) {
+    } else if (n.op == Operation::acos) {
       out = cosine ? n.a : complement_root(n.a, false);
-    } else if (n.op == Op::atan) {
+    } else if (n.op == Operation::atan) {
       out = quotient(cosine ? kOne : n.a, complement_root(n.a, true));
-    } else if (n.op == Op::atan2) {
+    } else if (n.op == Operation::atan2) {
       const Ref xx = product(n.b, n.b);
       const Ref yy = product(n.a, n.a);
       const Ref squares = sum(xx, yy);
@@ -126,11 +126,11 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
     }
     if (found) return signed_as(out, negative);
   }
-  if (n.op == Op::real) {
+  if (n.op == Operation::real) {
     const double value = numeric_value(argument);
     return signed_as(real(cosine ? std::cos(value) : std::sin(value)), negative);
   }
-  return signed_as(intern(cosine ? Op::cos : Op::sin, argument, Ref()), negative);
+  return signed_as(intern(cosine ? Operation::cos : Operation::sin, argument, Ref()), negative);
 }
 
 Ref Builder::complement_root(Ref x, bool plus) {
@@ -144,7 +144,7 @@ Ref Builder::tangent(Ref x) {
   const bool negative = turned.negative;
   if (turned.multiple.numerator != 0) {
     const auto parts = divide(turned.multiple, 1);
-    if (!parts) return signed_as(intern(Op::tan, magnitude(x), Ref()), x.negative());
+    if (!parts) return signed_as(intern(Operation::tan, magnitude(x), Ref()), x.negative());
     turned.multiple = parts->rest;
     if (turned.rest == kZero) {
       Rational m = turned.multiple;
@@ -156,10 +156,10 @@ Ref Builder::tangent(Ref x) {
       if (m == kQuarter) {
         out = kOne;
       } else if (m == kThird || m == kSixth) {
-        out = function(Op::sqrt, number(3));
+        out = function(Operation::sqrt, number(3));
         if (m == kSixth) out = product(number(kThird), out);
       } else {
-        out = intern(Op::tan, pi(m), Ref());
+        out = intern(Operation::tan, pi(m), Ref());
       }
       return signed_as(out, negative != mirrored);
     }
@@ -171,13 +171,13 @@ Ref Builder::tangent(Ref x) {
   }
   const Node n = node(argument);
   if (!too_deep()) {
-    if (n.op == Op::atan) return signed_as(n.a, negative);
-    if (n.op == Op::atan2) return signed_as(quotient(n.a, n.b), negative);
-    if (n.op == Op::asin) return signed_as(quotient(n.a, complement_root(n.a, false)), negative);
-    if (n.op == Op::acos) return signed_as(quotient(complement_root(n.a, false), n.a), negative);
+    if (n.op == Operation::atan) return signed_as(n.a, negative);
+    if (n.op == Operation::atan2) return signed_as(quotient(n.a, n.b), negative);
+    if (n.op == Operation::asin) return signed_as(quotient(n.a, complement_root(n.a, false)), negative);
+    if (n.op == Operation::acos) return signed_as(quotient(complement_root(n.a, false), n.a), negative);
   }
-  if (n.op == Op::real) return signed_as(real(std::tan(numeric_value(argument))), negative);
-  return signed_as(intern(Op::tan, argument, Ref()), negative);
+  if (n.op == Operation::real) return signed_as(real(std::tan(numeric_value(argument))), negative);
+  return signed_as(intern(Operation::tan, argument, Ref()), negative);
 }
 
 Ref Builder::arcsine(Ref x) {
@@ -189,21 +189,21 @@ Ref Builder::arcsine(Ref x) {
     if (range.lower > 1 || range.upper < -1) throw std::domain_error("asin of a constant outside [-1, 1]");
     if (x == kOne) return signed_as(pi(kHalf), negative);
     if (rational(x) && rational_of(x) == kHalf) return signed_as(pi(kSixth), negative);
-    if (op(x) == Op::real) return signed_as(real(std::asin(numeric_value(x))), negative);
+    if (op(x) == Operation::real) return signed_as(real(std::asin(numeric_value(x))), negative);
     if (x == exact_sine(kQuarter)) return signed_as(pi(kQuarter), negative);
     if (x == exact_sine(kThird)) return signed_as(pi(kThird), negative);
   }
-  return signed_as(intern(Op::asin, x, Ref()), negative);
+  return signed_as(intern(Operation::asin, x, Ref()), negative);
 }
 
 Ref Builder::arccosine(Ref x) {
   if (constant(x)) {
     // acos(x) = pi/2 - asin(x) where that is exact.
     const Ref inverse = arcsine(x);
-    if (inverse == kZero || op(inverse) == Op::pi_multiple) return sum(pi(kHalf), -inverse);
-    if (op(x) == Op::real) return real(std::acos(numeric_value(x)));
+    if (inverse == kZero || op(inverse) == Operation::pi_multiple) return sum(pi(kHalf), -inverse);
+    if (op(x) == Operation::real) return real(std::acos(numeric_value(x)));
   }
-  return intern(Op::acos, x, Ref());
+  return intern(Operation::acos, x, Ref());
 }
 
 Ref Builder::arctangent(Ref x) {
@@ -212,12 +212,12 @@ Ref Builder::arctangent(Ref x) {
   x = magnitude(x);
   if (x == kOne) return signed_as(pi(kQuarter), negative);
   if (constant(x)) {
-    if (op(x) == Op::real) return signed_as(real(std::atan(numeric_value(x))), negative);
-    const Ref root = function(Op::sqrt, number(3));
+    if (op(x) == Operation::real) return signed_as(real(std::atan(numeric_value(x))), negative);
+    const Ref root = function(Operation::sqrt, number(3));
     if (x == root) return signed_as(pi(kThird), negative);
     if (x == product(number(kThird), root)) return signed_as(pi(kSixth), negative);
   }
-  return signed_as(intern(Op::atan, x, Ref()), negative);
+  return signed_as(intern(Operation::atan, x, Ref()), negative);
 }
 
 Ref Builder::arctangent2(Ref y, Ref x) {
@@ -226,7 +226,7 @@ Ref Builder::arctangent2(Ref y, Ref x) {
   if (y == kZero) {
     if (across.lower >= 0) return kZero;
     if (across.upper < 0) return pi(Rational(1));
-    return intern(Op::atan2, y, x);
+    return intern(Operation::atan2, y, x);
   }
   const bool negative = y.negative();
   y = magnitude(y);
@@ -234,7 +234,7 @@ Ref Builder::arctangent2(Ref y, Ref x) {
     const Interval up = graph.bounds(y);
     const bool sure_up = up.lower > 0 || up.upper < 0;
     if (x == kZero && sure_up) return signed_as(pi(kHalf), negative != (up.upper < 0));
-    if (op(x) == Op::real || op(y) == Op::real) {
+    if (op(x) == Operation::real || op(y) == Operation::real) {
       if (numeric(x) && numeric(y)) {
         return signed_as(real(std::atan2(numeric_value(y), numeric_value(x))), negative);
       }
@@ -242,14 +242,14 @@ Ref Builder::arctangent2(Ref y, Ref x) {
     // Through atan(y/x) where that is a multiple of pi.
     if (x != kZero && (across.lower > 0 || (across.upper < 0 && sure_up))) {
       const Ref inverse = arctangent(quotient(y, x));
-      if (op(inverse) == Op::pi_multiple) {
+      if (op(inverse) == Operation::pi_multiple) {
         Ref out = inverse;
         if (across.upper < 0) out = sum(inverse, up.lower > 0 ? pi(Rational(1)) : pi(Rational(-1)));
         return signed_as(out, negative);
       }
     }
   }
-  return signed_as(intern(Op::atan2, y, x), negative);
+  return signed_as(intern(Operation::atan2, y, x), negative);
 }
 
 }  // namespace alembert

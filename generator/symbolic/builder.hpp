@@ -23,7 +23,7 @@ struct Builder {
   Ref difference(Ref a, Ref b) { return sum(a, -b); }
   Ref product(Ref a, Ref b);
   Ref quotient(Ref a, Ref b);
-  Ref function(Op op, Ref x);
+  Ref function(Operation op, Ref x);
   Ref arctangent2(Ref y, Ref x);
   Ref power(Ref x, Ref y);
   Ref integer_power(Ref x, std::int64_t n);
@@ -43,13 +43,13 @@ struct Builder {
   bool is_scaled_sine(Ref x) const;
 
   const Node& node(Ref x) const { return graph.nodes_[x.node()]; }
-  Op op(Ref x) const { return node(x).op; }
+  Operation op(Ref x) const { return node(x).op; }
   bool constant(Ref x) const { return node(x).constant; }
   bool numeric(Ref x) const {
-    const Op o = op(x);
-    return o == Op::rational || o == Op::pi_multiple || o == Op::real;
+    const Operation o = op(x);
+    return o == Operation::rational || o == Operation::pi_multiple || o == Operation::real;
   }
-  bool rational(Ref x) const { return op(x) == Op::rational; }
+  bool rational(Ref x) const { return op(x) == Operation::rational; }
   Rational rational_of(Ref x) const;  ///< of a rational or pi_multiple, with its sign
   double numeric_value(Ref x) const;  ///< of a number, with its sign
   bool nonnegative(Ref x) const { return graph.bounds(x).lower >= 0; }
@@ -57,7 +57,7 @@ struct Builder {
   static Ref magnitude(Ref x) { return {x.node(), false}; }
   static Ref signed_as(Ref x, bool negative) { return negative ? -x : x; }
 
-  Ref intern(Op op, Ref a, Ref b);
+  Ref intern(Operation op, Ref a, Ref b);
 
   static constexpr int kMaxDepth = 24;
   struct Nested {
@@ -103,7 +103,7 @@ struct Builder {
   Ref signum(Ref x);
   Ref exponential(Ref x);
   Ref logarithm(Ref x);
-  Ref hyperbolic(Op op, Ref x);
+  Ref any_function(Operation wanted, Ref x);
   Ref complement_root(Ref x, bool plus);  // sqrt(1 +- x^2)
 
   int depth_ = 0;

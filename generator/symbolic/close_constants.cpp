@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {
@@ -31,10 +31,10 @@ struct Number {
 std::vector<Number> numbers_of(const ExprGraph& graph, const Postorder& order) {
   std::vector<Number> out;
   for (const std::uint32_t id : order.ids) {
-    const Op op = graph.node(id).op;
-    if (op != Op::real && op != Op::rational) continue;
-    const double value = op == Op::real ? graph.real_value(id) : graph.rational_value(id).to_double();
-    if (std::isnormal(value)) out.push_back({std::abs(value), id, op == Op::real});
+    const Operation op = graph.node(id).op;
+    if (op != Operation::real && op != Operation::rational) continue;
+    const double value = op == Operation::real ? graph.real_value(id) : graph.rational_value(id).to_double();
+    if (std::isnormal(value)) out.push_back({std::abs(value), id, op == Operation::real});
   }
   return out;
 }

@@ -1,9 +1,12 @@
 // Coefficient of a symbol in expressions that are linear in it (Algorithm 1 of Guenter and Lee, corrected).
 // In: roots and a symbol. Out: d with root = d*x + rest for each root, or NotLinear.
+#include "symbolic/coefficient.hpp"
+
 #include <stdexcept>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 
@@ -13,7 +16,7 @@ std::vector<Expr> coefficient(std::span<const Expr> roots, Expr x) {
   if (graph == nullptr) return out;
   const Expr symbol[] = {x};
   if (graph_of(symbol) != graph) throw std::logic_error("expressions of different graphs cannot be combined");
-  if (x.ref().negative() || graph->node(x.ref().node()).op != Op::symbol) {
+  if (x.ref().negative() || graph->node(x.ref().node()).op != Operation::symbol) {
     throw std::logic_error("coefficients are taken of symbols");
   }
   const Postorder order = indexed_postorder(roots);
@@ -35,53 +38,24 @@ std::vector<Expr> coefficient(std::span<const Expr> roots, Expr x) {
       throw NotLinear(to_string(where) + " is not linear in " + to_string(x) + ": " + why, where);
     };
     Part& part = parts[i];
-    switch (node.op) {
-      case Op::symbol:
-        if (id == x.ref().node()) part = {true, Ref(1, false)};
-        break;
-      case Op::rational:
-      case Op::pi_multiple:
-      case Op::real:
-        break;
-      case Op::add: {
-        const Part a = of(node.a), b = of(node.b);
-        part.inside = a.inside || b.inside;
-        if (part.inside) part.coefficient = graph->make(Op::add, a.coefficient, b.coefficient);
-        break;
-      }
-      case Op::mul: {
-        const Part a = of(node.a), b = of(node.b);
-        if (a.inside && b.inside) refuse("both factors contain it");
-        if (a.inside) part = {true, graph->make(Op::mul, a.coefficient, node.b)};
-        if (b.inside) part = {true, graph->make(Op::mul, node.a, b.coefficient)};
-        break;
-      }
-      case Op::div: {
-        const Part a = of(node.a);
-        if (of(node.b).inside) refuse("the divisor contains it");
-        if (a.inside) part = {true, graph->make(Op::div, a.coefficient, node.b)};
-        break;
-      }
-      case Op::pow:
-      case Op::atan2:
-        if (of(node.b).inside) refuse("it is inside a function");
-        [[fallthrough]];
-      case Op::sqrt:
-      case Op::sin:
-      case Op::cos:
-      case Op::tan:
-      case Op::asin:
-      case Op::acos:
-      case Op::atan:
-      case Op::exp:
-      case Op::log:
-      case Op::abs:
-      case Op::sign:
-      case Op::sinh:
-      case Op::cosh:
-      case Op::tanh:
-        if (of(node.a).inside) refuse("it is inside a function");
-        break;
+    const int operands = node.arity();
+    if (node.op == Operation::symbol) {
+      if (id == x.ref().node()) part = {true, Ref(1, false)};
+    } else if (node.op == Operation::add) {
+      const Part a = of(node.a), b = of(node.b);
+      part.inside = a.inside || b.inside;
+      if (part.inside) part.coefficient = graph->make(Operation::add, a.coefficient, b.coefficient);
+    } else if (node.op == Operation::mul) {
+      const Part a = of(node.a), b = of(node.b);
+      if (a.inside && b.inside) refuse("both factors contain it");
+      if (a.inside) part = {true, graph->make(Operation::mul, a.coefficient, node.b)};
+      if (b.inside) part = {true, graph->make(Operation::mul, node.a, b.coefficient)};
+    } else if (node.op == Operation::div) {
+      const Part a = of(node.a);
+      if (of(node.b).inside) refuse("the divisor contains it");
+      if (a.inside) part = {true, graph->make(Operation::div, a.coefficient, node.b)};
+    } else if ((operands == 2 && of(node.b).inside) || (operands > 0 && of(node.a).inside)) {
+      refuse("it is inside a function");
     }
   }
   out.reserve(roots.size());

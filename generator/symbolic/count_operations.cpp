@@ -1,15 +1,16 @@
 // Operation counts of expressions. In: roots. Out: adds, multiplies, divisions, trigonometric and other
 // calls, each node once. Subtractions are adds; signs and products with 1 are free; 2x is one add; constants
 // are folded; a constant offset inside the argument of sin, cos or tan belongs to that call.
+#include "symbolic/count_operations.hpp"
+
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
 ExprCount count_operations(std::span<const Expr> roots) {
   const ExprGraph* graph = graph_of(roots);
   const Postorder order = indexed_postorder(roots);
-  const auto is_trigonometric = [](Op op) { return op == Op::sin || op == Op::cos || op == Op::tan; };
   // An offset angle is free if nothing but trigonometric calls uses it.
   std::vector<bool> used_otherwise(order.ids.size(), false);
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
@@ -24,44 +25,28 @@ ExprCount count_operations(std::span<const Expr> roots) {
     const std::uint32_t id = order.ids[i];
     const Node& node = graph->node(id);
     if (node.constant) continue;
-    switch (node.op) {
-      case Op::rational:
-      case Op::pi_multiple:
-      case Op::real:
-      case Op::symbol:
+    switch (facts(node.op).counted) {
+      case Counted::free:
         break;
-      case Op::add:
+      case Counted::add:
         if (used_otherwise[i] ||
             !(graph->node(node.a.node()).constant || graph->node(node.b.node()).constant))
           ++count.add;
         break;
-      case Op::mul: {
+      case Counted::mul: {
         const std::uint32_t a = node.a.node();
-        const bool doubled = graph->node(a).op == Op::rational && graph->rational_value(a) == Rational(2);
+        const bool doubled =
+            graph->node(a).op == Operation::rational && graph->rational_value(a) == Rational(2);
         ++(doubled ? count.add : count.mul);
         break;
       }
-      case Op::div:
+      case Counted::div:
         ++count.div;
         break;
-      case Op::sin:
-      case Op::cos:
-      case Op::tan:
+      case Counted::trig:
         ++count.trig;
         break;
-      case Op::sqrt:
-      case Op::asin:
-      case Op::acos:
-      case Op::atan:
-      case Op::atan2:
-      case Op::exp:
-      case Op::log:
-      case Op::abs:
-      case Op::sign:
-      case Op::sinh:
-      case Op::cosh:
-      case Op::tanh:
-      case Op::pow:
+      case Counted::other:
         ++count.other;
         break;
     }

@@ -1,7 +1,8 @@
 // Evaluation in double precision. In: roots and the values of all symbols. Out: the values of the roots, or
 // of all nodes.
+#include "symbolic/evaluate.hpp"
+
 #include "symbolic/node_values.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

@@ -7,6 +7,8 @@
 // that has none, and for quotients by zero, the value is a hash of the operands, so that equal operands still
 // give equal values. Which of the two roots is taken says nothing about the sign of a real root: whoever
 // compares roots must check signs otherwise.
+#include "symbolic/evaluate_modular.hpp"
+
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -17,15 +19,8 @@ namespace alembert {
 namespace modular {
 namespace {
 
-constexpr std::uint64_t scramble(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 // An element of the prime field that stands for an opaque value.
-std::uint64_t hash(Op op, Modular a, Modular b = {}) {
+std::uint64_t hash(Operation op, Modular a, Modular b = {}) {
   std::uint64_t h = scramble(static_cast<std::uint64_t>(op) + 1);
   for (const std::uint64_t part : {a.re, a.im, b.re, b.im}) h = scramble(h ^ part);
   return reduce(h);
@@ -41,30 +36,31 @@ Modular from_double(double x) {
 }
 
 // The parameter of the circle or hyperbola for an angle: odd in the angle, 0 at 0.
-std::uint64_t half_parameter(Op family, Modular angle) {
+std::uint64_t half_parameter(Operation family, Modular angle) {
   if (is_zero(angle)) return 0;
   const bool upper = is_upper(angle);
   const std::uint64_t t = hash(family, upper ? negate(angle) : angle);
   return upper ? negate(t) : t;
 }
 
-Modular trigonometric(Op op, Modular angle) {
-  const std::uint64_t t = half_parameter(Op::sin, angle), square = multiply(t, t);
-  const std::uint64_t twice = add(t, t), above = subtract(1, square), below = add(1, square);
-  if (op == Op::sin) return {multiply(twice, inverse(below)), 0};  // 1 + t^2 is never 0: -1 is no square
-  if (op == Op::cos) return {multiply(above, inverse(below)), 0};
-  return above == 0 ? Modular{hash(op, angle), 0} : Modular{multiply(twice, inverse(above)), 0};
+// Values on the circle and on the hyperbola. 1 + t^2 is never 0, since -1 is no square; where 1 - t^2 is, the
+// value is opaque.
+Modular on_curve(Operation op, Modular x) {
+  const FieldValue value = facts(op).field;
+  const bool circle =
+      value == FieldValue::sine || value == FieldValue::cosine || value == FieldValue::tangent;
+  const std::uint64_t t = half_parameter(circle ? Operation::sin : Operation::sinh, x);
+  const std::uint64_t square = multiply(t, t), twice = add(t, t), plus = add(1, square);
+  const std::uint64_t minus = subtract(1, square);
+  const auto over = [&](std::uint64_t numerator, std::uint64_t denominator) {
+    return denominator == 0 ? Modular{hash(op, x), 0} : Modular{multiply(numerator, inverse(denominator)), 0};
+  };
+  if (value == FieldValue::sine || value == FieldValue::hyperbolic_tangent) return over(twice, plus);
+  if (value == FieldValue::cosine) return over(minus, plus);
+  return over(value == FieldValue::hyperbolic_cosine ? plus : twice, minus);
 }
 
-Modular hyperbolic(Op op, Modular x) {
-  const std::uint64_t t = half_parameter(Op::sinh, x), square = multiply(t, t);
-  const std::uint64_t twice = add(t, t), plus = add(1, square), minus = subtract(1, square);
-  if (op == Op::tanh) return {multiply(twice, inverse(plus)), 0};
-  if (minus == 0) return {hash(op, x), 0};
-  return {multiply(op == Op::sinh ? twice : plus, inverse(minus)), 0};
-}
-
-Modular odd(Op op, Modular x, Modular with = {}) {
+Modular odd(Operation op, Modular x, Modular with = {}) {
   if (is_zero(x)) return {};
   const bool upper = is_upper(x);
   const std::uint64_t value = hash(op, upper ? negate(x) : x, with);
@@ -72,27 +68,6 @@ Modular odd(Op op, Modular x, Modular with = {}) {
 }
 
 }  // namespace
-
-Modular from_rational(Rational x) {
-  const std::uint64_t n = reduce(static_cast<std::uint64_t>(x.numerator < 0 ? -x.numerator : x.numerator));
-  const std::uint64_t d = reduce(static_cast<std::uint64_t>(x.denominator));
-  const std::uint64_t value = d == 1 ? n : d == 0 ? reduce(scramble(n)) : multiply(n, inverse(d));
-  return {x.numerator < 0 ? negate(value) : value, 0};
-}
-
-std::optional<Modular> root(Modular x) {
-  if (x.im == 0) {
-    const Root r = root(x.re);
-    return r.imaginary ? Modular{0, r.value} : Modular{r.value, 0};
-  }
-  const Root norm = root(add(multiply(x.re, x.re), multiply(x.im, x.im)));
-  if (norm.imaginary) return std::nullopt;
-  // (u + v i)^2 = x with u^2 = (re +- norm)/2, v = im/(2u); exactly one of the two signs gives a square.
-  Root u = root(halve(add(x.re, norm.value)));
-  if (u.imaginary) u = root(halve(subtract(x.re, norm.value)));
-  const Modular out{u.value, multiply(x.im, inverse(add(u.value, u.value)))};
-  return is_upper(out) ? negate(out) : out;
-}
 
 std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
                             std::span<const Modular> symbols) {
@@ -108,66 +83,37 @@ std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
     const LocalOperands operands = order.operands[i];
     const Modular a = arity >= 1 ? of(operands.a) : Modular{}, b = arity == 2 ? of(operands.b) : Modular{};
     Modular& value = out[i];
-    switch (node.op) {
-      case Op::rational:
-        value = from_rational(graph.rational_value(id));
-        break;
-      case Op::pi_multiple:
-        value = multiply(from_rational(graph.rational_value(id)), {kPi, 0});
-        break;
-      case Op::real:
-        value = from_double(graph.real_value(id));
-        break;
-      case Op::symbol: {
-        const std::uint32_t index = graph.symbol_index(id);
-        if (index >= symbols.size())
-          throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
-        value = symbols[index];
-        break;
-      }
-      case Op::add:
-        value = add(a, b);
-        break;
-      case Op::mul:
-        value = multiply(a, b);
-        break;
-      case Op::div:
-        value = is_zero(b) ? odd(node.op, a) : multiply(a, inverse(b));
-        break;
-      case Op::sqrt: {
-        const std::optional<Modular> found = root(a);
-        value = found ? *found : Modular{hash(node.op, a), 0};
-        break;
-      }
-      case Op::sin:
-      case Op::cos:
-      case Op::tan:
-        value = trigonometric(node.op, a);
-        break;
-      case Op::sinh:
-      case Op::cosh:
-      case Op::tanh:
-        value = hyperbolic(node.op, a);
-        break;
-      case Op::asin:
-      case Op::atan:
-      case Op::sign:
-        value = odd(node.op, a);
-        break;
-      case Op::atan2:
-        value = is_zero(a) ? Modular{hash(node.op, a, b), 0} : odd(node.op, a, b);
-        break;
-      case Op::abs:
-        value = is_zero(a) ? a : Modular{hash(node.op, is_upper(a) ? negate(a) : a), 0};
-        break;
-      case Op::acos:
-      case Op::exp:
-      case Op::log:
-        value = {hash(node.op, a), 0};
-        break;
-      case Op::pow:
-        value = {hash(node.op, a, b), 0};
-        break;
+    if (node.op == Operation::rational) {
+      value = from_rational(graph.rational_value(id));
+    } else if (node.op == Operation::pi_multiple) {
+      value = multiply(from_rational(graph.rational_value(id)), {kPi, 0});
+    } else if (node.op == Operation::real) {
+      value = from_double(graph.real_value(id));
+    } else if (node.op == Operation::symbol) {
+      const std::uint32_t index = graph.symbol_index(id);
+      if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
+      value = symbols[index];
+    } else if (node.op == Operation::add) {
+      value = add(a, b);
+    } else if (node.op == Operation::mul) {
+      value = multiply(a, b);
+    } else if (node.op == Operation::div) {
+      value = is_zero(b) ? odd(node.op, a) : multiply(a, inverse(b));
+    } else if (node.op == Operation::sqrt) {
+      const std::optional<Modular> found = root(a);
+      value = found ? *found : Modular{hash(node.op, a), 0};
+    } else if (facts(node.op).field != FieldValue::opaque) {
+      value = on_curve(node.op, a);
+    } else if (parity(node.op) == Parity::odd) {
+      value = odd(node.op, a);
+    } else if (parity(node.op) == Parity::even) {
+      value = node.op == Operation::abs && is_zero(a)
+                  ? a
+                  : Modular{hash(node.op, is_upper(a) ? negate(a) : a), 0};
+    } else if (node.op == Operation::atan2 && !is_zero(a)) {  // odd in the first operand
+      value = odd(node.op, a, b);
+    } else {
+      value = {hash(node.op, a, b), 0};
     }
   }
   return out;

@@ -25,7 +25,7 @@ constexpr std::uint64_t ranked(Rank rank, std::uint64_t hash) {
   return static_cast<std::uint64_t>(rank) << kRankShift | hash >> 2;
 }
 
-constexpr std::uint64_t seed(Op op) {
+constexpr std::uint64_t seed(Operation op) {
   return (static_cast<std::uint64_t>(op) + 1) * 0xd1b54a32d192ed03u;
 }
 
@@ -56,17 +56,17 @@ ExprGraph& common_graph(const Expr& a, const Expr& b) {
   return a.graph();
 }
 
-Expr apply(Op op, const Expr& a, const Expr& b) {
-  ExprGraph& graph = common_graph(a, b);
-  return {graph, graph.make(op, a.ref(), b.ref())};
-}
-
-Expr apply(Op op, const Expr& x) {
+Expr apply(Operation op, const Expr& x) {
   ExprGraph& graph = common_graph(x, x);
   return {graph, graph.make(op, x.ref())};
 }
 
 }  // namespace
+
+Expr apply(Operation op, Expr a, Expr b) {
+  ExprGraph& graph = common_graph(a, b);
+  return {graph, graph.make(op, a.ref(), b.ref())};
+}
 
 bool Expr::is_zero() const {
   return ref_ == kZero;
@@ -79,64 +79,64 @@ bool Expr::is_constant() const {
 }
 
 Expr operator+(Expr a, Expr b) {
-  return apply(Op::add, a, b);
+  return apply(Operation::add, a, b);
 }
 Expr operator-(Expr a, Expr b) {
-  return apply(Op::add, a, -b);
+  return apply(Operation::add, a, -b);
 }
 Expr operator*(Expr a, Expr b) {
-  return apply(Op::mul, a, b);
+  return apply(Operation::mul, a, b);
 }
 Expr operator/(Expr a, Expr b) {
-  return apply(Op::div, a, b);
+  return apply(Operation::div, a, b);
 }
 Expr sqrt(Expr x) {
-  return apply(Op::sqrt, x);
+  return apply(Operation::sqrt, x);
 }
 Expr sin(Expr x) {
-  return apply(Op::sin, x);
+  return apply(Operation::sin, x);
 }
 Expr cos(Expr x) {
-  return apply(Op::cos, x);
+  return apply(Operation::cos, x);
 }
 Expr tan(Expr x) {
-  return apply(Op::tan, x);
+  return apply(Operation::tan, x);
 }
 Expr asin(Expr x) {
-  return apply(Op::asin, x);
+  return apply(Operation::asin, x);
 }
 Expr acos(Expr x) {
-  return apply(Op::acos, x);
+  return apply(Operation::acos, x);
 }
 Expr atan(Expr x) {
-  return apply(Op::atan, x);
+  return apply(Operation::atan, x);
 }
 Expr atan2(Expr y, Expr x) {
-  return apply(Op::atan2, y, x);
+  return apply(Operation::atan2, y, x);
 }
 Expr exp(Expr x) {
-  return apply(Op::exp, x);
+  return apply(Operation::exp, x);
 }
 Expr log(Expr x) {
-  return apply(Op::log, x);
+  return apply(Operation::log, x);
 }
 Expr abs(Expr x) {
-  return apply(Op::abs, x);
+  return apply(Operation::abs, x);
 }
 Expr sign(Expr x) {
-  return apply(Op::sign, x);
+  return apply(Operation::sign, x);
 }
 Expr sinh(Expr x) {
-  return apply(Op::sinh, x);
+  return apply(Operation::sinh, x);
 }
 Expr cosh(Expr x) {
-  return apply(Op::cosh, x);
+  return apply(Operation::cosh, x);
 }
 Expr tanh(Expr x) {
-  return apply(Op::tanh, x);
+  return apply(Operation::tanh, x);
 }
 Expr pow(Expr x, Expr y) {
-  return apply(Op::pow, x, y);
+  return apply(Operation::pow, x, y);
 }
 Expr pow(Expr x, int n) {
   ExprGraph& graph = common_graph(x, x);
@@ -146,9 +146,9 @@ Expr pow(Expr x, int n) {
 ExprGraph::ExprGraph() : tags_(kFirstSlots, 0), table_(kFirstSlots, 0) {
   // Nodes 0 and 1 are the numbers 0 and 1: every rule knows them by their handle.
   rationals_.push_back(Rational(0));
-  nodes_.push_back({Op::rational, true, Ref(), Ref()});
+  nodes_.push_back({Operation::rational, true, Ref(), Ref()});
   keys_.push_back(ranked(Rank::number, 0));
-  intern_number(Op::rational, Rational(1));
+  intern_number(Operation::rational, Rational(1));
 }
 
 Expr ExprGraph::integer(std::int64_t value) {
@@ -167,9 +167,9 @@ Expr ExprGraph::real(double value) {
 Expr ExprGraph::symbol(std::string_view name) {
   const auto [found, added] = symbol_ids_.try_emplace(std::string(name), symbol_count());
   if (added) {
-    std::uint64_t hash = seed(Op::symbol);
+    std::uint64_t hash = seed(Operation::symbol);
     for (const char c : name) hash = mix(hash, static_cast<unsigned char>(c) + 1u);
-    Node node{Op::symbol, false, Ref(), Ref()};
+    Node node{Operation::symbol, false, Ref(), Ref()};
     node.a.bits = symbol_count();
     const std::uint32_t id = append(node, ranked(Rank::symbol, mix(hash, name.size())));
     push(symbols_, Symbol{&found->first, id, {-HUGE_VAL, HUGE_VAL}});
@@ -178,7 +178,7 @@ Expr ExprGraph::symbol(std::string_view name) {
 }
 
 void ExprGraph::assume(Expr symbol, Interval interval) {
-  if (symbol.ref().negative() || node(symbol.ref().node()).op != Op::symbol) {
+  if (symbol.ref().negative() || node(symbol.ref().node()).op != Operation::symbol) {
     throw std::logic_error("bounds can only be assumed of symbols");
   }
   symbols_[symbol_index(symbol.ref().node())].interval = interval;
@@ -235,7 +235,7 @@ void ExprGraph::rehash(std::size_t slots) {
   for (std::uint32_t id = 1; id < size(); ++id) place(keys_[id], id);
 }
 
-Ref ExprGraph::intern_number(Op op, Rational value) {
+Ref ExprGraph::intern_number(Operation op, Rational value) {
   const bool negative = value.negative();
   if (negative) value.numerator = -value.numerator;
   const std::uint64_t hash = mix(mix(seed(op), static_cast<std::uint64_t>(value.numerator)),
@@ -253,19 +253,20 @@ Ref ExprGraph::intern_number(Op op, Rational value) {
 Ref ExprGraph::intern_real(double value) {
   const bool negative = value < 0;
   if (negative) value = -value;
-  const std::uint64_t key = ranked(Rank::number, mix(seed(Op::real), std::bit_cast<std::uint64_t>(value)));
-  const std::uint32_t known =
-      find(key, [&](std::uint32_t id) { return nodes_[id].op == Op::real && real_value(id) == value; });
+  const std::uint64_t key =
+      ranked(Rank::number, mix(seed(Operation::real), std::bit_cast<std::uint64_t>(value)));
+  const std::uint32_t known = find(
+      key, [&](std::uint32_t id) { return nodes_[id].op == Operation::real && real_value(id) == value; });
   if (known != 0) return {known, negative};
-  Node node{Op::real, true, Ref(), Ref()};
+  Node node{Operation::real, true, Ref(), Ref()};
   node.a.bits = static_cast<std::uint32_t>(reals_.size());
   push(reals_, value);
   return {append(node, key), negative};
 }
 
-Ref Builder::intern(Op op, Ref a, Ref b) {
+Ref Builder::intern(Operation op, Ref a, Ref b) {
   ExprGraph& g = graph;
-  const bool binary = arity(op) == 2;
+  const bool binary = operand_count(op) == 2;
   std::uint64_t hash = mix(seed(op), g.keys_[a.node()] + (a.negative() ? kGolden : 0));
   bool is_constant = g.nodes_[a.node()].constant;
   if (binary) {
@@ -287,11 +288,11 @@ bool Builder::before(Ref a, Ref b) const {
 }
 
 Ref Builder::number(Rational value) {
-  return value.numerator == 0 ? kZero : graph.intern_number(Op::rational, value);
+  return value.numerator == 0 ? kZero : graph.intern_number(Operation::rational, value);
 }
 
 Ref Builder::pi(Rational multiple) {
-  return multiple.numerator == 0 ? kZero : graph.intern_number(Op::pi_multiple, multiple);
+  return multiple.numerator == 0 ? kZero : graph.intern_number(Operation::pi_multiple, multiple);
 }
 
 Ref Builder::real(double value) {
@@ -308,47 +309,23 @@ Rational Builder::rational_of(Ref x) const {
 
 double Builder::numeric_value(Ref x) const {
   constexpr double kPi = 3.14159265358979323846;
-  const Op o = op(x);
-  const double value = o == Op::real          ? graph.real_value(x.node())
-                       : o == Op::pi_multiple ? graph.rational_value(x.node()).to_double() * kPi
-                                              : graph.rational_value(x.node()).to_double();
+  const Operation o = op(x);
+  const double value = o == Operation::real          ? graph.real_value(x.node())
+                       : o == Operation::pi_multiple ? graph.rational_value(x.node()).to_double() * kPi
+                                                     : graph.rational_value(x.node()).to_double();
   return x.negative() ? -value : value;
 }
 
-Ref ExprGraph::make(Op op, Ref a, Ref b) {
+Ref ExprGraph::make(Operation op, Ref a, Ref b) {
   Builder builder(*this);
-  switch (op) {
-    case Op::add:
-      return builder.sum(a, b);
-    case Op::mul:
-      return builder.product(a, b);
-    case Op::div:
-      return builder.quotient(a, b);
-    case Op::atan2:
-      return builder.arctangent2(a, b);
-    case Op::pow:
-      return builder.power(a, b);
-    case Op::sqrt:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::exp:
-    case Op::log:
-    case Op::abs:
-    case Op::sign:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-      return builder.function(op, a);
-    case Op::rational:
-    case Op::pi_multiple:
-    case Op::real:
-    case Op::symbol:
-      break;
-  }
+  if (op == Operation::add) return builder.sum(a, b);
+  if (op == Operation::sub) return builder.difference(a, b);
+  if (op == Operation::mul) return builder.product(a, b);
+  if (op == Operation::div) return builder.quotient(a, b);
+  if (op == Operation::neg) return -a;
+  if (op == Operation::atan2) return builder.arctangent2(a, b);
+  if (op == Operation::pow) return builder.power(a, b);
+  if (operand_count(op) == 1) return builder.function(op, a);
   throw std::logic_error("constants and symbols are not made from operands");
 }
 

@@ -16,37 +16,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "support/operation.hpp"
 #include "symbolic/rational.hpp"
 
 namespace alembert {
-
-/// What a node computes. a and b are its operands.
-enum class Op : std::uint8_t {
-  rational,     ///< exact rational constant >= 0
-  pi_multiple,  ///< exact rational > 0 times pi
-  real,         ///< double constant > 0 (only where a rational overflows)
-  symbol,       ///< variable
-  add,          ///< a + b; a is unsigned, b may carry a sign
-  mul,          ///< a * b, both unsigned; a constant factor comes first
-  div,          ///< a / b, both unsigned
-  sqrt,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  atan2,
-  exp,
-  log,
-  abs,
-  sign,
-  sinh,
-  cosh,
-  tanh,
-  pow,  ///< a^b where b is no integer (integers become products)
-};
-inline constexpr int kOpCount = static_cast<int>(Op::pow) + 1;
 
 /// Node index shifted left by one, plus 1 if negated. Node 0 is the constant zero, which has no sign: there
 /// is no -0.
@@ -61,51 +34,12 @@ struct Ref {
 };
 
 /// One node. Leaves keep an index into the graph's constant or symbol tables in a.bits.
+/// a and b are its operands.
 struct Node {
-  Op op;
+  Operation op;
   bool constant;  ///< no symbol below
   Ref a, b;       ///< unary operations leave b at zero
-  constexpr int arity() const;
-};
-
-constexpr int arity(Op op) {
-  switch (op) {
-    case Op::rational:
-    case Op::pi_multiple:
-    case Op::real:
-    case Op::symbol:
-      return 0;
-    case Op::add:
-    case Op::mul:
-    case Op::div:
-    case Op::atan2:
-    case Op::pow:
-      return 2;
-    case Op::sqrt:
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::exp:
-    case Op::log:
-    case Op::abs:
-    case Op::sign:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-      return 1;
-  }
-  return 0;
-}
-constexpr int Node::arity() const {
-  return alembert::arity(op);
-}
-
-/// A closed interval known to contain a value; used to prove signs. Defaults to the whole line.
-struct Interval {
-  double lower, upper;
+  constexpr int arity() const { return operand_count(op); }
 };
 
 class ExprGraph;
@@ -162,6 +96,8 @@ Expr cosh(Expr x);
 Expr tanh(Expr x);
 Expr pow(Expr x, Expr y);
 Expr pow(Expr x, int n);
+/// Any operation that is no leaf, signs included; b is for those of two operands.
+Expr apply(Operation op, Expr a, Expr b);
 
 /// A constant that doubles cannot hold: infinity, or no number.
 class ConstantOutOfRange : public std::domain_error {
@@ -206,7 +142,7 @@ class ExprGraph {
   std::size_t memory_bytes() const;
 
   /// Applies an operation to operands, with simplification: the one door through which nodes are made.
-  Ref make(Op op, Ref a, Ref b = Ref());
+  Ref make(Operation op, Ref a, Ref b = Ref());
 
  private:
   friend struct Builder;
@@ -222,7 +158,7 @@ class ExprGraph {
                      Same same) const;  ///< 0 if there is none: the zero node is never looked up
   void place(std::uint64_t key, std::uint32_t id);
   void rehash(std::size_t slots);
-  Ref intern_number(Op op, Rational value);
+  Ref intern_number(Operation op, Rational value);
   Ref intern_real(double value);
 
   std::vector<Node> nodes_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/extended.hpp"
 
 namespace alembert {

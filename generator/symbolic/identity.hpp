@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "symbolic/expr.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

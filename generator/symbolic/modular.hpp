@@ -5,10 +5,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/rational.hpp"
 
-namespace alembert::modular {
+namespace alembert {
+
+/// An element re + im*i of the field with p^2 elements, p = 2^61 - 1, i^2 = -1.
+struct Modular {
+  std::uint64_t re = 0, im = 0;
+  friend bool operator==(const Modular&, const Modular&) = default;
+};
+
+namespace modular {
 
 __extension__ typedef unsigned __int128 Wide;
 
@@ -60,6 +67,14 @@ constexpr std::uint64_t halve(std::uint64_t x) {
   return (x & 1) == 0 ? x / 2 : (x + kPrime) / 2;
 }
 
+/// x with its bits mixed.
+constexpr std::uint64_t scramble(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
 /// The root of x or, if x is no square, of -x (then `imaginary`), the smaller of the two.
 struct Root {
   std::uint64_t value;
@@ -102,7 +117,5 @@ std::optional<Modular> root(Modular x);
 /// A number as an element of the field.
 Modular from_rational(Rational x);
 
-/// Values of all nodes of an order at one point; symbols[i] belongs to the symbol with index i.
-std::vector<Modular> values(const ExprGraph& graph, const Postorder& order, std::span<const Modular> symbols);
-
-}  // namespace alembert::modular
+}  // namespace modular
+}  // namespace alembert

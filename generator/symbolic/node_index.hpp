@@ -80,30 +80,4 @@ class NodeIndex {
   std::vector<std::uint32_t> positions_;  ///< ... for which this is by id
 };
 
-/// A node seen from inside a Postorder: positions in it instead of ids, shifted left by one, plus 1 if
-/// negated.
-struct LocalOperands {
-  std::uint32_t a = 0, b = 0;
-};
-
-/// Nodes reachable from roots, operands first, and the position of each.
-struct Postorder {
-  std::vector<std::uint32_t> ids;
-  std::vector<LocalOperands> operands;  ///< as many of them are meant as the operation has
-  NodeIndex index;
-  std::uint32_t at(std::uint32_t id) const { return index.find(id); }
-  static std::uint32_t local(std::uint32_t position, Ref x) {
-    return position << 1 | (x.negative() ? 1u : 0u);
-  }
-  std::uint32_t local(Ref x) const { return local(at(x.node()), x); }
-};
-Postorder indexed_postorder(std::span<const Expr> roots);
-
-/// Values of all nodes of an order in double precision; symbols[i] belongs to the symbol with index i.
-std::vector<double> node_values(const ExprGraph& graph, const Postorder& order,
-                                std::span<const double> symbols);
-
-/// The graph of some roots; throws std::logic_error if they belong to several or to none.
-ExprGraph* graph_of(std::span<const Expr> roots);
-
 }  // namespace alembert

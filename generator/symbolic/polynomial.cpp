@@ -64,31 +64,31 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
         of = Builder::magnitude(of);
       }
       const Node& node = build_.node(of);
-      const bool plain_number = node.op == Op::rational || node.op == Op::real;
+      const bool plain_number = node.op == Operation::rational || node.op == Operation::real;
       if (plain_number) {
         const Ref power = build_.integer_power(of, next.halves / 2);
         x.number = exact(build_.product(x.number, power));
         continue;
       }
-      if (node.op == Op::pi_multiple && build_.rational_of(of) != Rational(1)) {
+      if (node.op == Operation::pi_multiple && build_.rational_of(of) != Rational(1)) {
         open.push_back({build_.number(build_.rational_of(of)), next.halves});
         open.push_back({build_.pi(Rational(1)), next.halves});
         continue;
       }
-      if (node.op == Op::mul && node.a == node.b) {
+      if (node.op == Operation::mul && node.a == node.b) {
         open.push_back({node.a, 2 * next.halves});
         continue;
       }
-      if (node.op == Op::mul || node.op == Op::div) {
+      if (node.op == Operation::mul || node.op == Operation::div) {
         open.push_back({node.a, next.halves});
-        open.push_back({node.b, node.op == Op::mul ? next.halves : -next.halves});
+        open.push_back({node.b, node.op == Operation::mul ? next.halves : -next.halves});
         continue;
       }
-      if (node.op == Op::sqrt && !node.a.negative()) {
+      if (node.op == Operation::sqrt && !node.a.negative()) {
         open.push_back({node.a, next.halves / 2});
         continue;
       }
-      if (node.op == Op::abs && next.halves % 4 == 0) {
+      if (node.op == Operation::abs && next.halves % 4 == 0) {
         open.push_back({node.a, next.halves});
         continue;
       }
@@ -97,9 +97,11 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
     const int after = before + next.halves;
     if (std::abs(after) > kMostHalves) throw TooLarge();
     // A root or an absolute value that became whole is taken apart again.
-    const Op op = build_.op(of);
-    const bool composite = op == Op::rational || op == Op::mul || op == Op::div || op == Op::sqrt;
-    if ((composite && before % 2 != 0 && after % 2 == 0) || (op == Op::abs && after != 0 && after % 4 == 0)) {
+    const Operation op = build_.op(of);
+    const bool composite =
+        op == Operation::rational || op == Operation::mul || op == Operation::div || op == Operation::sqrt;
+    if ((composite && before % 2 != 0 && after % 2 == 0) ||
+        (op == Operation::abs && after != 0 && after % 4 == 0)) {
       put(x.powers, of, -before);
       open.push_back({of, after});
     } else {
@@ -110,7 +112,7 @@ void Algebra::multiply_into(PolynomialTerm& x, Ref base, int halves) {
 
 Ref Algebra::exact(Ref number) const {
   // A rational that overflowed has become a double: what should cancel no longer does.
-  if (build_.op(number) == Op::real) throw TooLarge();
+  if (build_.op(number) == Operation::real) throw TooLarge();
   return number;
 }
 
@@ -204,7 +206,7 @@ std::optional<Polynomial> Algebra::square_root(const Polynomial& x) {
   if (x.empty()) return x;
   const auto root_of_term = [this](const PolynomialTerm& term) -> std::optional<PolynomialTerm> {
     if (term.number.negative() || !build_.rational(term.number)) return std::nullopt;
-    const Ref root = build_.function(Op::sqrt, term.number);
+    const Ref root = build_.function(Operation::sqrt, term.number);
     if (!build_.rational(root)) return std::nullopt;
     PolynomialTerm out{root, term.powers};
     for (Power& power : out.powers) {

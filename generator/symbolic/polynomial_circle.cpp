@@ -7,11 +7,11 @@
 namespace alembert {
 namespace {
 
-bool on_circle(Op op) {
-  return op == Op::sin || op == Op::cos;
+bool on_circle(Operation op) {
+  return op == Operation::sin || op == Operation::cos;
 }
-bool on_hyperbola(Op op) {
-  return op == Op::sinh || op == Op::cosh;
+bool on_hyperbola(Operation op) {
+  return op == Operation::sinh || op == Operation::cosh;
 }
 
 std::size_t degree(const Polynomial& x) {
@@ -39,11 +39,11 @@ std::vector<CirclePair> Algebra::circle_pairs(const Polynomial& x) {
         return pair.first == power.base || pair.second == power.base;
       });
       if (known) continue;
-      const bool is_first = node.op == Op::sin || node.op == Op::cosh;
-      const Op partner_op = node.op == Op::sin    ? Op::cos
-                            : node.op == Op::cos  ? Op::sin
-                            : node.op == Op::sinh ? Op::cosh
-                                                  : Op::sinh;
+      const bool is_first = node.op == Operation::sin || node.op == Operation::cosh;
+      const Operation partner_op = node.op == Operation::sin    ? Operation::cos
+                                   : node.op == Operation::cos  ? Operation::sin
+                                   : node.op == Operation::sinh ? Operation::cosh
+                                                                : Operation::sinh;
       const Ref partner = build_.intern(partner_op, node.a, Ref());
       out.push_back({is_first ? power.base : partner, is_first ? partner : power.base, hyperbolic});
     }

@@ -20,7 +20,7 @@ Ref Algebra::expression(const PolynomialTerm& x) {
   for (const Power& power : x.powers) {
     const int size = std::abs(power.halves);
     Ref factor = build_.integer_power(power.base, size / 2);
-    if (size % 2 != 0) factor = build_.product(build_.function(Op::sqrt, power.base), factor);
+    if (size % 2 != 0) factor = build_.product(build_.function(Operation::sqrt, power.base), factor);
     Ref& side = power.halves > 0 ? above : below;
     side = build_.product(side, factor);
   }

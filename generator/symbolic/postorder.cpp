@@ -1,9 +1,10 @@
 // Order of evaluation. In: roots. Out: the ids of all nodes they need, operands first, depth first from the
 // roots in their order and from operand a before b.
+#include "symbolic/postorder.hpp"
+
 #include <stdexcept>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

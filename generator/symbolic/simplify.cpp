@@ -3,13 +3,17 @@
 // Candidates are made by rewriting every node as a polynomial (polynomial.hpp), once with sums kept whole
 // inside products and once multiplied out, reduced by the identities of the circle and factored again; value
 // numbering runs between them. A candidate is taken only if it needs fewer operations.
+#include "symbolic/simplify.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "symbolic/count_operations.hpp"
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
 #include "symbolic/polynomial.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {
@@ -75,48 +79,19 @@ class Rewriter {
   Polynomial form(std::size_t i) {
     const Node node = graph_.node(order_.ids[i]);
     const LocalOperands operands = order_.operands[i];
-    switch (node.op) {
-      case Op::rational:
-      case Op::pi_multiple:
-      case Op::real:
-      case Op::symbol:
-        return algebra_.polynomial(Ref(order_.ids[i], false));
-      case Op::add:
-        return sum(operands);
-      case Op::mul: {
-        const Polynomial x = operand(operands.a), y = operand(operands.b);
-        if (x.size() <= 1 && y.size() <= 1) return algebra_.multiply(x, y);
-        if (may_multiply(x, y)) return algebra_.reduce(algebra_.multiply(x, y));
-        return algebra_.multiply(whole(operands.a), whole(operands.b));
-      }
-      case Op::div:
-        return quotient(operands);
-      case Op::sqrt:
-        return root(operands.a);
-      case Op::sin:
-      case Op::cos:
-      case Op::tan:
-      case Op::asin:
-      case Op::acos:
-      case Op::atan:
-      case Op::exp:
-      case Op::log:
-      case Op::abs:
-      case Op::sign:
-      case Op::sinh:
-      case Op::cosh:
-      case Op::tanh: {
-        const Ref a = collected(operands.a);
-        return algebra_.polynomial(graph_.make(node.op, a));
-      }
-      case Op::atan2:
-      case Op::pow: {
-        const Ref a = collected(operands.a);
-        const Ref b = collected(operands.b);
-        return algebra_.polynomial(graph_.make(node.op, a, b));
-      }
+    if (is_leaf(node.op)) return algebra_.polynomial(Ref(order_.ids[i], false));
+    if (node.op == Operation::add) return sum(operands);
+    if (node.op == Operation::mul) {
+      const Polynomial x = operand(operands.a), y = operand(operands.b);
+      if (x.size() <= 1 && y.size() <= 1) return algebra_.multiply(x, y);
+      if (may_multiply(x, y)) return algebra_.reduce(algebra_.multiply(x, y));
+      return algebra_.multiply(whole(operands.a), whole(operands.b));
     }
-    return {};
+    if (node.op == Operation::div) return quotient(operands);
+    if (node.op == Operation::sqrt) return root(operands.a);
+    const Ref a = collected(operands.a);
+    const Ref b = node.arity() == 2 ? collected(operands.b) : Ref();
+    return algebra_.polynomial(graph_.make(node.op, a, b));
   }
 
   Polynomial sum(LocalOperands operands) {
@@ -142,7 +117,7 @@ class Rewriter {
     // Sums kept whole: factors in common cancel.
     const Ref below = collected(operands.b);
     const Ref above = collected(operands.a);
-    return algebra_.polynomial(graph_.make(Op::div, above, below));
+    return algebra_.polynomial(graph_.make(Operation::div, above, below));
   }
 
   // x/y as a polynomial, looked for with squares of sines or of cosines replaced.
@@ -172,15 +147,15 @@ class Rewriter {
     const Polynomial inside = algebra_.multiply(x, algebra_.inverse(outside));
     Ref factor = kOne;
     for (const Power& power : outside.powers) {
-      const Ref magnitude = graph_.make(Op::abs, power.base);
+      const Ref magnitude = graph_.make(Operation::abs, power.base);
       const Ref whole_power = algebra_.builder().integer_power(magnitude, power.halves / 4);
       factor = algebra_.builder().product(factor, whole_power);
     }
     Ref rest;
     if (const auto exact = exact_root(inside)) {
-      rest = graph_.make(Op::abs, algebra_.expression(*exact));
+      rest = graph_.make(Operation::abs, algebra_.expression(*exact));
     } else {
-      rest = graph_.make(Op::sqrt, algebra_.expression(inside));
+      rest = graph_.make(Operation::sqrt, algebra_.expression(inside));
     }
     return algebra_.polynomial(algebra_.builder().product(factor, rest));
   }

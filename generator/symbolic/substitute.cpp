@@ -1,9 +1,11 @@
 // Simultaneous substitution. In: roots and pairs (symbol, expression). Out: the roots with every such symbol
 // replaced, rebuilt by the rules of construction.
+#include "symbolic/substitute.hpp"
+
 #include <stdexcept>
 
 #include "symbolic/node_index.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
@@ -17,7 +19,7 @@ std::vector<Expr> substitute(std::span<const Expr> roots,
     const auto& [symbol, by] = replacements[i];
     const Expr both[] = {symbol, by};
     if (graph_of(both) != graph) throw std::logic_error("expressions of different graphs cannot be combined");
-    if (symbol.ref().negative() || graph->node(symbol.ref().node()).op != Op::symbol) {
+    if (symbol.ref().negative() || graph->node(symbol.ref().node()).op != Operation::symbol) {
       throw std::logic_error("only symbols can be substituted");
     }
     if (!replaced.add(symbol.ref().node(), static_cast<std::uint32_t>(i)))

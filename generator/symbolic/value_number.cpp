@@ -7,6 +7,8 @@
 // expressions without roots has a chance below 2^-100. The sign of a root is arbitrary in the field, so that
 // sqrt(x^2 + 2xy + y^2) agrees with x + y at every second point: matches that involve roots are confirmed at
 // many more points and in double precision, where roots are positive.
+#include "symbolic/value_number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +16,11 @@
 #include <stdexcept>
 
 #include "symbolic/close_constants.hpp"
+#include "symbolic/count_operations.hpp"
 #include "symbolic/error_bound.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {
@@ -29,41 +34,6 @@ constexpr double kRoundingFactor = 1e3;  // of the bounds on rounding errors; a 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using Values = std::array<std::vector<Modular>, kPoints>;
-
-// Weight of an operation when representatives are compared: about its time.
-std::uint64_t weight(Op op) {
-  switch (op) {
-    case Op::rational:
-    case Op::pi_multiple:
-    case Op::real:
-    case Op::symbol:
-      return 0;
-    case Op::add:
-    case Op::mul:
-      return 1;
-    case Op::div:
-      return 4;
-    case Op::sqrt:
-    case Op::abs:
-    case Op::sign:
-      return 5;
-    case Op::sin:
-    case Op::cos:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::atan2:
-    case Op::exp:
-    case Op::log:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::pow:
-      return 12;
-  }
-  return 0;
-}
 
 // n/d with |n| and d below 2^12 that has this value, if there is one.
 std::optional<Rational> small_rational(Modular value) {
@@ -185,9 +155,9 @@ class Numbering {
     for (std::uint32_t i = 0; i < count; ++i) {
       const Node n = node(i);  // a copy: number_class makes nodes
       const LocalOperands operands = order_.operands[i];
-      rooted_[i] = n.op == Op::sqrt || (n.arity() >= 1 && rooted_[operands.a >> 1]) ||
+      rooted_[i] = n.op == Operation::sqrt || (n.arity() >= 1 && rooted_[operands.a >> 1]) ||
                    (n.arity() == 2 && rooted_[operands.b >> 1]);
-      if (n.op == Op::rational) {
+      if (n.op == Operation::rational) {
         members_[i] = {number_class(graph_.rational_value(order_.ids[i])), false};
         continue;
       }
@@ -285,7 +255,7 @@ class Numbering {
       const Node& n = node(i);
       const LocalOperands operands = order_.operands[i];
       if (!n.constant) {
-        cost[i] = weight(n.op);
+        cost[i] = facts(n.op).weight;
         if (n.arity() >= 1) cost[i] += cost[operands.a >> 1];
         if (n.arity() == 2) cost[i] += cost[operands.b >> 1];
         cost[i] = std::min(cost[i], kMost);

@@ -1,13 +1,17 @@
 // The curves and surfaces that bodies move on (looks.hpp): each is drawn once on the body or world it is
 // fixed to, over the coordinates' limits, a full turn where it repeats after one, or as far as the motion
 // goes.
+#include "viewer/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 #include "viewer/looks.hpp"
+#include "viewer/shapes.hpp"
+#include "viewer/swept_mesh.hpp"
 
 namespace alembert {
 

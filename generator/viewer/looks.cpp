@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/contacts.hpp"
+#include "viewer/found_joint.hpp"
+#include "viewer/shapes.hpp"
+
 namespace alembert {
 
 namespace {

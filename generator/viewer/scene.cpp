@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viewer/looks.hpp"
+#include "viewer/shapes.hpp"
 
 namespace alembert {
 

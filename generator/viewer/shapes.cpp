@@ -1,11 +1,15 @@
 // Shapes of the description to meshes, and values of expressions at the initial state.
+#include "viewer/shapes.hpp"
+
 #include <fmt/format.h>
 
 #include <stdexcept>
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 #include "viewer/looks.hpp"
+#include "viewer/swept_mesh.hpp"
 
 namespace alembert {
 

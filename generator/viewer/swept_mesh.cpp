@@ -1,5 +1,7 @@
 // Meshes of tubes along curves and of surfaces given as functions. Both sample a grid; whether its sides meet
 // is seen from the samples, and then they are made equal, so that the mesh is closed.
+#include "viewer/swept_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

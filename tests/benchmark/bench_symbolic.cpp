@@ -4,10 +4,15 @@
 #include <string>
 
 #include "symbolic/matrix.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/random_dag.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/value_number.hpp"
 #ifdef ALEMBERT_BENCH_DIFFERENTIATION
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
+#include "differentiation/reverse.hpp"
 #endif
 
 namespace alembert {

@@ -20,55 +20,58 @@ inline std::complex<double> complex_value(const ExprGraph& graph, std::uint32_t 
                                           std::span<const std::complex<double>> symbols) {
   using Complex = std::complex<double>;
   switch (graph.node(id).op) {
-    case Op::rational:
+    case Operation::rational:
       return graph.rational_value(id).to_double();
-    case Op::pi_multiple:
+    case Operation::pi_multiple:
       return graph.rational_value(id).to_double() * std::acos(-1.0);
-    case Op::real:
+    case Operation::real:
       return graph.real_value(id);
-    case Op::symbol:
+    case Operation::symbol:
       return symbols[graph.symbol_index(id)];
-    case Op::add:
+    case Operation::add:
       return a + b;
-    case Op::mul:
+    case Operation::mul:
       return a * b;
-    case Op::div:
+    case Operation::div:
       return a / b;
-    case Op::sqrt:
+    case Operation::sqrt:
       return std::sqrt(a);
-    case Op::sin:
+    case Operation::sin:
       return std::sin(a);
-    case Op::cos:
+    case Operation::cos:
       return std::cos(a);
-    case Op::tan:
+    case Operation::tan:
       return std::tan(a);
-    case Op::asin:
+    case Operation::asin:
       return std::asin(a);
-    case Op::acos:
+    case Operation::acos:
       return std::acos(a);
-    case Op::atan:
+    case Operation::atan:
       return std::atan(a);
-    case Op::atan2: {
+    case Operation::atan2: {
       // To first order in the imaginary parts, which is all a complex step needs.
       const double square = a.real() * a.real() + b.real() * b.real();
       return Complex(std::atan2(a.real(), b.real()), (b.real() * a.imag() - a.real() * b.imag()) / square);
     }
-    case Op::exp:
+    case Operation::exp:
       return std::exp(a);
-    case Op::log:
+    case Operation::log:
       return std::log(a);
-    case Op::abs:
+    case Operation::abs:
       return a.real() < 0 ? -a : a;
-    case Op::sign:
+    case Operation::sign:
       return a.real() < 0 ? -1.0 : a.real() > 0 ? 1.0 : 0.0;
-    case Op::sinh:
+    case Operation::sinh:
       return std::sinh(a);
-    case Op::cosh:
+    case Operation::cosh:
       return std::cosh(a);
-    case Op::tanh:
+    case Operation::tanh:
       return std::tanh(a);
-    case Op::pow:
+    case Operation::pow:
       return std::pow(a, b);
+    case Operation::sub:
+    case Operation::neg:
+      break;
   }
   throw std::logic_error("no such operation");
 }

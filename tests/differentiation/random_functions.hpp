@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "symbolic/expr.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert::test {
 
@@ -62,8 +62,8 @@ class RandomFunctions {
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
   bool is_number(Expr x) const {
-    const Op op = graph_.node(x.ref().node()).op;
-    return op == Op::rational || op == Op::real || op == Op::pi_multiple;
+    const Operation op = graph_.node(x.ref().node()).op;
+    return op == Operation::rational || op == Operation::real || op == Operation::pi_multiple;
   }
 
   /// Mostly recent nodes, so that the graph is deep, with links far back, so that it is no tree.
@@ -144,8 +144,8 @@ class RandomFunctions {
     if (corners_) return false;
     const std::array<Expr, 1> root = {x};
     for (const std::uint32_t id : postorder(root)) {
-      const Op op = graph_.node(id).op;
-      if (op == Op::sqrt || op == Op::asin || op == Op::acos) return true;
+      const Operation op = graph_.node(id).op;
+      if (op == Operation::sqrt || op == Operation::asin || op == Operation::acos) return true;
     }
     return false;
   }

@@ -7,9 +7,15 @@
 #include <vector>
 
 #include "differentiation/complex_evaluation.hpp"
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/random_functions.hpp"
-#include "symbolic/passes.hpp"
+#include "differentiation/reverse.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {
@@ -26,7 +32,7 @@ void look(const test::RandomFunction& f, const Jacobian& d_star, Seen& seen) {
   for (const std::uint32_t id : postorder(f.roots)) {
     const Node& node = graph.node(id);
     used[id] += 1;
-    if (node.op == Op::mul && node.a == node.b) ++seen.squares;
+    if (node.op == Operation::mul && node.a == node.b) ++seen.squares;
     if (node.arity() >= 1) used[node.a.node()] += 1;
     if (node.arity() >= 2) used[node.b.node()] += 1;
   }
@@ -34,7 +40,7 @@ void look(const test::RandomFunction& f, const Jacobian& d_star, Seen& seen) {
     const Expr root = f.roots[i];
     if (root.is_constant()) ++seen.constant;
     if (root.ref().negative()) ++seen.negated;
-    if (graph.node(root.ref().node()).op == Op::symbol) ++seen.variable;
+    if (graph.node(root.ref().node()).op == Operation::symbol) ++seen.variable;
     if (graph.node(root.ref().node()).arity() > 0 && used[root.ref().node()] > 1) ++seen.interior;
     for (std::size_t k = 0; k < i; ++k) seen.repeated += f.roots[k].ref().node() == root.ref().node() ? 1 : 0;
   }
@@ -52,7 +58,7 @@ void look(const test::RandomFunction& f, const Jacobian& d_star, Seen& seen) {
 /// Constants that do not fit exact fractions are rounded, and then sums depend on the order of their terms.
 bool has_rounded_constant(const std::vector<Expr>& roots) {
   for (const std::uint32_t id : postorder(roots))
-    if (roots.front().graph().node(id).op == Op::real) return true;
+    if (roots.front().graph().node(id).op == Operation::real) return true;
   return false;
 }
 

@@ -7,14 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "differentiation/d_star.hpp"
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/factoring.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/labelled_graph.hpp"
 #include "differentiation/products.hpp"
 #include "differentiation/random_functions.hpp"
+#include "differentiation/reverse.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 namespace {

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "differentiation/complex_evaluation.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/partials.hpp"
+#include "differentiation/reverse.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 namespace {

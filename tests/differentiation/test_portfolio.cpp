@@ -5,9 +5,14 @@
 #include <cstdio>
 #include <vector>
 
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "differentiation/random_functions.hpp"
-#include "symbolic/passes.hpp"
+#include "differentiation/reverse.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/to_string.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -6,6 +6,8 @@
 #include "dynamics/checks/plain_equations.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "symbolic/count_operations.hpp"
 
 namespace alembert::test {
 namespace {

@@ -7,8 +7,10 @@
 #include "dynamics/choice/conditioning.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
-#include "program/passes.hpp"
+#include "dynamics/recursions/reduced.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/optimize.hpp"
 #include "symbolic/identity.hpp"
 
 namespace alembert::test {

@@ -11,10 +11,15 @@
 
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/outputs.hpp"
 #include "dynamics/sleigh.hpp"
+#include "dynamics/tree/symbols.hpp"
 #include "mechanism/constraint_rows.hpp"
-#include "program/passes.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
+#include "program/verify/verify.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert::test {
 namespace {

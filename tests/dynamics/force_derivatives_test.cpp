@@ -4,8 +4,11 @@
 
 #include "dynamics/by_complex_steps.hpp"
 #include "dynamics/random_trees.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/derivative_recursion.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "oracles/random_mechanism.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert::test {
 namespace {

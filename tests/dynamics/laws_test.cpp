@@ -10,12 +10,20 @@
 #include <map>
 
 #include "differentiation/jacobian.hpp"
+#include "differentiation/reverse.hpp"
 #include "dynamics/by_complex_steps.hpp"
+#include "dynamics/choice/regrouping.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/articulated_bodies.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/outputs.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "symbolic/substitute.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert::test {
 namespace {

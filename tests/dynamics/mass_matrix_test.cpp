@@ -1,12 +1,15 @@
 // M of long chains and large trees: momenta that meet twists in common frames give what momenta give that
 // are carried from joint to joint, and take fewer operations.
+#include "dynamics/recursions/mass_matrix.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "dynamics/random_trees.hpp"
-#include "dynamics/recursions/formulations.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert::test {
 namespace {

@@ -7,9 +7,12 @@
 
 #include "catalogue.hpp"
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
+#include "dynamics/tree/state_values.hpp"
 #include "mechanism/load.hpp"
-#include "symbolic/passes.hpp"
+#include "mechanism/source.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert::test {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "dynamics/mechanism_file.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert::test {
 namespace {

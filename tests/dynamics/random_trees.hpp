@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/choice/regrouping.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <random>
 
+#include "dynamics/choice/regrouping.hpp"
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"
 #include "oracles/random_mechanism.hpp"

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "dynamics/mechanism_file.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
+#include "dynamics/recursions/reduced.hpp"
 
 namespace alembert::test {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert::test {
 namespace {

@@ -18,6 +18,7 @@
 #include "emit/emit.hpp"
 #include "functions/function_table.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 #include "pipeline.hpp"
 
 namespace sample {

@@ -14,7 +14,7 @@
 #include "emit/c_library.hpp"
 #include "emit/sample.hpp"
 #include "mechanism/model.hpp"
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
 
 namespace sample {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "emit/sample.hpp"
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
 
 namespace sample {
 

@@ -8,9 +8,11 @@
 
 #include "emit/argument_lists.hpp"
 #include "functions/array_shape.hpp"
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/loops/reroll.hpp"
 #include "program/program_maker.hpp"
+#include "program/schedule.hpp"
+#include "support/operation.hpp"
 
 namespace sample {
 

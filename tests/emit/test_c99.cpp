@@ -15,7 +15,7 @@
 #include "emit/sample.hpp"
 #include "mechanism/names.hpp"
 #include "pipeline.hpp"
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
 
 namespace sample {
 namespace {

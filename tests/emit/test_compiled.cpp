@@ -20,7 +20,8 @@
 #include "alembert/mechanism.hpp"
 #include "emit/sample.hpp"
 #include "functions/function_table.hpp"
-#include "program/passes.hpp"
+#include "program/interpret.hpp"
+#include "program/loops/dot_products.hpp"
 #include "runtime/allocation_counter.hpp"
 
 namespace {

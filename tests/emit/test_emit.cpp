@@ -11,6 +11,7 @@
 #include "emit/emit.hpp"
 #include "emit/sample.hpp"
 #include "emit/statements/statements.hpp"
+#include "program/loops/dot_products.hpp"
 #include "program/program_maker.hpp"
 #include "support/error.hpp"
 

@@ -7,8 +7,9 @@
 
 #include "emit/interpreted_states.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 #include "pipeline.hpp"
-#include "program/passes.hpp"
+#include "program/loops/dot_products.hpp"
 
 namespace {
 

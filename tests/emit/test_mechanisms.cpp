@@ -20,8 +20,10 @@
 #include "emit/emit.hpp"
 #include "emit/interpreted_states.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 #include "pipeline.hpp"
-#include "program/passes.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/loops/reroll.hpp"
 
 namespace {
 

@@ -2,7 +2,11 @@
 // out of registers, less waiting.
 #include <gtest/gtest.h>
 
+#include "program/dump.hpp"
+#include "program/loops/dot_products.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 #include "registers/register_order.hpp"
 
 namespace alembert {

@@ -15,6 +15,8 @@
 
 #include "emit/statements/statements.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 #include "registers/order_search.hpp"
 #include "registers/register_file.hpp"
 #include "registers/register_order.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mechanism/load.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert::test {
 

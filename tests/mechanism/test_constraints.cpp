@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/loaded.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "golden/golden_file.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 
 namespace alembert {
 namespace {

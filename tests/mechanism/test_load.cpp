@@ -8,6 +8,7 @@
 
 #include "catalogue.hpp"
 #include "mechanism/loaded.hpp"
+#include "mechanism/source.hpp"
 
 namespace alembert {
 namespace {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 
 namespace alembert {
 namespace {

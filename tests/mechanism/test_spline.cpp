@@ -6,8 +6,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "differentiation/d_star.hpp"
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
+#include "differentiation/reverse.hpp"
 #include "mechanism/loaded.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -9,9 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "program/passes.hpp"
+#include "program/lower.hpp"
 #include "symbolic/expr.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

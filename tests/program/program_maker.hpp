@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
-#include "program/verify/error_bound.hpp"
+#include "program/count.hpp"
+#include "program/interpret.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 

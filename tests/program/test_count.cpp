@@ -1,6 +1,7 @@
 // Every clause of the counting convention, each on a program made for it.
 #include <gtest/gtest.h>
 
+#include "program/dump.hpp"
 #include "program/program_maker.hpp"
 
 namespace alembert {

@@ -1,7 +1,11 @@
 // Results that are dot products of the same rows are found, whatever the order of their terms.
 #include <gtest/gtest.h>
 
+#include "program/dump.hpp"
+#include "program/loops/dot_products.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 
 namespace alembert {
 namespace {

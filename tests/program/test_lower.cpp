@@ -3,9 +3,15 @@
 
 #include <numbers>
 
+#include "program/count.hpp"
+#include "program/dump.hpp"
 #include "program/expression_maker.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
+#include "program/verify/verify.hpp"
 #include "support/error.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 namespace {

@@ -2,7 +2,10 @@
 // count.
 #include <gtest/gtest.h>
 
+#include "program/dump.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 
 namespace alembert {
 namespace {

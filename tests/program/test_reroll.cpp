@@ -4,7 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "program/dump.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/loops/reroll.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 
 namespace alembert {
 namespace {

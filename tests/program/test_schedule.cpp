@@ -2,7 +2,11 @@
 // dead.
 #include <gtest/gtest.h>
 
+#include "program/count.hpp"
+#include "program/dump.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

@@ -1,8 +1,12 @@
 // `verify` can fail: every way of damaging a program is found, and sound programs pass.
 #include <gtest/gtest.h>
 
+#include "program/dump.hpp"
 #include "program/expression_maker.hpp"
 #include "program/program_maker.hpp"
+#include "program/rewrite/optimize.hpp"
+#include "program/schedule.hpp"
+#include "program/verify/verify.hpp"
 #include "support/error.hpp"
 
 namespace alembert {

@@ -56,7 +56,7 @@ struct RandomDagOptions {
 
 struct RandomDag {
   struct Step {
-    Op op;             ///< symbol and rational: no operands
+    Operation op;      ///< symbol and rational: no operands
     std::size_t a, b;  ///< earlier steps
     bool negative;     ///< b of a sum is subtracted
   };
@@ -77,31 +77,31 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
     const std::size_t i = mirrored ? options.symbols - 1 - k : k;
     out.symbols[i] = graph.symbol(numbered('s', i));
   }
-  const auto push = [&](Op op, std::size_t a, std::size_t b, bool negative, Expr value) {
+  const auto push = [&](Operation op, std::size_t a, std::size_t b, bool negative, Expr value) {
     out.steps.push_back({op, a, b, negative});
     out.values.push_back(value);
     return out.values.size() - 1;
   };
   const auto add = [&](std::size_t a, std::size_t b, bool negative) {
     const Expr x = out.values[a], y = negative ? -out.values[b] : out.values[b];
-    return push(Op::add, a, b, negative, mirrored ? y + x : x + y);
+    return push(Operation::add, a, b, negative, mirrored ? y + x : x + y);
   };
   const auto mul = [&](std::size_t a, std::size_t b) {
     const Expr x = out.values[a], y = out.values[b];
-    return push(Op::mul, a, b, false, mirrored ? y * x : x * y);
+    return push(Operation::mul, a, b, false, mirrored ? y * x : x * y);
   };
-  const auto unary = [&](Op op, std::size_t a) {
+  const auto unary = [&](Operation op, std::size_t a) {
     return push(op, a, 0, false, Expr(graph, graph.make(op, out.values[a].ref())));
   };
-  for (const Expr& symbol : out.symbols) push(Op::symbol, 0, 0, false, symbol);
-  for (std::int64_t n : {1, 2, -3}) push(Op::rational, 0, 0, false, graph.integer(n));
-  const std::size_t half = push(Op::rational, 0, 0, false, graph.rational({1, 2}));
+  for (const Expr& symbol : out.symbols) push(Operation::symbol, 0, 0, false, symbol);
+  for (std::int64_t n : {1, 2, -3}) push(Operation::rational, 0, 0, false, graph.integer(n));
+  const std::size_t half = push(Operation::rational, 0, 0, false, graph.rational({1, 2}));
   const std::size_t one = options.symbols;
   const auto any = [&] {
     // Recent values more often, so that depth grows; leaves often enough that factors repeat.
     return random.one_in(3) ? random.below(options.symbols) : random.below(out.values.size());
   };
-  const auto bounded = [&](std::size_t a) { return unary(Op::sin, a); };
+  const auto bounded = [&](std::size_t a) { return unary(Operation::sin, a); };
   const std::size_t last = out.values.size() + options.steps;
   while (out.values.size() < last) {
     const std::size_t kind = random.below(12);
@@ -111,43 +111,43 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
     } else if (kind < 8) {
       mul(a, b);
     } else if (kind == 8 && options.division) {
-      if (!out.values[b].is_zero()) push(Op::div, a, b, false, out.values[a] / out.values[b]);
+      if (!out.values[b].is_zero()) push(Operation::div, a, b, false, out.values[a] / out.values[b]);
     } else if (kind < 11 && options.trigonometric) {
       const std::size_t angle = options.small_angles ? random.below(options.symbols) : a;
-      const std::size_t s = unary(random.one_in(2) ? Op::sin : Op::cos, angle);
+      const std::size_t s = unary(random.one_in(2) ? Operation::sin : Operation::cos, angle);
       if (random.one_in(2)) mul(s, s);
     } else if (kind == 11 && options.square_roots && random.one_in(2)) {
       const std::size_t square = mul(a, a);
-      unary(Op::sqrt, options.absolute && random.one_in(3) ? square : add(square, one, false));
+      unary(Operation::sqrt, options.absolute && random.one_in(3) ? square : add(square, one, false));
     } else if (kind == 11 && options.functions) {
       const std::size_t s = bounded(a), small = mul(half, s);
       switch (random.below(9)) {
         case 0:
-          unary(Op::asin, small);
+          unary(Operation::asin, small);
           break;
         case 1:
-          unary(Op::acos, small);
+          unary(Operation::acos, small);
           break;
         case 2:
-          unary(Op::atan, a);
+          unary(Operation::atan, a);
           break;
         case 3:
-          unary(Op::exp, s);
+          unary(Operation::exp, s);
           break;
         case 4:
-          unary(Op::log, add(one, small, false));
+          unary(Operation::log, add(one, small, false));
           break;
         case 5:
-          unary(Op::abs, a);
+          unary(Operation::abs, a);
           break;
         case 6:
-          unary(Op::sinh, s);
+          unary(Operation::sinh, s);
           break;
         case 7:
-          unary(Op::cosh, s);
+          unary(Operation::cosh, s);
           break;
         default:
-          unary(Op::tanh, a);
+          unary(Operation::tanh, a);
           break;
       }
     }
@@ -155,7 +155,7 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
   if (options.identities) {
     // a (b + c) = a b + a c, one of the factors a sine squared; and what is left of a circle.
     const std::size_t a = any(), b = any(), c = any(), angle = random.below(options.symbols);
-    const std::size_t s = unary(Op::sin, angle), k = unary(Op::cos, angle), square = mul(s, s);
+    const std::size_t s = unary(Operation::sin, angle), k = unary(Operation::cos, angle), square = mul(s, s);
     const std::size_t inner = add(b, c, random.one_in(2));
     const std::size_t whole = mul(random.one_in(2) ? square : a, inner);
     const RandomDag::Step sum = out.steps[inner], product = out.steps[whole];

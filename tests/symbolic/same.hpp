@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

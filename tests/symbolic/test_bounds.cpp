@@ -1,6 +1,7 @@
 // Interval bounds: tight where signs are proved, and never wrong.
 #include <cmath>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
 

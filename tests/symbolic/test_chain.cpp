@@ -1,8 +1,16 @@
 // Depth: every pass works on a chain of a million nodes, so none recurses on it.
 #include <cmath>
 
+#include "symbolic/coefficient.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/substitute.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {
@@ -47,8 +55,9 @@ TEST(Chain, WithQuotientsAndSines) {
 }
 
 TEST(Chain, OfEveryFunction) {
-  for (const Op op :
-       {Op::sqrt, Op::sin, Op::cos, Op::tan, Op::atan, Op::exp, Op::abs, Op::sinh, Op::cosh, Op::tanh}) {
+  for (const Operation op :
+       {Operation::sqrt, Operation::sin, Operation::cos, Operation::tan, Operation::atan, Operation::exp,
+        Operation::abs, Operation::sinh, Operation::cosh, Operation::tanh}) {
     ExprGraph graph;
     const Expr a = graph.symbol("a"), b = graph.symbol("b");
     Expr e = a;

@@ -1,8 +1,11 @@
 // Coefficients of linear expressions, and what is refused.
 #include <gmock/gmock.h>
 
+#include "symbolic/coefficient.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 namespace {

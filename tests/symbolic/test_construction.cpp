@@ -3,6 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
 #include "symbolic/expr.hpp"
 #include "symbolic/same.hpp"
 
@@ -187,7 +189,7 @@ TEST_F(Construction, GraphsDoNotMix) {
   EXPECT_THROW(atan2(other.one(), x), std::logic_error);
   EXPECT_THROW(x + Expr(), std::logic_error);
   EXPECT_THROW(sin(Expr()), std::logic_error);
-  EXPECT_THROW(g.make(Op::symbol, x.ref()), std::logic_error);
+  EXPECT_THROW(g.make(Operation::symbol, x.ref()), std::logic_error);
 }
 
 TEST_F(Construction, SymbolsHaveAnyName) {

@@ -3,6 +3,7 @@
 #include "symbolic/matrix.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 namespace {

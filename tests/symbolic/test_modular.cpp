@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
@@ -62,7 +63,7 @@ TEST(Modular, Numbers) {
   ExprGraph h;
   const double third = 1.0 / 3.0;
   const Expr x = h.real(third);
-  EXPECT_EQ(h.node(x.ref().node()).op, Op::real);
+  EXPECT_EQ(h.node(x.ref().node()).op, Operation::real);
   // A double stands for itself only, so that a residue of rounding is not taken for a number: 2^61 = 1 in
   // this field.
   EXPECT_EQ(value(-x).re, kPrime - value(x).re);

@@ -1,8 +1,13 @@
 // Order, substitution, evaluation and counts.
 #include <cmath>
 
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 namespace {

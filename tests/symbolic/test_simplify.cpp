@@ -1,6 +1,10 @@
 // Simplification of small sets.
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

@@ -1,6 +1,7 @@
 // Sines, cosines and their inverses: exact angles, quarter turns, the circle.
 #include <cmath>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/same.hpp"
 
 namespace alembert {

@@ -1,8 +1,11 @@
 // Probabilistic value numbering: what is merged, and what must not be.
 #include <cmath>
 
+#include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {

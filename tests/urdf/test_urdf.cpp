@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "golden/golden_file.hpp"
-#include "import/common/names.hpp"
+#include "import/common/fit_names.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/common/yaml.hpp"
 #include "import/importers.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 
 namespace alembert {
 namespace {

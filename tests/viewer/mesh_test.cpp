@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/swept_mesh.hpp"
+
 namespace alembert {
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "viewer/found_joint.hpp"
 #include "viewer/looks.hpp"
 #include "viewer/small_scene.hpp"
 

@@ -1,10 +1,11 @@
 // Scenes for tests (see the header).
 #include "viewer/small_scene.hpp"
 
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "dynamics/function_builders.hpp"
 #include "mechanism/load.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert::test {
 

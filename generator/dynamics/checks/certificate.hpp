@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "dynamics/checks/plain_equations.hpp"
-#include "program/passes.hpp"
+#include "program/lower.hpp"
 
 namespace alembert {
 

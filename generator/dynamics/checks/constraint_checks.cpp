@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "dynamics/recursions/constraints.hpp"
 

@@ -4,7 +4,11 @@
 #include <Eigen/LU>
 
 #include "dynamics/function_builders.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/outputs.hpp"
+#include "dynamics/recursions/reduced.hpp"
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "functions/function_table.hpp"
 #include "symbolic/extended.hpp"

@@ -9,53 +9,17 @@
 #include <random>
 
 #include "dynamics/checks/plain_equations.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/tree/frame_checks.hpp"
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
-#include "symbolic/passes.hpp"
+#include "dynamics/tree/state_values.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
-
-namespace {
-
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
-
-/// Uniform in [-1, 1), the same on every platform (std::uniform_real_distribution is not).
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
-}
-
-}  // namespace
-
-std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed) {
-  std::mt19937_64 random(seed);
-  const double spread = seed == 0 ? 0.0 : 1.0;
-  std::vector<double> values(graph.symbol_count(), 0.0);
-  for (double& value : values) value = spread * uniform(random);
-  const auto set = [&](Expr symbol, double value) {
-    values[graph.symbol_index(symbol.ref().node())] = value;
-  };
-  for (const Coordinate& coordinate : mechanism.coordinates) {
-    double norm = 0;
-    std::vector<double> q = coordinate.initial;
-    for (double& x : q) {
-      x += spread * uniform(random);
-      if (coordinate.limits) x = std::clamp(x, coordinate.limits->first, coordinate.limits->second);
-      norm += x * x;
-    }
-    for (std::size_t a = 0; a < q.size(); ++a) {
-      set(coordinate.symbols[a],
-          coordinate.type == CoordinateType::quaternion && norm > 0 ? q[a] / std::sqrt(norm) : q[a]);
-    }
-  }
-  set(mechanism.time, 0.0);
-  for (const Parameter& parameter : mechanism.parameters) {
-    if (parameter.runtime) set(graph.symbol(parameter.name), parameter.value);
-  }
-  return values;
-}
 
 std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k) {
   std::mt19937_64 random(1000 + k);
@@ -102,34 +66,6 @@ std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k) {
     set(graph.symbol(parameter.name), parameter.value == 0 ? 0.1 * r : parameter.value * (1 + 0.3 * r));
   }
   return values;
-}
-
-void check_transforms(const Mechanism& mechanism, ExprGraph& graph) {
-  const auto check = [&](const Transform& transform, const std::string& owner) {
-    for (const Factor& factor : transform.factors) {
-      Pose pose = identity_pose(graph);
-      for (const Motion& motion : elementary_motions(Transform{{factor}}, mechanism, graph))
-        pose = moved(std::move(pose), motion);
-      std::vector<Expr> entries(pose.rotation.entries.begin(), pose.rotation.entries.end());
-      entries.insert(entries.end(), pose.origin.entries.begin(), pose.origin.entries.end());
-      const std::vector<double> values = evaluate(entries, state_values(mechanism, graph, 0));
-      if (all_finite(values)) continue;
-      const CurveFrame* curve = std::get_if<CurveFrame>(&factor.value);
-      if (curve != nullptr && !curve->reference) {
-        throw InputError(factor.where, "the Frenet frame of the curve of " + owner +
-                                           " is undefined at the initial value of '" +
-                                           to_string(curve->along) +
-                                           "' (an inflection or a straight part); use `frame: {reference: "
-                                           "[x, y, z]}`, or another initial value");
-      }
-      throw InputError(factor.where,
-                       "the transform of " + owner +
-                           " has no value at the initial state (a frame that is singular there, "
-                           "or a division by zero); choose another initial value");
-    }
-  };
-  for (const Body& body : mechanism.bodies) check(body.transform, "body '" + body.name + "'");
-  for (const Frame& frame : mechanism.frames) check(frame.transform, "frame '" + frame.name + "'");
 }
 
 namespace {

@@ -5,14 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/choice/equations_of_motion.hpp"
 #include "mechanism/model.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
-
-/// Throws InputError at the first transform factor that has no value at the initial state (a curve or surface
-/// frame that is singular there).
-void check_transforms(const Mechanism& mechanism, ExprGraph& graph);
 
 class PlainEquations;
 struct Kinematics;
@@ -24,11 +21,6 @@ struct SingularMassMatrix : InputError {
 /// Throws SingularMassMatrix if M is singular at the initial state and at random states, naming the
 /// coordinate without inertia.
 void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain);
-
-/// Values of all symbols of the graph at a state: the initial one for `seed` 0, else a reproducible random
-/// one around it. Speeds, rates and wrenches are zero at the initial state and random elsewhere; runtime
-/// parameters have their defaults.
-std::vector<double> state_values(const Mechanism& mechanism, ExprGraph& graph, unsigned seed);
 
 /// Values of all symbols at the k-th of a sequence of reproducible states: over the limits, near the initial
 /// state, far from it; slow, fast, at rest; runtime parameters within a third of their defaults.

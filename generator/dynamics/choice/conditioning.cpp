@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "dynamics/checks/state_checks.hpp"
+#include "dynamics/tree/state_values.hpp"
 #include "symbolic/error_bound.hpp"
 
 namespace alembert {

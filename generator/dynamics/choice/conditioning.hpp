@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/equations.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 
 namespace alembert {
 

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "differentiation/jacobian.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/derivative_recursion.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 

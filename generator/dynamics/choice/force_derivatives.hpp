@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dynamics/equations.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 
 namespace alembert {
 

@@ -3,7 +3,9 @@
 
 #include <array>
 
-#include "dynamics/equations.hpp"
+#include "dynamics/tree/symbols.hpp"
+#include "program/count.hpp"
+#include "program/rewrite/optimize.hpp"
 
 namespace alembert {
 

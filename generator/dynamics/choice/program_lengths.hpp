@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mechanism/model.hpp"
-#include "program/passes.hpp"
+#include "program/lower.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {

@@ -7,10 +7,15 @@
 #include <optional>
 
 #include "dynamics/choice/conditioning.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/choice/regrouping.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/meeting_frames.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 

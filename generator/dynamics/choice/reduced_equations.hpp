@@ -2,7 +2,7 @@
 // motions that describe the same dynamics in, the shortest Q, M and c out.
 #pragma once
 
-#include "dynamics/equations.hpp"
+#include "dynamics/choice/equations_of_motion.hpp"
 
 namespace alembert {
 

@@ -2,6 +2,8 @@
 // only on which of its entries are zero, where it is written down, and what moves there: so the cost of a
 // link is that of a small model of it, kept by pattern. Entries that have runtime terms cost what puts them
 // together besides.
+#include "dynamics/choice/regrouping.hpp"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <bit>
@@ -10,7 +12,7 @@
 
 #include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
 
 namespace alembert {
 

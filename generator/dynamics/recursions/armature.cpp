@@ -1,7 +1,7 @@
 // Inertia that a coordinate has beside the bodies it moves, as a geared motor's rotor: a mechanism in; by
 // speed, its armature and the force a du/dt out. M has a on its diagonal then, and the kinetic energy a
 // u^2/2.
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/armature.hpp"
 
 namespace alembert {
 

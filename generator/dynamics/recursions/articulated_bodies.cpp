@@ -14,11 +14,13 @@
 // An armature of the speed is added to D.
 //
 // Several speeds in one frame are taken one after another, as if frames without mass lay between them.
+#include "dynamics/recursions/articulated_bodies.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/armature.hpp"
 
 namespace alembert {
 

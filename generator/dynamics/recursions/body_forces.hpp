@@ -1,8 +1,9 @@
 // Inertia forces of a rigid body in a moving frame: the part of the reduced form that belongs to one frame
 // alone.
 //
-// Letters as in formulations.hpp: om, al angular velocity and its rate, acc acceleration of the origin, U =
-// skew(al) + skew(om)^2.
+// Letters, here and in the other recursions: om, al angular velocity and its rate, acc acceleration of a frame's
+// origin, f, n force and moment, all in the axes of the frame they belong to; U = skew(al) + skew(om)^2; h = m c first
+// moment; J inertia about the frame's origin.
 #pragma once
 
 #include "dynamics/rewrites/scaled_vectors.hpp"

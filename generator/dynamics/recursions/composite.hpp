@@ -1,6 +1,7 @@
 // Mass properties of all that moves with a frame: composite bodies, for M and for derivatives of forces.
 #pragma once
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {

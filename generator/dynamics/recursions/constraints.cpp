@@ -6,11 +6,15 @@
 #include <cmath>
 #include <map>
 
-#include "dynamics/checks/state_checks.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/recursions/outputs.hpp"
 #include "dynamics/tree/contact_frames.hpp"
+#include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/substitute.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

@@ -1,14 +1,17 @@
 // Derivatives of the forces by recursions along the tree of motions (README.md, 7): O(n^2).
+#include "dynamics/recursions/derivative_recursion.hpp"
+
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "differentiation/forward.hpp"
 #include "differentiation/jacobian.hpp"
 #include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/recursions/composite.hpp"
-#include "dynamics/recursions/formulations.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 

@@ -1,11 +1,14 @@
 // Inverse dynamics by the paper's factored Lagrangian, eq. (13), literally (README.md, 1): kept as a
 // formulation that can be selected and as a check of the reduced form, with which it shares only the
 // transforms of the bodies.
+#include "dynamics/recursions/factored.hpp"
+
 #include <algorithm>
 #include <map>
 
-#include "dynamics/recursions/formulations.hpp"
-#include "symbolic/passes.hpp"
+#include "dynamics/recursions/armature.hpp"
+#include "dynamics/tree/motion.hpp"
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 

@@ -1,12 +1,15 @@
 // M and c: by composite bodies over the tree of motions, and by the paper's route, `coefficient` and
 // `substitute`.
+#include "dynamics/recursions/mass_matrix.hpp"
+
 #include <algorithm>
 
+#include "dynamics/recursions/armature.hpp"
 #include "dynamics/recursions/composite.hpp"
-#include "dynamics/recursions/formulations.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
 #include "dynamics/rewrites/scaled_vectors.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 

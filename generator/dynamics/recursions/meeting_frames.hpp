@@ -13,10 +13,17 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {
+
+/// How the momentum of a unit motion comes to those far inward of it.
+enum class FarPairs {
+  carry,       ///< from joint to joint
+  meet,        ///< in a common frame, where that is estimated to take less (meeting_frames.hpp)
+  meet_sooner  ///< the same, with an estimate that is in favour of common frames
+};
 
 /// A unit motion of one frame: its twist, and the speeds that make it with their weights.
 struct UnitMotion {

@@ -1,10 +1,12 @@
 // Output functions besides the dynamics: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
+#include "dynamics/recursions/outputs.hpp"
+
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "dynamics/recursions/formulations.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 

@@ -1,6 +1,9 @@
 // Inverse dynamics by the reduced form (README.md, 2), over the tree of elementary motions: O(n).
+#include "dynamics/recursions/reduced.hpp"
+
+#include "dynamics/recursions/armature.hpp"
 #include "dynamics/recursions/body_forces.hpp"
-#include "dynamics/recursions/formulations.hpp"
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 

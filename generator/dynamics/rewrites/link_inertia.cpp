@@ -6,7 +6,8 @@
 #include <span>
 #include <unordered_map>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/coefficient.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
@@ -91,12 +92,12 @@ class PolynomialReader {
   Polynomial read(std::uint32_t id) {
     const Node node = graph_.node(id);
     if (node.constant) return {{Monomial{}, extended_value_of(Expr(graph_, Ref(id, false)))}};
-    if (node.op == Op::add) {
+    if (node.op == Operation::add) {
       Polynomial sum = of(node.a);
       for (const auto& [monomial, number] : of(node.b)) sum[monomial] += number;
       return sum;
     }
-    if (node.op == Op::mul) {
+    if (node.op == Operation::mul) {
       const Polynomial x = of(node.a), y = of(node.b);
       if (x.size() * y.size() > kMostTerms) return base(id);
       Polynomial product;
@@ -109,7 +110,7 @@ class PolynomialReader {
       }
       return product;
     }
-    if (node.op == Op::div && graph_.node(node.b.node()).constant) {
+    if (node.op == Operation::div && graph_.node(node.b.node()).constant) {
       return scaled(of(node.a), 1 / of(node.b).at(Monomial{}));
     }
     return base(id);

@@ -5,8 +5,10 @@
 #include <array>
 #include <stdexcept>
 
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dynamics/rewrites/peeling_states.hpp"
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {

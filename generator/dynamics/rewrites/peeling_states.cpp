@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/checks/state_checks.hpp"
 #include "dynamics/tree/constant_motions.hpp"
+#include "dynamics/tree/state_values.hpp"
+#include "symbolic/evaluate.hpp"
+#include "symbolic/evaluate_modular.hpp"
 #include "symbolic/extended.hpp"
 #include "symbolic/identity.hpp"
 #include "symbolic/modular.hpp"
-#include "symbolic/passes.hpp"
 
 namespace alembert {
 

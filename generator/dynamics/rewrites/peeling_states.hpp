@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 

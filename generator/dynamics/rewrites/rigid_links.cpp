@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "symbolic/passes.hpp"
-
 namespace alembert {
 
 namespace {

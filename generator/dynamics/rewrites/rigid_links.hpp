@@ -27,7 +27,6 @@
 #include <optional>
 #include <vector>
 
-#include "dynamics/recursions/formulations.hpp"
 #include "dynamics/rewrites/link_inertia.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
@@ -148,20 +147,5 @@ class RigidLinks {
   std::vector<Matrix4e> pose_of_node_;  ///< of a node in its link's original frame
   Extended length_ = 0;                 ///< of the whole
 };
-
-/// Chooses for each link how its inertia is written, by counting the operations it causes: coordinate descent
-/// over the entries that can be zeroed, "do nothing" included; runtime terms stay where they are unless they
-/// may move. Deterministic.
-std::vector<Regrouping> choose_regroupings(const RigidLinks& links, bool terms_may_move = false);
-/// The same, and for each link the ways that were considered, the cheapest by its own cost first.
-struct RegroupingChoices {
-  std::vector<Regrouping> chosen;
-  std::vector<std::vector<Regrouping>> candidates;
-};
-RegroupingChoices regrouping_choices(const RigidLinks& links, bool terms_may_move = false);
-
-/// Mass, first moment and one third of the inertia zeroed at each joint: what the composite-body mass matrix
-/// wants. Of runtime terms too, if they move.
-std::vector<Regrouping> minimal_regroupings(const RigidLinks& links, bool terms_move = false);
 
 }  // namespace alembert

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 

@@ -7,7 +7,7 @@
 #include "dynamics/rewrites/motion_core.hpp"
 #include "dynamics/rewrites/peeling_states.hpp"
 #include "dynamics/tree/constant_motions.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 

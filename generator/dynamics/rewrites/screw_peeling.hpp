@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {

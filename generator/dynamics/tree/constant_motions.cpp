@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "symbolic/evaluate.hpp"
 #include "symbolic/extended.hpp"
 #include "symbolic/identity.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 
@@ -117,8 +118,8 @@ std::vector<Motion> gathered(const std::vector<Motion>& run, double length, Expr
 
 Expr short_number(Expr constant) {
   ExprGraph& graph = constant.graph();
-  const Op op = graph.node(constant.ref().node()).op;
-  if (op == Op::rational || op == Op::pi_multiple) return constant;
+  const Operation op = graph.node(constant.ref().node()).op;
+  if (op == Operation::rational || op == Operation::pi_multiple) return constant;
   const double x = value_of(constant);
   const std::string text = fmt::format("{:.12g}", x);
   const auto fraction = rational_from_decimal(text.data(), text.data() + text.size());

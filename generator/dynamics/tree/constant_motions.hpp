@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "differentiation/jacobian.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/simplify.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "symbolic/passes.hpp"
+#include "symbolic/to_string.hpp"
 
 namespace alembert {
 

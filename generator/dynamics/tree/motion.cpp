@@ -1,5 +1,7 @@
 // Elementary motions: applying, inverting and merging them, and making them out of the factors of a
 // transform.
+#include "dynamics/tree/motion.hpp"
+
 #include <algorithm>
 #include <type_traits>
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "symbolic/passes.hpp"
+#include "dynamics/tree/motion.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 

@@ -12,34 +12,12 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/matrix.hpp"
 
 namespace alembert {
-
-enum class MotionKind { translation, axis_rotation, rotation };
-
-/// One elementary motion, from a frame to the next.
-struct Motion {
-  MotionKind kind = MotionKind::translation;
-  Vec3 offset;                     ///< translation: t, in the axes of both frames
-  int axis = 0;                    ///< axis_rotation: 0, 1, 2
-  Expr angle, cosine, sine;        ///< axis_rotation
-  Mat3 matrix;                     ///< rotation: E, child to parent
-  int quaternion = -1;             ///< rotation: index of the quaternion coordinate it is made of, or -1
-  std::optional<Vec3> fixed_axis;  ///< rotation: the constant axis it turns about by `angle`, if there is one
-
-  Vec3 to_parent(const Vec3& v) const;  ///< E v: axes of the next frame to axes of the previous one
-  Vec3 to_child(const Vec3& v) const;   ///< E^T v
-  Motion inverse() const;
-};
-
-/// Whether an axis rotation is by a multiple of a right angle in all states.
-bool is_quarter_turn(const Motion& motion);
-/// E K E^T of a symmetric K; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z,
-/// K'_jj = K_jj + s z, K'_ij = c z - K_ij.
-Mat3 turned_symmetric(const Mat3& K, const Motion& motion);
 
 /// Derivative of a motion along one speed: direction of the twist (angular for rotations, in the next frame's
 /// axes; linear for translations).
@@ -92,23 +70,10 @@ struct MotionTree {
   std::vector<NodeMass> masses;   ///< one for each node: of all that is fixed to it
 };
 
-Motion translation_motion(const Vec3& offset);
-Motion axis_rotation_motion(int axis, Expr angle);
-
 /// The twist of a motion along each speed it depends on (and along time): three values each, as in
 /// TwistPartial.
 std::vector<SpeedPartial> twist_partials(const Motion& motion, const Mechanism& mechanism,
                                          const SpeedDerivatives& derivatives, ExprGraph& graph);
-
-/// Appends a motion, merging it with the last one where both are translations or rotations about one axis;
-/// drops identities.
-void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& graph);
-
-/// The elementary motions of a transform, left to right, merged where neighbours are of one kind, identities
-/// dropped. Throws InputError at the factor where a frame is undefined (a Frenet frame of a straight line, a
-/// surface without normal).
-std::vector<Motion> elementary_motions(const Transform& transform, const Mechanism& mechanism,
-                                       ExprGraph& graph);
 
 /// Throws as elementary_motions does.
 MotionTree motion_tree(const Mechanism& mechanism, const SpeedDerivatives& derivatives, ExprGraph& graph);
@@ -120,13 +85,5 @@ MotionTree motion_tree(const Mechanism& mechanism, std::span<const std::vector<M
 NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph);
 /// Centre of mass of a body in the axes of its node.
 Vec3 center_at_node(const Body& body, const BodyPlace& place);
-
-/// Rotation (columns are child axes) and origin of a product of motions.
-struct Pose {
-  Mat3 rotation;
-  Vec3 origin;
-};
-Pose identity_pose(ExprGraph& graph);
-Pose moved(Pose pose, const Motion& motion);
 
 }  // namespace alembert

@@ -6,7 +6,8 @@
 #include <map>
 
 #include "differentiation/jacobian.hpp"
-#include "symbolic/passes.hpp"
+#include "symbolic/postorder.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 
@@ -57,7 +58,7 @@ bool SpeedDerivatives::moves(std::span<const Expr> functions) const {
 std::vector<int> SpeedDerivatives::variables_in(std::span<const Expr> functions) const {
   std::vector<int> present;
   for (const std::uint32_t id : postorder(functions)) {
-    if (graph_.node(id).op != Op::symbol) continue;
+    if (graph_.node(id).op != Operation::symbol) continue;
     const std::uint32_t index = graph_.symbol_index(id);
     if (index < variable_of_symbol_.size() && variable_of_symbol_[index] >= 0) {
       present.push_back(variable_of_symbol_[index]);

@@ -12,7 +12,9 @@
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
 #include "functions/array_shape.hpp"
-#include "program/passes.hpp"
+#include "program/count.hpp"
+#include "program/loops/dot_products.hpp"
+#include "program/schedule.hpp"
 #include "registers/register_order.hpp"
 #include "support/error.hpp"
 

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "emit/statements/literals.hpp"
-#include "program/operation.hpp"
 #include "registers/register_plan.hpp"
 #include "support/error.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {
@@ -466,49 +466,19 @@ class Writer {
     if (plan_ && !is_leaf(c.op)) begin_planned(layout_.statement(v), block);
     std::string text;
     Binding binding = Binding::primary;
-    switch (c.op) {
-      case Operation::constant:
-      case Operation::input:
-        return;
-      // Operators of equal rank associate to the left, as the text on the right of one is put in parentheses.
-      case Operation::add:
-        text = binary(v, block, "+", Binding::sum, Binding::product);
-        binding = Binding::sum;
-        break;
-      case Operation::sub:
-        text = binary(v, block, "-", Binding::sum, Binding::product);
-        binding = Binding::sum;
-        break;
-      case Operation::mul:
-        text = binary(v, block, "*", Binding::product, Binding::sign);
-        binding = Binding::product;
-        break;
-      case Operation::div:
-        text = binary(v, block, "/", Binding::product, Binding::sign);
-        binding = Binding::product;
-        break;
-      case Operation::neg:
-        text = fmt::format("-{}", operand_of(v, 0, block, Binding::primary));
-        binding = Binding::sign;
-        break;
-      case Operation::sqrt:
-      case Operation::sin:
-      case Operation::cos:
-      case Operation::tan:
-      case Operation::asin:
-      case Operation::acos:
-      case Operation::atan:
-      case Operation::atan2:
-      case Operation::exp:
-      case Operation::log:
-      case Operation::abs:
-      case Operation::sign:
-      case Operation::sinh:
-      case Operation::cosh:
-      case Operation::tanh:
-      case Operation::pow:
-        text = call(v, block);
-        break;
+    if (is_leaf(c.op)) return;
+    // Operators of equal rank associate to the left, as the text on the right of one is put in parentheses.
+    if (c.op == Operation::add || c.op == Operation::sub) {
+      text = binary(v, block, operation_name(c.op), Binding::sum, Binding::product);
+      binding = Binding::sum;
+    } else if (c.op == Operation::mul || c.op == Operation::div) {
+      text = binary(v, block, operation_name(c.op), Binding::product, Binding::sign);
+      binding = Binding::product;
+    } else if (c.op == Operation::neg) {
+      text = fmt::format("-{}", operand_of(v, 0, block, Binding::primary));
+      binding = Binding::sign;
+    } else {
+      text = call(v, block);
     }
     if (!layout_.named(v)) {
       text_[v] = std::move(text);

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "import/common/description_nodes.hpp"
-#include "import/common/names.hpp"
+#include "import/common/fit_names.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/urdf/joint_factors.hpp"
 #include "import/urdf/link_nodes.hpp"

@@ -1,12 +1,14 @@
 // <joint>: type, links, axis and mimicked joint, which make the equations; limits and what resists, which do
 // not.
+#include "import/urdf/joint_elements.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "import/urdf/elements.hpp"
+#include "import/urdf/link_elements.hpp"
 
 namespace alembert {
 namespace {

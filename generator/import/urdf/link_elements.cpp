@@ -1,11 +1,11 @@
 // <link>: its inertia, which makes the equations, and what is drawn of it, which does not.
+#include "import/urdf/link_elements.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
-
-#include "import/urdf/elements.hpp"
 
 namespace alembert {
 namespace {

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "import/common/xml_text.hpp"
-#include "import/urdf/elements.hpp"
+#include "import/urdf/joint_elements.hpp"
+#include "import/urdf/link_elements.hpp"
 
 namespace alembert {
 namespace {

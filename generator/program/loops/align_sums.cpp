@@ -1,4 +1,6 @@
 // Orders sums and products like those one step further along, see similar_values.hpp.
+#include "program/loops/align_sums.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -7,7 +9,7 @@
 #include <vector>
 
 #include "program/loops/similar_values.hpp"
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -6,6 +6,8 @@
 // one, as in velocities of the points of a body. Given a row, all results that have one factor of each
 // product in it are its dot products with the rows of what is left; those rows lead to further ones. A first
 // row is what two results have in common.
+#include "program/loops/dot_products.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -18,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -6,6 +6,8 @@
 // depends on: by the last one in a sweep outwards, by the first one in a sweep inwards, which start from what
 // earlier sweeps have. A loop is what a sweep has in all of a range of steps. The rest, mostly the ends of a
 // chain, is straight code before, between and after.
+#include "program/loops/reroll.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -14,10 +16,11 @@
 #include <utility>
 #include <vector>
 
+#include "program/count.hpp"
+#include "program/loops/align_sums.hpp"
 #include "program/loops/signs.hpp"
 #include "program/loops/similar_values.hpp"
-#include "program/operation.hpp"
-#include "program/passes.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

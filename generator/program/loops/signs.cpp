@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

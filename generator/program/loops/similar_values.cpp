@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "program/operation.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

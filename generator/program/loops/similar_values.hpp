@@ -92,8 +92,4 @@ Correspondence corresponding_values(const UnsignedProgram& program, Shift shift,
 /// from.
 Shift shift_of_steps(const UnsignedProgram& program, std::span<const int> depths);
 
-/// The same program, but that sums, and products, of corresponding operands are put together in the same
-/// order: rounding differs.
-Program align_sums(const Program& program, Shift shift, std::span<const int> depths);
-
 }  // namespace alembert

@@ -1,10 +1,12 @@
 // Rewrite of stage `optimise`: common factors of sums. In: a value program. Out: the same values with fewer
-// operations. See rewrites.hpp.
+// operations. See the header.
 //
 // A chain is a maximal tree of sums whose inner nodes have no other use; its leaves are terms, and a term
 // that is a product without other use is a list of factors (divisors among them, marked). All terms with a
 // factor in common form a group, worth the multiplies that collecting it saves. The best group is taken
 // first, until none gains anything; what is left inside the brackets is a chain of its own in the next round.
+#include "program/rewrite/factor_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,9 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {
@@ -46,7 +47,7 @@ struct Group {
 
 std::size_t product_cost(std::size_t multiply, std::size_t divide) {
   const std::size_t muls = (multiply > 1 ? multiply - 1 : 0) + (divide > 1 ? divide - 1 : 0);
-  return muls + (divide > 0 ? kDivisionWeight : 0);
+  return muls + (divide > 0 ? facts(Operation::div).weight : 0);
 }
 
 class SumFactoring : NodeRewrite {
@@ -315,7 +316,7 @@ class SumFactoring : NodeRewrite {
     if (has_number && number != 0) ++brackets;
     if (brackets == 0) return static_cast<std::ptrdiff_t>(before + 1);
     const bool unit = brackets == 1 && has_number && std::abs(number) == 1;
-    const std::size_t outside = divides ? kDivisionWeight : (unit ? 0 : 1);
+    const std::size_t outside = divides ? facts(Operation::div).weight : (unit ? 0 : 1);
     return static_cast<std::ptrdiff_t>(before) - static_cast<std::ptrdiff_t>(inside + brackets - 1 + outside);
   }
 

@@ -1,16 +1,22 @@
 // Stage `optimise`: program in, equal program out that never costs more.
+#include "program/rewrite/optimize.hpp"
+
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
-#include "program/passes.hpp"
-#include "program/rewrite/rewrites.hpp"
+#include "program/count.hpp"
+#include "program/lower.hpp"
+#include "program/rewrite/factor_sums.hpp"
+#include "program/rewrite/share_divisions.hpp"
+#include "program/rewrite/share_products.hpp"
+#include "program/sign_placement.hpp"
 #include "program/to_expressions.hpp"
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "support/operation.hpp"
+#include "symbolic/value_number.hpp"
 
 namespace alembert {
 namespace {
@@ -29,7 +35,7 @@ struct Cost {
 
 Cost cost(const Program& program) {
   const OperationCount n = count(program);
-  Cost out{n.mul + n.add + kDivisionWeight * n.div + n.trig + n.other, 0};
+  Cost out{n.mul + n.add + facts(Operation::div).weight * n.div + n.trig + n.other, 0};
   for (const Instruction& c : program.code) out.negations += c.op == Operation::neg;
   return out;
 }

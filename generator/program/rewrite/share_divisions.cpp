@@ -1,5 +1,7 @@
 // Rewrite of stage `optimise`: fewer divisions. In: a value program. Out: the same values with shared
-// reciprocals and merged quotients. See rewrites.hpp.
+// reciprocals and merged quotients. See the header.
+#include "program/rewrite/share_divisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

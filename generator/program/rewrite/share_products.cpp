@@ -1,6 +1,8 @@
 // Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value
 // program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
-// See rewrites.hpp.
+// See the header.
+#include "program/rewrite/share_products.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -8,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "program/operation.hpp"
 #include "program/rewrite/node_rewrite.hpp"
-#include "program/rewrite/rewrites.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 namespace {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "program/to_expressions.hpp"
+#include "symbolic/evaluate_modular.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 namespace {
@@ -16,43 +18,19 @@ bool is_short_binary(double x) {
   return std::abs(x) <= 0x1p12 && x * 0x1p12 == std::floor(x * 0x1p12);
 }
 
-bool is_exact(Op op) {
-  switch (op) {
-    case Op::rational:
-    case Op::symbol:
-    case Op::add:
-    case Op::mul:
-    case Op::div:
-    case Op::sqrt:
-    case Op::sin:
-    case Op::cos:
-      return true;
-    case Op::pi_multiple:
-    case Op::real:
-    case Op::tan:
-    case Op::asin:
-    case Op::acos:
-    case Op::atan:
-    case Op::atan2:
-    case Op::exp:
-    case Op::log:
-    case Op::abs:
-    case Op::sign:
-    case Op::sinh:
-    case Op::cosh:
-    case Op::tanh:
-    case Op::pow:
-      return false;
-  }
-  return false;
+// Numbers that are no fractions are rounded, and functions beside the circle are opaque or have poles.
+bool is_exact(Operation op) {
+  const FieldValue field = facts(op).field;
+  return op != Operation::pi_multiple && op != Operation::real &&
+         (field == FieldValue::exact || field == FieldValue::sine || field == FieldValue::cosine);
 }
 
 bool are_exact(std::span<const Expr> roots) {
   const ExprGraph& graph = roots.front().graph();
   for (const std::uint32_t id : postorder(roots)) {
-    const Op op = graph.node(id).op;
+    const Operation op = graph.node(id).op;
     if (!is_exact(op)) return false;
-    if (op != Op::rational) continue;
+    if (op != Operation::rational) continue;
     const Rational r = graph.rational_value(id);
     if (!is_short_binary(r.to_double()) || (r.denominator & (r.denominator - 1)) != 0) return false;
   }

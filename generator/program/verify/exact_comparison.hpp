@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <span>
 
-#include "program/passes.hpp"
-#include "symbolic/passes.hpp"
+#include "program/lower.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 

@@ -5,6 +5,8 @@
 // the running error bounds of both sides. And where both consist of + - * / sqrt sin cos and short binary
 // fractions, they are equal modulo a large prime, where nothing is rounded and no cancellation hides a
 // difference.
+#include "program/verify/verify.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,13 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "program/expression_operation.hpp"
-#include "program/operation.hpp"
-#include "program/passes.hpp"
-#include "program/verify/error_bound.hpp"
+#include "program/interpret.hpp"
+#include "program/lower.hpp"
 #include "program/verify/exact_comparison.hpp"
 #include "support/error.hpp"
-#include "symbolic/passes.hpp"
+#include "support/operation.hpp"
+#include "symbolic/error_bound.hpp"
+#include "symbolic/modular.hpp"
 
 namespace alembert {
 namespace {

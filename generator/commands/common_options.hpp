@@ -1,0 +1,44 @@
+// Options that the commands share, and what is made of them. Commands return the process's exit code; they
+// throw InputError and InternalError, which main turns into diagnostics. Data goes to standard output, talk
+// to standard error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/choice/equations_of_motion.hpp"
+#include "dynamics/equations.hpp"
+#include "pipeline.hpp"
+
+namespace alembert {
+
+/// Options of the commands that read descriptions; `check` has file and passes only.
+struct CommonOptions {
+  std::string file;                               ///< description; `-` is standard input
+  std::optional<Formulation> formulation;         ///< none: auto
+  std::size_t loop_operations = kLoopOperations;  ///< --loop-operations
+  std::size_t loop_results = kLoopResults;        ///< --loop-results
+  Passes passes;                                  ///< all, without those named by --without
+  bool verbose = false;
+  bool strict = false;  ///< warnings are errors
+  std::string dump_stage;
+};
+
+CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
+                          Inapplicable inapplicable = Inapplicable::refuse);
+
+/// Functions, and what becomes of those among them that the mechanism has none of.
+struct FunctionChoice {
+  std::vector<FunctionKind> kinds;
+  Inapplicable inapplicable = Inapplicable::refuse;
+};
+
+/// The functions with these names, as `--functions` takes them; `all` stands for all that the mechanism has.
+/// A name that is unknown or given twice is an InputError.
+FunctionChoice function_choice(const std::vector<std::string>& names);
+
+/// The table of functions, for `--functions help`.
+std::string function_list();
+
+}  // namespace alembert

@@ -1,0 +1,53 @@
+// `import`: a robot in another format in, a description in the language of mechanisms out, checked as any
+// other.
+#include "commands/run_import.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "commands/common_options.hpp"
+#include "commands/warnings.hpp"
+#include "emit/files/write_files.hpp"
+#include "import/common/yaml.hpp"
+#include "import/importers.hpp"
+#include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// What was doubtful may be why the rest cannot be read.
+DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                        Warnings& warnings) {
+  try {
+    return importer_of(*source).describe(source, options, warnings);
+  } catch (const InputError&) {
+    report_warnings(warnings, false);
+    throw;
+  }
+}
+
+}  // namespace
+
+int run_import(const CommonOptions& common, const ImportOptions& options) {
+  const std::shared_ptr<const SourceText> source = read_source(common.file);
+  Warnings warnings;
+  const DescribedRobot described = describe(source, options.describe, warnings);
+  // What the language refuses is shown where it stands in the file.
+  ExprGraph graph;
+  const Mechanism mechanism = load_mechanism(described.document, graph);
+  warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
+  warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
+  report_warnings(warnings, common.strict);
+  const std::string text = yaml_text(described.document.root());
+  if (options.out == "-") {
+    fmt::print("{}", text);
+  } else {
+    write_file(options.out, text);
+  }
+  return 0;
+}
+
+}  // namespace alembert

@@ -1,0 +1,182 @@
+// `simulate`: the free motion from a state, handed to the writers that were asked for.
+#include "commands/run_simulate.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "commands/common_options.hpp"
+#include "commands/csv_writer.hpp"
+#include "emit/files/waiting_file.hpp"
+#include "emit/files/write_files.hpp"
+#include "simulation/motion_recorder.hpp"
+#include "simulation/start_state.hpp"
+#include "simulation/trajectory.hpp"
+#include "viewer/glb.hpp"
+#include "viewer/page.hpp"
+
+namespace alembert {
+
+namespace {
+
+/// Numbers that a page or scene may hold: more would fill memory, and no browser would show it.
+constexpr double kMostNumbers = 5e7;
+
+void check_outputs(const SimulateOptions& options, const SourceLocation& where) {
+  if (!options.html.empty() && page_template().empty()) {
+    throw InputError(where, "--html: this alembert was built without its page, which needs npm",
+                     "install npm (Debian: apt-get install npm), configure the build of alembert again with "
+                     "-DALEMBERT_BUILD_VIEWER=ON and build; --glb works without");
+  }
+  if (options.html.empty() && options.glb.empty() && !options.scene.empty())
+    throw InputError(where, "--scene needs --html or --glb to be seen in");
+}
+
+/// Passes on points of a motion: to a table each so many steps, to a recorder each so many others, and the
+/// last one to both.
+class PointSplitter {
+ public:
+  PointSplitter(const SimulateOptions& options, CsvWriter* csv, MotionRecorder* recorder)
+      : row_steps_(options.every),
+        frame_steps_(steps_per_frame(options.step, options.fps)),
+        csv_(csv),
+        recorder_(recorder) {}
+
+  /// Steps between points that either of them wants.
+  long every() const {
+    if (recorder_ == nullptr) return row_steps_;
+    return csv_ == nullptr ? frame_steps_ : std::gcd(row_steps_, frame_steps_);
+  }
+
+  void take(const TrajectoryPoint& point) {
+    any_ = true;
+    in_table_ = in_scene_ = false;
+    last_ = point;
+    if (point.steps % row_steps_ == 0) to_table();
+    if (point.steps % frame_steps_ == 0) to_scene();
+  }
+
+  void finish() {
+    if (!any_) return;
+    if (!in_table_) to_table();
+    if (!in_scene_) to_scene();
+  }
+
+ private:
+  void to_table() {
+    if (csv_ != nullptr) csv_->write(last_);
+    in_table_ = true;
+  }
+  void to_scene() {
+    if (recorder_ != nullptr) recorder_->record(last_);
+    in_scene_ = true;
+  }
+
+  long row_steps_, frame_steps_;
+  CsvWriter* csv_;
+  MotionRecorder* recorder_;
+  TrajectoryPoint last_;
+  bool any_ = false, in_table_ = false, in_scene_ = false;
+};
+
+/// The motions of one or several mechanisms, and what is written of them.
+class Simulation {
+ public:
+  Simulation(const SimulateOptions& options, const CommonOptions& common)
+      : options_(options),
+        common_(common),
+        seen_(!options.html.empty() || !options.glb.empty()),
+        csv_(options.csv.empty() && !seen_ ? "-" : options.csv) {}
+
+  /// Simulates one description and adds it to the scene. Only the first one has a CSV and a given start.
+  /// \return why it stopped early, if it did.
+  std::optional<InputError> add(const std::string& file, bool first) {
+    CommonOptions common = common_;
+    common.file = file;
+    std::vector<FunctionKind> functions = trajectory_functions();
+    if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
+      functions.push_back(FunctionKind("body_poses"));
+    const CompiledMechanism compiled = compile(common, functions, Inapplicable::refuse_singular);
+    const Mechanism& mechanism = *compiled.mechanism;
+    check_outputs(options_, mechanism.where);
+    TrajectoryOptions trajectory = trajectory_options(mechanism);
+    const EvaluationState start =
+        start_state(compiled, first ? options_.start : StartOptions(), trajectory.note);
+
+    std::optional<CsvWriter> csv;
+    if (first && !csv_.empty()) csv.emplace(mechanism, csv_);
+    MotionRecorder recorder(compiled);
+    PointSplitter points(options_, csv ? &*csv : nullptr, seen_ ? &recorder : nullptr);
+    trajectory.every = points.every();
+    std::optional<InputError> stopped =
+        integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
+    points.finish();
+    if (trajectory.progress) tell("\r");
+    if (csv) csv->finish();
+    if (!recorder.motion().times.empty())
+      add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
+    return stopped;
+  }
+
+  void write() {
+    if (scene_.mechanisms.empty()) return;
+    place_side_by_side(scene_);
+    if (!options_.html.empty()) write_file(options_.html, html_page(scene_));
+    if (!options_.glb.empty()) write_file(options_.glb, glb_file(scene_));
+  }
+
+ private:
+  TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
+    TrajectoryOptions out;
+    out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
+    out.duration = options_.duration;
+    out.step = options_.step;
+    out.method =
+        options_.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
+    if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
+      out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
+    const std::optional<long> steps = step_count(out);
+    if (!steps) {
+      throw InputError(mechanism.where,
+                       "--duration and --step make no sensible number of steps (at most 1e9)");
+    }
+    const double frames = static_cast<double>(*steps / steps_per_frame(options_.step, options_.fps) + 1);
+    const double numbers = frames * static_cast<double>(12 * mechanism.bodies.size() + mechanism.nq + 3);
+    if (seen_ && numbers > kMostNumbers)
+      throw InputError(mechanism.where, fmt::format("{:.3g} frames are too many to be seen", frames),
+                       "choose a smaller --duration or --fps");
+    return out;
+  }
+
+  const SimulateOptions& options_;
+  const CommonOptions& common_;
+  bool seen_;
+  std::string csv_;
+  Scene scene_;
+};
+
+}  // namespace
+
+int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
+  std::vector<NamedFile> written, read{{"the description", common.file}};
+  for (const NamedFile& file :
+       {NamedFile{"--csv", options.csv}, {"--html", options.html}, {"--glb", options.glb}}) {
+    if (!file.path.empty() && file.path != "-") written.push_back(file);
+  }
+  for (const std::string& file : options.scene) read.push_back({"a description of --scene", file});
+  check_distinct(written, read);
+  Simulation simulation(options, common);
+  std::optional<InputError> stopped = simulation.add(common.file, true);
+  for (const std::string& file : options.scene) {
+    std::optional<InputError> other = simulation.add(file, false);
+    if (!stopped) stopped = std::move(other);
+  }
+  simulation.write();
+  if (stopped) throw InputError(*stopped);
+  return 0;
+}
+
+}  // namespace alembert

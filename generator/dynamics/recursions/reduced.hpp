@@ -1,0 +1,16 @@
+// Inverse dynamics by the reduced form (README.md, 2).
+#pragma once
+
+#include <vector>
+
+#include "dynamics/tree/motion_tree.hpp"
+#include "mechanism/model.hpp"
+#include "symbolic/expr.hpp"
+
+namespace alembert {
+
+/// Q by the reduced form: outward twists and accelerations, inward forces (README.md, 2).
+std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
+                                           ExprGraph& graph);
+
+}  // namespace alembert

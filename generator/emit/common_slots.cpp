@@ -1,0 +1,274 @@
+// Writes names and constants of a mechanism.
+#include "emit/common_slots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "emit/statements/literals.hpp"
+#include "emit/statements/syntax.hpp"
+#include "mechanism/constraint_rows.hpp"
+#include "mechanism/names.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::size_t kWidth = 110;
+
+struct Names {
+  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints;
+};
+
+Names names_of(const Mechanism& mechanism) {
+  Names names;
+  for (const Coordinate& c : mechanism.coordinates) switch (c.type) {
+      case CoordinateType::real:
+        names.coordinates.push_back(c.name);
+        names.speeds.push_back("d(" + c.name + ")");
+        break;
+      case CoordinateType::quaternion:
+        for (const char* axis : {".x", ".y", ".z", ".w"}) names.coordinates.push_back(c.name + axis);
+        for (const char* axis : {".x", ".y", ".z"}) names.speeds.push_back("d(" + c.name + ")" + axis);
+        break;
+    }
+  for (const Body& body : mechanism.bodies) {
+    names.bodies.push_back(body.name);
+    if (body.external_wrench) names.wrench_bodies.push_back(body.name);
+  }
+  for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) names.parameters.push_back(parameter.name);
+  for (const ConstraintRow& row : constraint_rows(mechanism)) names.constraints.push_back(row.name);
+  return names;
+}
+
+std::string wrapped(const std::vector<std::string>& items) {
+  const std::string list = fmt::format("{}", fmt::join(items, ", "));
+  return list.size() < 60 ? list : "\n    " + wrap_list(list, 4, 4, kWidth);
+}
+
+/// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
+std::string cpp_array(const std::vector<std::string>& items) {
+  return items.empty() ? "{}" : fmt::format("{{{{{}}}}}", wrapped(items));
+}
+
+std::string c_array(std::vector<std::string> items, const std::string& last) {
+  if (!last.empty()) items.push_back(last);
+  return fmt::format("{{{}}}", wrapped(items));
+}
+
+std::vector<std::string> literals(const std::vector<std::string>& names) {
+  std::vector<std::string> out;
+  for (const std::string& name : names) out.push_back(string_literal(name));
+  return out;
+}
+
+std::vector<std::string> initial_coordinates(const Mechanism& mechanism, std::string_view number) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial) out.push_back(c_literal(value, number));
+  return out;
+}
+
+std::vector<std::string> initial_speeds(const Mechanism& mechanism, std::string_view number) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (const double value : c.initial_speed) out.push_back(c_literal(value, number));
+  return out;
+}
+
+std::vector<std::string> limits(const Mechanism& mechanism, bool lower) {
+  std::vector<std::string> out;
+  const auto text = [lower](double value) {
+    if (value == std::numeric_limits<double>::infinity() || value == -std::numeric_limits<double>::infinity())
+      return std::string(lower ? "-" : "") + "::std::numeric_limits<double>::infinity()";
+    return number_literal(value);
+  };
+  for (const Coordinate& c : mechanism.coordinates)
+    for (int i = 0; i < c.nq(); ++i) {
+      const double none = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
+      out.push_back(text(!c.limits ? none : lower ? c.limits->first : c.limits->second));
+    }
+  return out;
+}
+
+std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view yes, std::string_view no) {
+  std::vector<std::string> out;
+  for (const ConstraintRow& row : constraint_rows(mechanism))
+    out.emplace_back(row.type == ConstraintType::holonomic ? yes : no);
+  return out;
+}
+
+std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const std::string& format,
+                                            std::string_view number) {
+  std::vector<std::string> out;
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime)
+      out.push_back(fmt::format(fmt::runtime(format), c_literal(parameter.value, number)));
+  return out;
+}
+
+/// What the functions take besides the state, in the comment of the C interface.
+std::string c_inputs(const std::string& mechanism, std::size_t parameters, std::size_t wrenches) {
+  const std::string first =
+      parameters == 0
+          ? "parameters  NULL: there are no runtime parameters"
+          : fmt::format(
+                "parameters  [{}] runtime parameters in SI units; NULL for the values of the description",
+                parameters);
+  const std::string second = wrenches == 0 ? "wrenches    NULL: no body takes an external wrench"
+                                           : fmt::format(
+                                                 "wrenches    [{} x 6] per body of {}_wrench_body_names the "
+                                                 "force x y z at its centre of mass, N, and the torque\n"
+                                                 "            x y z, N m, both in world axes; NULL for none",
+                                                 wrenches, mechanism);
+  return first + "\n" + second;
+}
+
+/// The same as members of Inputs in C++; where there are none, arrays of no elements.
+std::string cpp_inputs(const std::vector<std::string>& parameter_defaults, std::size_t wrenches) {
+  const std::string first = parameter_defaults.empty()
+                                ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
+                                : "/// Runtime parameters in SI units, in the order of kParameterNames; the "
+                                  "values of the description unless changed.\n"
+                                  "::std::array<S, kParameterCount> parameters = " +
+                                      cpp_array(parameter_defaults) + ";";
+  const std::string second = wrenches == 0
+                                 ? "::std::array<S, 0> wrenches = {};  ///< no body takes an external wrench"
+                                 : "/// Six per body of kWrenchBodyNames: force x y z at its centre of mass, "
+                                   "N, and torque x y z, N m, both in world axes.\n"
+                                   "::std::array<S, 6 * kWrenchCount> wrenches = {};";
+  return first + "\n" + second;
+}
+
+/// A named index, such as that of a frame in kFrameNames.
+struct Index {
+  std::string name;
+  int value;
+};
+
+/// Named indices of one kind; `type` is that of the generated code.
+struct Indices {
+  std::string type;
+  std::vector<Index> items;
+};
+
+std::vector<Indices> indices_of(const Mechanism& mechanism) {
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
+                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}}};
+  const auto add = [&out](std::size_t kind, const std::string& name, int value) {
+    // A macro would be replaced, and a class has no member of its own name.
+    const bool taken = !objection_to_mechanism_name(name).empty() || name == out[kind].type;
+    out[kind].items.push_back({taken ? name + "_" : name, value});
+  };
+  const auto add_next = [&](std::size_t kind, const std::string& name) {
+    add(kind, name, static_cast<int>(out[kind].items.size()));
+  };
+  for (const Coordinate& c : mechanism.coordinates) {
+    add(0, c.name, c.first_q);
+    add(1, c.name, c.first_speed);
+  }
+  for (const Body& body : mechanism.bodies) {
+    add_next(2, body.name);
+    if (body.external_wrench) add_next(5, body.name);
+  }
+  for (const Frame& frame : mechanism.frames) add_next(3, frame.name);
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) add_next(4, parameter.name);
+  std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
+  return out;
+}
+
+/// `struct Frame { enum : int { tool = 0 }; };` and so on, a line each.
+std::string index_structs(const Mechanism& mechanism) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism)) {
+    std::vector<std::string> items;
+    for (const Index& index : indices.items) items.push_back(fmt::format("{} = {}", index.name, index.value));
+    const std::string list = wrapped(items);
+    out += fmt::format("{}struct {} {{ enum : int {{{}{} }}; }};", out.empty() ? "" : "\n", indices.type,
+                       list.starts_with('\n') ? "" : " ", list);
+  }
+  return out;
+}
+
+/// The same as members of a class: `using Frame = ::NAMESPACE::Frame;`.
+std::string index_aliases(const Mechanism& mechanism, const std::string& full_namespace) {
+  std::string out;
+  for (const Indices& indices : indices_of(mechanism))
+    out += fmt::format("{0}using {1} = ::{2}::{1};", out.empty() ? "" : "\n", indices.type, full_namespace);
+  return out;
+}
+
+}  // namespace
+
+Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
+  const Names names = names_of(mechanism);
+  std::size_t quaternions = 0;
+  for (const Coordinate& c : mechanism.coordinates)
+    quaternions += c.type == CoordinateType::quaternion ? 1 : 0;
+  return {
+      {"name", mechanism.name},
+      {"namespace", full_namespace},
+      {"nq", std::to_string(mechanism.nq)},
+      {"nv", std::to_string(mechanism.nv)},
+      {"body_count", std::to_string(names.bodies.size())},
+      {"frame_count", std::to_string(names.frames.size())},
+      {"parameter_count", std::to_string(names.parameters.size())},
+      {"wrench_count", std::to_string(names.wrench_bodies.size())},
+      {"quaternion_count", std::to_string(quaternions)},
+      {"constraint_count", std::to_string(names.constraints.size())},
+      {"coordinate_list", name_list(names.coordinates)},
+      {"speed_list", name_list(names.speeds)},
+      {"c_inputs", c_inputs(mechanism.name, names.parameters.size(), names.wrench_bodies.size())},
+      {"index_aliases", index_aliases(mechanism, full_namespace)},
+  };
+}
+
+Slots cpp_constant_slots(const Mechanism& mechanism) {
+  const Names names = names_of(mechanism);
+  std::vector<std::string> quaternions;
+  for (const Coordinate& c : mechanism.coordinates)
+    if (c.type == CoordinateType::quaternion) quaternions.push_back(std::to_string(c.first_q));
+  return {
+      {"name_literal", string_literal(mechanism.name)},
+      {"coordinate_names", cpp_array(literals(names.coordinates))},
+      {"speed_names", cpp_array(literals(names.speeds))},
+      {"body_names", cpp_array(literals(names.bodies))},
+      {"frame_names", cpp_array(literals(names.frames))},
+      {"parameter_names", cpp_array(literals(names.parameters))},
+      {"wrench_names", cpp_array(literals(names.wrench_bodies))},
+      {"initial", cpp_array(initial_coordinates(mechanism, "double"))},
+      {"initial_speeds", cpp_array(initial_speeds(mechanism, "double"))},
+      {"lower_limits", cpp_array(limits(mechanism, true))},
+      {"upper_limits", cpp_array(limits(mechanism, false))},
+      {"quaternion_offsets", cpp_array(quaternions)},
+      {"index_structs", index_structs(mechanism)},
+      {"constraint_names", cpp_array(literals(names.constraints))},
+      {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
+      {"cpp_inputs",
+       cpp_inputs(parameter_defaults(mechanism, "S({})", "double"), names.wrench_bodies.size())},
+  };
+}
+
+Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null) {
+  const Names names = names_of(mechanism);
+  return {
+      {"coordinate_names", c_array(literals(names.coordinates), null)},
+      {"speed_names", c_array(literals(names.speeds), null)},
+      {"body_names", c_array(literals(names.bodies), null)},
+      {"frame_names", c_array(literals(names.frames), null)},
+      {"parameter_names", c_array(literals(names.parameters), null)},
+      {"wrench_names", c_array(literals(names.wrench_bodies), null)},
+      {"constraint_names", c_array(literals(names.constraints), null)},
+      {"holonomic", c_array(holonomic(mechanism, "1", "0"), "0")},
+      {"initial", c_array(initial_coordinates(mechanism, number), "")},
+      {"initial_speeds", c_array(initial_speeds(mechanism, number), "")},
+      {"parameter_defaults", c_array(parameter_defaults(mechanism, "{}", number), c_literal(0, number))},
+  };
+}
+
+}  // namespace alembert

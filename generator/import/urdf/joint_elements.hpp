@@ -1,0 +1,22 @@
+// A <joint> in, what it says of the robot out. What does not change the equations is told as a warning.
+#pragma once
+
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "import/common/xml_text.hpp"
+#include "import/urdf/robot.hpp"
+
+namespace alembert {
+
+using Indices = std::map<std::string, std::size_t, std::less<>>;  // of links or joints, by name
+
+/// The same; the joint that one mimics is found later. Throws at links that are none of `links`.
+UrdfJoint read_joint(const XmlText& xml, pugi::xml_node element, const Indices& links);
+
+/// The names, for messages.
+std::vector<std::string> keys(const Indices& indices);
+
+}  // namespace alembert

@@ -1,0 +1,22 @@
+// Checks of transforms: rotations, and which coordinates move what.
+#pragma once
+
+#include <vector>
+
+#include "mechanism/loading.hpp"
+
+namespace alembert {
+
+/// Throws at the first matrix that is no rotation at the initial state or at random states near it
+/// (transform_checks.cpp).
+void check_matrices(const Loading& loading);
+
+/// All expressions of a factor; those of a quaternion by its first symbol.
+std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
+/// Whether an expression has a symbol below it.
+bool depends_on(const Vec3& point, const Expr& symbol);
+/// Throws where a body's transform moves with more than six speeds, at a shape that moves in its body, and at
+/// a coordinate that moves no body.
+void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order);
+
+}  // namespace alembert

@@ -1,0 +1,16 @@
+// Bounds and errors of operations, by their rows (see the header).
+#include "support/operation.hpp"
+
+namespace alembert {
+
+Interval bounds_of(Operation op, Interval a, Interval b) {
+  return use_row(op, interval::kWhole, [&](auto row) { return row.bounds(a, b); });
+}
+
+double error_bound(Operation op, Approximate a, Approximate b, double result) {
+  if (!std::isfinite(a.value) || !std::isfinite(b.value) || !std::isfinite(result)) return rows::kInfinite;
+  const double carried = use_row(op, rows::kInfinite, [&](auto row) { return row.carried(a, b, result); });
+  return carried + facts(op).roundings * kUnitRoundoff * std::abs(result);
+}
+
+}  // namespace alembert
