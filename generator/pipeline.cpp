@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -54,6 +55,9 @@ class StageLog {
 std::string describe(const OperationCount& n) {
   return fmt::format("{} mul {} add {} div {} trig {} other", n.mul, n.add, n.div, n.trig, n.other);
 }
+
+/// Of programs that are all off by more than is good, a longer one must be off by so much less.
+constexpr double kWorseError = 16;
 
 std::size_t weight(const OperationCount& n) {
   return n.mul + n.add + n.div + n.other + n.trig;
@@ -215,10 +219,18 @@ class FunctionWriter {
       return weight(x.function.count) < weight(y.function.count);
     });
     MeasuredError error;
-    for (Candidate& one : found) {
-      if (finish(one)) return std::move(one.function);
+    std::optional<CompiledFunction> explained;
+    const auto is_good = [&](Candidate& one) {
+      finish(one);
       error = one.function.error;
-    }
+      if (certificate_.is_small(error)) return true;
+      const bool worse = explained && (explained->error.without_value.size() < error.without_value.size() ||
+                                       explained->error.relative <= kWorseError * error.relative);
+      if (!worse && certificate_.explains(error, kind)) explained = one.function;
+      return false;
+    };
+    for (Candidate& one : found)
+      if (is_good(one)) return written(std::move(one.function));
     // What loses too many digits gives way to less of the same.
     const Formulation formulation = candidates.front().formulation;
     for (Passes passes = options_.passes; formulation == Formulation::reduced;) {
@@ -235,9 +247,10 @@ class FunctionWriter {
       Candidate one = candidate(
           kind, formulation,
           function_outputs(kinematics_, equations_of_motion(kinematics_, formulation, passes), kind));
-      if (finish(one)) return std::move(one.function);
-      error = one.function.error;
+      if (is_good(one)) return written(std::move(one.function));
     }
+    // The plain equations may lose as many digits.
+    if (explained) return written(*std::move(explained));
     throw InternalError(
         error.without_value.empty()
             ? fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
@@ -263,18 +276,19 @@ class FunctionWriter {
     return {{kind, formulation, std::move(program), operations, {}}, std::move(outputs)};
   }
 
-  /// Puts a program in its final order and verifies it; false if it is not near enough to the plain
-  /// equations.
-  bool finish(Candidate& one) const {
+  /// Puts a program in its final order, verifies it and measures how far it is from the plain equations.
+  void finish(Candidate& one) const {
     CompiledFunction& function = one.function;
     function.program = in_final_order(function, options_);
     if (dumping("schedule")) *options_.dump << dump(function.program);
     verify(function.program, one.outputs, bindings_);
     function.error = certificate_.measure(function.program, function.kind);
-    if (!certificate_.accepts(function.error, function.kind)) return false;
+  }
+
+  static CompiledFunction written(CompiledFunction function) {
     function.program = without_unused_inputs(std::move(function.program));
     if (function.error.states > 0) function.program.error = function.error.relative;
-    return true;
+    return function;
   }
 
   bool dumping(std::string_view stage) const {

@@ -33,10 +33,10 @@ TEST(See, WritesASceneAndNoTableUnlessAsked) {
       folder, "simulate " + mechanism_file("double_pendulum") + " --duration 1 --q 1,0.5 --glb " + glb);
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "");
-  const nlohmann::json json = glb_json(read_text(glb));
-  EXPECT_EQ(frames(json), 60u);  // each 17 ms, and the end
+  const nlohmann::json scene = glb_json(read_text(glb));
+  EXPECT_EQ(frames(scene), 60u);  // each 17 ms, and the end
   std::vector<std::string> names;
-  for (const nlohmann::json& node : json["nodes"]) names.push_back(node["name"]);
+  for (const nlohmann::json& node : scene["nodes"]) names.push_back(node["name"]);
   EXPECT_THAT(names, testing::IsSupersetOf({"double_pendulum", "upper", "lower"}));
 }
 
@@ -69,11 +69,11 @@ TEST(See, ShowsSeveralMechanisms) {
       alembert(folder, "simulate " + mechanism_file("pendulum") + " --duration 0.1 --q 1 --scene " +
                            mechanism_file("cart_pole") + "," + mechanism_file("pendulum") + " --glb " + glb);
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const nlohmann::json json = glb_json(read_text(glb));
-  ASSERT_EQ(json["animations"].size(), 3u);
-  EXPECT_EQ(json["animations"][0]["name"], "pendulum");
-  EXPECT_EQ(json["animations"][1]["name"], "cart_pole");
-  EXPECT_EQ(json["animations"][2]["name"], "pendulum 2");
+  const nlohmann::json shown = glb_json(read_text(glb));
+  ASSERT_EQ(shown["animations"].size(), 3u);
+  EXPECT_EQ(shown["animations"][0]["name"], "pendulum");
+  EXPECT_EQ(shown["animations"][1]["name"], "cart_pole");
+  EXPECT_EQ(shown["animations"][2]["name"], "pendulum 2");
 }
 
 TEST(See, WritesThePageOrSaysWhatIsMissing) {

@@ -15,7 +15,7 @@
 namespace alembert::oracles {
 namespace {
 
-constexpr double kG = 9.81;
+constexpr double kGravity = 9.81;
 
 Description paper_mechanism(const std::string& name) {
   return read_description(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/paper/" + name + ".yaml");
@@ -61,7 +61,7 @@ TEST(Constraints, DiscInSteadyMotion) {
   const double R = d.parameter("R"), m = d.parameter("m"), A = m * R * R / 4, C = m * R * R / 2;
   for (const double lean : {-0.9, 0.2, 0.7}) {
     for (const double W : {-2.1, 1.3, 4.0}) {
-      const double w = (A * W * W * std::sin(lean) * std::cos(lean) - m * kG * R * std::sin(lean)) /
+      const double w = (A * W * W * std::sin(lean) * std::cos(lean) - m * kGravity * R * std::sin(lean)) /
                        ((C + m * R * R) * W * std::cos(lean));
       const double roll = w - W * std::sin(lean), heading = 0.8;
       const State state{{0.1, -0.2, heading, lean, 0.4},
@@ -161,7 +161,7 @@ constraints:
     EXPECT_NEAR(motion.rates.norm(), 0, 1e-13);
     const Eigen::VectorXd force = rows.P.transpose() * motion.multipliers;
     EXPECT_NEAR(force[0], 0, 1e-12);
-    EXPECT_NEAR(force[1], 3 * kG, 1e-12);
+    EXPECT_NEAR(force[1], 3 * kGravity, 1e-12);
     EXPECT_EQ(std::isinf(motion.condition) || motion.condition > 1e12, rows.gamma.size() == 3);
   }
 }

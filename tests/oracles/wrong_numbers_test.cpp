@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "oracles/reference.hpp"
+#include "oracles/taylor/numeric_lagrangian.hpp"
 
 namespace alembert::oracles {
 namespace {
@@ -249,6 +251,46 @@ TEST(WrongNumbers, AxesThatNearlyMeet) {
   expect_right_after_import(urdf_arm("xyz='0.06 -0.4 0' rpy='0 0 -1.3'",
                                      "xyz='0.4 0.3 0' rpy='-1.5707963267949 0 -0.927295'", "continuous",
                                      "rpy='-1.5707963267949 0 0'"));
+}
+
+// A thumb as exported, its axes parallel to thirteen digits, on a stage of 100 kg beside which its forces are
+// nothing: the direction of the tilt has three digits only. They were right to four.
+TEST(WrongNumbers, AxesParallelToThirteenDigitsOnAStage) {
+  const std::string text = R"yaml(
+coordinates: [height, first, second]
+bodies:
+  - name: stage
+    transform: [{joint: {type: prismatic, axis: z, coordinates: [height]}}]
+    mass: 100
+  - name: one
+    parent: stage
+    transform:
+      - translate: [0.0421965979105674, -0.0941606527701362, 0.0317642107824709]
+      - joint: {type: revolute, axis: [0.653442120633779, 0.0561747295623823, -0.754889259918448], coordinates: [first]}
+    mass: 0.00520499928633448
+    com: [0.00595800407210242, -0.0112503464220567, 0.00518269565716167]
+    inertia: {xx: 1.460268e-08, yy: 1.670183e-08, zz: 2.887708e-08, xy: 1.440034e-08, xz: -4.335692e-09, yz: 4.031184e-09}
+  - name: two
+    parent: one
+    transform:
+      - translate: [0.0111118631544056, -0.0219257069936049, 0.00848109657008508]
+      - joint: {type: revolute, axis: [0.653442120633895, 0.0561747295623124, -0.754889259918354], coordinates: [second]}
+    mass: 0.00290769681829447
+    com: [0.0056392427710277, -0.00819754869289124, 0.00357444528870934]
+)yaml";
+  const TemporaryFile file("alembert: 1\nname: small\n" + text, ".yaml");
+  const Description description = read_description(file.path());
+  const std::vector<State> states = random_states(description);
+  expect_right(file.path(), description, states);
+  const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(description.nv));
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.path(), states, tau, {"bias"});
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto expected = numeric_lagrangian<long double>(description, states[i]).bias;
+    for (Eigen::Index k = 0; k < description.nv; ++k) {
+      const double given = found[i].at("bias").at("c")(k), wanted = static_cast<double>(expected[k]);
+      EXPECT_NEAR(given, wanted, 1e-10 * std::abs(wanted)) << "speed " << k;
+    }
+  }
 }
 
 // Axis vectors of length 1e12 and 1e-9, tilts, an inverse and a pitch of 0.

@@ -14,4 +14,4 @@ foreach(file ${constrained_files})
 endforeach()
 alembert_test(paper_constrained
   SOURCES constrained_closed_form_test.cpp constrained_drift_test.cpp constrained_loops_test.cpp
-  LINK ${constrained_libraries} alembert::runtime)
+  LINK ${constrained_libraries} alembert::runtime SLOW "Loops.*:Drift.*")

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kPendulum = R"(alembert: 1
+constexpr const char* kHangingPendulum = R"(alembert: 1
 name: pendulum
 description: "Ends: </script><script>alert(1)</script> @scene@ @title@ <b>&amp;"
 coordinates: [q]
@@ -62,7 +62,7 @@ struct Glb {
 TEST(Glb, HoldsPosesAsAnAnimation) {
   std::vector<double> angles;
   for (int k = 0; k < 100; ++k) angles.push_back(0.2 * k);
-  const SmallScene small(kPendulum, angles);
+  const SmallScene small(kHangingPendulum, angles);
   const SceneBody& bob = small.scene.mechanisms.at(0).bodies.at(0);
   const Glb glb(glb_file(small.scene));
   const Json& animation = glb.json["animations"].at(0);
@@ -91,8 +91,8 @@ TEST(Glb, HoldsPosesAsAnAnimation) {
 }
 
 TEST(Glb, HoldsTheMeshesOnce) {
-  SmallScene small(kPendulum, {0.1, 0.2});
-  small.add(kPendulum, {0.1, 0.2});
+  SmallScene small(kHangingPendulum, {0.1, 0.2});
+  small.add(kHangingPendulum, {0.1, 0.2});
   const Glb glb(glb_file(small.scene));
   EXPECT_EQ(glb.json["meshes"].size(), small.scene.mechanisms[0].bodies[0].parts.size());
   std::size_t parts = 0;
@@ -101,7 +101,7 @@ TEST(Glb, HoldsTheMeshesOnce) {
 }
 
 TEST(Glb, OfAMomentHasNoAnimation) {
-  const SmallScene small(kPendulum, {0.3});
+  const SmallScene small(kHangingPendulum, {0.3});
   const Glb glb(glb_file(small.scene));
   EXPECT_FALSE(glb.json.contains("animations"));
   const Json& bob = glb.json["nodes"].at(2);
@@ -129,7 +129,7 @@ TEST(Page, HoldsTheScene) {
   for (const std::size_t count : {1u, 2u, 3u, 4u}) {
     std::vector<double> angles;
     for (std::size_t k = 0; k < count; ++k) angles.push_back(0.3 * static_cast<double>(k));
-    const SmallScene small(kPendulum, angles);
+    const SmallScene small(kHangingPendulum, angles);
     const Json json = Json::parse(scene_json(small.scene));
     const Json& mechanism = json["mechanisms"].at(0);
     EXPECT_EQ(mechanism["description"], small.scene.mechanisms[0].description);
@@ -144,7 +144,7 @@ TEST(Page, HoldsTheScene) {
 }
 
 TEST(Page, LetsNoTextEndItsElement) {
-  const SmallScene small(kPendulum, {0.1, 0.2});
+  const SmallScene small(kHangingPendulum, {0.1, 0.2});
   EXPECT_EQ(scene_json(small.scene).find('<'), std::string::npos);
   EXPECT_EQ(html_escaped("</title><b a=\"x\">&"), "&lt;/title&gt;&lt;b a=&quot;x&quot;&gt;&amp;");
   if (page_template().empty()) GTEST_SKIP() << "built without the page";

@@ -212,8 +212,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   return worst;
 }
 
-bool Certificate::accepts(const MeasuredError& error, FunctionKind kind) const {
-  if (error.relative <= kLargestError && error.without_value.empty()) return true;
+bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
   const std::vector<OutputExpressions> plain = plain_function_outputs(kinematics_, kind);
   double bound = kLargestError;
   for (std::size_t k = 0; k < states_.size(); ++k) {

@@ -38,10 +38,14 @@ class Certificate {
 
   /// The program has all bindings as inputs.
   MeasuredError measure(const Program& program, FunctionKind kind) const;
-  /// Whether a measured error is small enough: below kLargestError, or below the bound of the rounding errors
-  /// that the plain equations have in double precision, and without a value only where these have none (a
-  /// function that overflows).
-  bool accepts(const MeasuredError& error, FunctionKind kind) const;
+  /// Whether a measured error needs no explanation.
+  static bool is_small(const MeasuredError& error) {
+    return error.relative <= kLargestError && error.without_value.empty();
+  }
+  /// Whether the plain equations in double precision may have rounding errors as large, and have no values
+  /// where the program has none (a function that overflows). Bounds of errors can be far above them: what has
+  /// a small error goes before what has an explained one.
+  bool explains(const MeasuredError& error, FunctionKind kind) const;
 
   const PlainEquations& plain() const { return plain_; }
 

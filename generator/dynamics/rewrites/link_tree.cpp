@@ -47,7 +47,12 @@ class TreeBuilder {
     const bool tilted = across > kAngleRounding;
     const Extended tilt = tilted ? atan2(across, pose(2, 2)) : Extended(pose(2, 2) > 0 ? 0 : 2 * kRightAngle);
     const Extended first = tilted ? atan2(pose(0, 2), Extended(-pose(1, 2))) : Extended(0);
-    const Extended last = tilted ? atan2(pose(2, 0), pose(2, 1)) : atan2(Extended(-pose(0, 1)), pose(0, 0));
+    // What the first two leave. Entries are rounded, so that a small tilt has few digits of its direction;
+    // the sum of the turns before and after it has all.
+    const Extended c = cos(first), s = sin(first);
+    const Extended last =
+        atan2(Extended(cos(tilt) * (c * pose(1, 0) - s * pose(0, 0)) + sin(tilt) * pose(2, 0)),
+              Extended(c * pose(0, 0) + s * pose(1, 0)));
     node = turn(node, 2, first);
     node = turn(node, 0, tilt);
     return turn(node, 2, last);

@@ -11,21 +11,21 @@ namespace alembert::oracles {
 
 namespace {
 
-using Along = Jet<double>;
-
 /// Values and rates of all rows along a motion of coordinates, speeds and time.
+template <class R>
 struct RowJets {
-  std::vector<double> velocity, acceleration, position;
+  std::vector<R> velocity, acceleration, position;
 };
 
 /// Coordinates, speeds and positions of frames, in the order of a constraint's variables.
-std::vector<Along> variables(const Description& description, const std::vector<Along>& q,
-                             const std::vector<Along>& u, const Along& t) {
-  std::vector<Along> all = q;
+template <class R>
+std::vector<Jet<R>> variables(const Description& description, const std::vector<Jet<R>>& q,
+                              const std::vector<Jet<R>>& u, const Jet<R>& t) {
+  std::vector<Jet<R>> all = q;
   all.insert(all.end(), u.begin(), u.end());
   const auto poses = world_poses(description, q, t);
   for (const Frame& frame : description.frames) {
-    RigidMotion<Along> pose = product_of(frame.transform, q, t);
+    RigidMotion<Jet<R>> pose = product_of(frame.transform, q, t);
     if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
     all.insert(all.end(), pose.translation.begin(), pose.translation.end());
   }
@@ -35,29 +35,31 @@ std::vector<Along> variables(const Description& description, const std::vector<A
 /// Velocity of the child's material point at the contact, seen from the parent, along the second surface's
 /// tangents, and its rate. With A the mate's transform and p the contact point in the child, that velocity is
 /// A' p: p is not differentiated, and is in the rate, where another point is in contact a moment later.
-void append_rolling(const Mate& mate, const std::vector<Along>& q, const Along& t, RowJets& out) {
-  const RigidMotion<Along> second = surface_frame(mate.second, q, t);
-  const RigidMotion<Along> A = product_of({Factor{mate}}, q, t);
+template <class R>
+void append_rolling(const Mate& mate, const std::vector<Jet<R>>& q, const Jet<R>& t, RowJets<R>& out) {
+  const RigidMotion<Jet<R>> second = surface_frame(mate.second, q, t);
+  const RigidMotion<Jet<R>> A = product_of({Factor{mate}}, q, t);
   // As jets of the first order: A' has value A.first and rate A.second.
-  RigidMotion<Along> A_rate;
+  RigidMotion<Jet<R>> A_rate;
   for (std::size_t i = 0; i < 3; ++i) {
-    A_rate.translation[i] = Along(A.translation[i].first, A.translation[i].second, 0.0);
+    A_rate.translation[i] = Jet<R>(A.translation[i].first, A.translation[i].second, R(0.0));
     for (std::size_t k = 0; k < 3; ++k)
-      A_rate.column[k][i] = Along(A.column[k][i].first, A.column[k][i].second, 0.0);
+      A_rate.column[k][i] = Jet<R>(A.column[k][i].first, A.column[k][i].second, R(0.0));
   }
-  const Vector3<Along> velocity = rotated(A_rate, second.translation) + A_rate.translation;
+  const Vector3<Jet<R>> velocity = rotated(A_rate, second.translation) + A_rate.translation;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Along slip = dot(rotated(A, second.column[k]), velocity);
-    out.position.push_back(0);
+    const Jet<R> slip = dot(rotated(A, second.column[k]), velocity);
+    out.position.push_back(R(0.0));
     out.velocity.push_back(slip.value);
     out.acceleration.push_back(slip.first);
   }
 }
 
-RowJets row_jets(const Description& description, const std::vector<Along>& q, const std::vector<Along>& u,
-                 const Along& t) {
-  const std::vector<Along> all = variables(description, q, u, t);
-  RowJets out;
+template <class R>
+RowJets<R> row_jets(const Description& description, const std::vector<Jet<R>>& q,
+                    const std::vector<Jet<R>>& u, const Jet<R>& t) {
+  const std::vector<Jet<R>> all = variables(description, q, u, t);
+  RowJets<R> out;
   for (const Constraint& constraint : description.constraints) {
     if (constraint.kind == ConstraintKind::rolling) {
       const Body& body = description.bodies[static_cast<std::size_t>(constraint.body)];
@@ -65,9 +67,9 @@ RowJets row_jets(const Description& description, const std::vector<Along>& q, co
       continue;
     }
     for (const Expression& equation : constraint.equations) {
-      const Along row = evaluate(equation, all, t);
+      const Jet<R> row = evaluate(equation, all, t);
       const bool holonomic = constraint.kind == ConstraintKind::holonomic;
-      out.position.push_back(holonomic ? row.value : 0);
+      out.position.push_back(holonomic ? row.value : R(0.0));
       out.velocity.push_back(holonomic ? row.first : row.value);
       out.acceleration.push_back(holonomic ? row.second : row.first);
     }
@@ -75,36 +77,42 @@ RowJets row_jets(const Description& description, const std::vector<Along>& q, co
   return out;
 }
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+template <class R>
+VectorOf<R> vector_of(const std::vector<R>& values) {
+  return Eigen::Map<const VectorOf<R>>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 }  // namespace
 
-ConstraintRows numeric_constraints(const Description& description, const State& state) {
-  std::vector<Along> u;
-  for (const double speed : state.speeds) u.emplace_back(speed);
-  const std::vector<double> no_rates(state.speeds.size(), 0.0);
-  const RowJets moving =
-      row_jets(description, trajectory(description, state, no_rates), u, Along(state.time, 1.0, 0.0));
-  ConstraintRows rows;
+template <class R>
+ConstraintRowsOf<R> numeric_constraints(const Description& description, const State& state) {
+  const StateOf<R> given = lifted<R>(state);
+  std::vector<Jet<R>> u, still;
+  for (const R& speed : given.speeds) u.emplace_back(speed);
+  for (const R& value : given.q) still.emplace_back(value);
+  const std::vector<R> no_rates(state.speeds.size(), R(0.0));
+  const RowJets<R> moving =
+      row_jets(description, trajectory(description, given, no_rates), u, Jet<R>(given.time, R(1.0), R(0.0)));
+  ConstraintRowsOf<R> rows;
   rows.gamma = vector_of(moving.acceleration);
   rows.velocity = vector_of(moving.velocity);
   rows.position = vector_of(moving.position);
   rows.P.resize(rows.gamma.size(), description.nv);
   // Rows are affine in the speeds, so that a difference of two of their values is a column exactly.
-  const std::vector<Along> rest(state.speeds.size(), Along(0.0));
-  std::vector<Along> still;
-  for (const double value : state.q) still.emplace_back(value);
-  const Eigen::VectorXd at_rest = vector_of(row_jets(description, still, rest, Along(state.time)).velocity);
+  const std::vector<Jet<R>> rest(state.speeds.size(), Jet<R>(0.0));
+  const VectorOf<R> at_rest = vector_of(row_jets(description, still, rest, Jet<R>(state.time)).velocity);
   for (int k = 0; k < description.nv; ++k) {
-    std::vector<Along> unit = rest;
-    unit[static_cast<std::size_t>(k)] = Along(1.0);
-    const RowJets along = row_jets(description, unit_motion(description, state, k), unit, Along(state.time));
+    std::vector<Jet<R>> unit = rest;
+    unit[static_cast<std::size_t>(k)] = Jet<R>(1.0);
+    const RowJets<R> along =
+        row_jets(description, unit_motion(description, given, k), unit, Jet<R>(state.time));
     rows.P.col(k) = vector_of(along.velocity) - at_rest;
   }
   return rows;
 }
+
+template ConstraintRows numeric_constraints<double>(const Description&, const State&);
+template ConstraintRowsOf<long double> numeric_constraints<long double>(const Description&, const State&);
 
 ConstrainedMotion constrained_motion(const Dynamics& dynamics, const ConstraintRows& rows) {
   const Eigen::Index n = dynamics.bias.size(), m = rows.gamma.size();

@@ -11,12 +11,16 @@ namespace alembert::oracles {
 
 /// Rows in the order of the file. velocity = P u + (part from time), its rate is P du/dt + gamma. Rolling
 /// rows are along the tangents p0 and p1 of the mate's second surface, where that is now.
-struct ConstraintRows {
-  Eigen::MatrixXd P;
-  Eigen::VectorXd gamma, velocity;
-  Eigen::VectorXd position;  ///< of holonomic rows; 0 for others
+template <class R>
+struct ConstraintRowsOf {
+  MatrixOf<R> P;
+  VectorOf<R> gamma, velocity;
+  VectorOf<R> position;  ///< of holonomic rows; 0 for others
 };
-ConstraintRows numeric_constraints(const Description& description, const State& state);
+using ConstraintRows = ConstraintRowsOf<double>;
+/// R is double, or long double for a reference that has digits to spare.
+template <class R = double>
+ConstraintRowsOf<R> numeric_constraints(const Description& description, const State& state);
 
 /// M rates + c = tau + P^T multipliers, P rates + gamma = 0.
 struct ConstrainedMotion {

@@ -142,9 +142,11 @@ std::map<std::string, Arrays> numeric_functions(const Description& description, 
   all["body_jacobians"] = {{"J", jacobian(bodies)}};
   all["frame_jacobians"] = {{"J", jacobian(frames)}};
   if (asks_for("constraints")) {
-    const ConstraintRows rows = numeric_constraints(description, state);
-    all["constraints"] = {
-        {"P", rows.P}, {"gamma", rows.gamma}, {"velocity", rows.velocity}, {"position", rows.position}};
+    const ConstraintRowsOf<R> rows = numeric_constraints<R>(description, state);
+    all["constraints"] = {{"P", rows.P.template cast<double>()},
+                          {"gamma", rows.gamma.template cast<double>()},
+                          {"velocity", rows.velocity.template cast<double>()},
+                          {"position", rows.position.template cast<double>()}};
   }
   if (asks_for("inverse_dynamics_derivatives"))
     all["inverse_dynamics_derivatives"] = derivatives_of_forces<R>(description, state);
