@@ -2,8 +2,10 @@
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
-#                          [LANGUAGE CXX|C]        C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
-#                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH
+#                          [LANGUAGE CXX|C|PYTHON] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
+#                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH. PYTHON: the same as a
+#                                                  shared library, and the module over it beside it, in the folder that the target's
+#                                                  property ALEMBERT_PYTHON_FOLDER names
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
 #                                                  inverse_dynamics_derivatives
@@ -123,15 +125,25 @@ function(alembert_add_mechanism)
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE CXX)
   endif()
-  if(NOT arg_LANGUAGE MATCHES "^(C|CXX)$")
-    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX or C, not ${arg_LANGUAGE}")
+  if(NOT arg_LANGUAGE MATCHES "^(C|CXX|PYTHON)$")
+    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX, C or PYTHON, not ${arg_LANGUAGE}")
   endif()
-  if(arg_LANGUAGE STREQUAL "C")
+  if(NOT arg_LANGUAGE STREQUAL "CXX")
     foreach(argument NAMESPACE PARTS TRIG BATCH BATCH_INSTRUCTIONS)
       if(arg_${argument})
-        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE C")
+        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE ${arg_LANGUAGE}")
       endif()
     endforeach()
+  endif()
+  # A module of Python is one over a shared library of C.
+  set(python FALSE)
+  if(arg_LANGUAGE STREQUAL "PYTHON")
+    if(arg_STATIC OR arg_OBJECT)
+      message(FATAL_ERROR "alembert_add_mechanism: a library for LANGUAGE PYTHON is SHARED")
+    endif()
+    set(python TRUE)
+    set(type SHARED)
+    set(arg_LANGUAGE C)
   endif()
   if(NOT arg_PARTS)
     set(arg_PARTS 4)
@@ -159,6 +171,9 @@ function(alembert_add_mechanism)
   if(arg_LANGUAGE STREQUAL "C")
     set(headers "${include}/${name}.h")
     set(sources "${folder}/src/${name}.c")
+    if(python)
+      list(APPEND sources "${folder}/src/${name}_states.c")
+    endif()
   endif()
   foreach(part RANGE 1 ${arg_PARTS})
     if(arg_LANGUAGE STREQUAL "C")
@@ -184,7 +199,11 @@ function(alembert_add_mechanism)
 
   set(options --expected-name ${name})
   if(arg_LANGUAGE STREQUAL "C")
-    list(APPEND options --language c)
+    if(python)
+      list(APPEND options --language python)
+    else()
+      list(APPEND options --language c)
+    endif()
   else()
     list(APPEND options --parts ${arg_PARTS})
   endif()
@@ -249,6 +268,10 @@ function(alembert_add_mechanism)
   set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${arg_TARGET} POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF WINDOWS_EXPORT_ALL_SYMBOLS ON UNITY_BUILD OFF
                         CXX_CLANG_TIDY "" CXX_CPPCHECK "" CXX_INCLUDE_WHAT_YOU_USE "")
+  if(python)
+    set_target_properties(${arg_TARGET} PROPERTIES OUTPUT_NAME alembert_${name} ALEMBERT_PYTHON_FOLDER "${folder}/python"
+                          LIBRARY_OUTPUT_DIRECTORY "$<1:${folder}/python>" RUNTIME_OUTPUT_DIRECTORY "$<1:${folder}/python>")
+  endif()
   _alembert_optimise(${arg_TARGET})
   if(arg_TRIG STREQUAL vector AND arg_LANGUAGE STREQUAL "CXX")
     target_compile_definitions(${arg_TARGET} PRIVATE ALEMBERT_VECTOR_TRIG)

@@ -38,7 +38,8 @@ def executable() -> str:
     here = pathlib.Path(__file__).resolve()
     near = [folder / "bin" / "alembert" for folder in here.parents[2:6]]
     # In the source tree: what was built last.
-    builds = [*here.parents[3].glob("build/generator/alembert"), *here.parents[3].glob("build/*/generator/alembert")]
+    builds = [path for root in here.parents[3:4] for pattern in ("build/generator/alembert", "build/*/generator/alembert")
+              for path in root.glob(pattern)]
     near += sorted(builds, key=lambda path: path.stat().st_mtime, reverse=True)
     found = next((str(path) for path in near if os.access(path, os.X_OK) and path.is_file()), shutil.which("alembert"))
     if found is None:
