@@ -229,7 +229,7 @@ def test_threads_do_not_change_a_bit(load):
     m = load("tree_every_joint")
     s = random_states(m, 5003)
     expected = m.inverse_dynamics_derivatives(s["q"], s["qd"], s["qdd"], threads=1)
-    for threads in (0, 2, 3, 64):
+    for threads in (0, 2, np.int64(3), 64):
         found = m.inverse_dynamics_derivatives(s["q"], s["qd"], s["qdd"], threads=threads)
         assert all(np.array_equal(a, b) for a, b in zip(found, expected))
     # Callers' own threads at once.
@@ -240,6 +240,24 @@ def test_threads_do_not_change_a_bit(load):
     for caller in callers:
         caller.join()
     assert all(np.array_equal(found[k], m.bias(s["q"], s["qd"], threads=1)) for k in range(4))
+
+
+def test_what_fails_in_a_thread_fails_the_call(load, monkeypatch):
+    m = load("puma560")
+    entry = m._mass_matrix.entry
+    main = threading.current_thread()
+
+    def fails_elsewhere(*arguments):
+        if threading.current_thread() is not main:
+            raise MemoryError("no room")
+        return entry(*arguments)
+
+    monkeypatch.setattr(m._mass_matrix, "entry", fails_elsewhere)
+    with pytest.raises(MemoryError, match="no room"):
+        m.mass_matrix(np.zeros((5000, 6)), threads=2)
+    monkeypatch.setattr(m._mass_matrix, "entry", lambda *arguments: 1)
+    with pytest.raises(RuntimeError, match="puma560_mass_matrix returned 1"):
+        m.mass_matrix(np.zeros(6))
 
 
 def test_float_modules_compute_in_float(load):

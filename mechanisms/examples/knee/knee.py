@@ -1,0 +1,66 @@
+"""Two hundred seated legs kick at once, each with another activation of the quadriceps; the hamstrings brake.
+The work of the muscles must become the energy of the leg."""
+import pathlib
+
+import alembert
+import numpy as np
+
+knee = alembert.load(pathlib.Path(__file__).with_name("knee.yaml"))
+frame = knee.frame_names.index
+# Origin, insertion, greatest force (N), length at which it is greatest (m).
+QUADRICEPS = frame("patella"), frame("tibia_front"), 2500, 0.13
+HAMSTRINGS = frame("ischium"), frame("tibia_back"), 1500, 0.42
+ACTIVATION = np.linspace(0.1, 0.6, 200)
+
+
+def pull(muscle, activation, F, J, qd):
+    """The generalized force of a muscle: a force along the line from origin to insertion."""
+    origin, insertion, strongest, rest = muscle
+    line = F[:, insertion, :, 3] - F[:, origin, :, 3]
+    moves = J[:, insertion, 3:, 0] - J[:, origin, 3:, 0]
+    length = np.linalg.norm(line, axis=1)
+    arm = np.sum(line * moves, axis=1) / length  # d length / dq
+    stretch = (length - rest) / (0.5 * rest)
+    return -arm * activation * strongest * np.exp(-stretch**2) / (1 + np.exp(-4 * arm * qd[:, 0]))
+
+
+def muscles(t, q, qd):
+    F, J = knee.frame_poses(q), knee.frame_jacobians(q)
+    kick, brake = np.exp(-(((t - 0.25) / 0.1) ** 2)), 0.3 * np.exp(-(((t - 0.4) / 0.1) ** 2))
+    tau = pull(QUADRICEPS, ACTIVATION * kick, F, J, qd) + pull(HAMSTRINGS, brake, F, J, qd)
+    return tau[:, None]
+
+
+def rates(t, state):
+    """Of q, qd and the work of the muscles, which are integrated together."""
+    q, qd, _ = state
+    tau = muscles(t, q, qd)
+    return np.array([qd, knee.forward_dynamics(q, qd, tau), tau * qd])
+
+
+def main():
+    count, h = len(ACTIVATION), 2e-3
+    state = np.zeros((3, count, 1))
+    state[0] = 1.66  # the shank hangs
+    start = knee.energy(state[0], state[1]).sum(axis=1)
+    highest = np.full(count, -180.0)  # degrees from the vertical
+    for k in range(300):
+        t = k * h
+        k1 = rates(t, state)
+        k2 = rates(t + h / 2, state + h / 2 * k1)
+        k3 = rates(t + h / 2, state + h / 2 * k2)
+        k4 = rates(t + h, state + h * k3)
+        state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        shank = knee.body_poses(state[0])[:, knee.body_names.index("shank")]
+        highest = np.maximum(highest, np.degrees(np.arctan2(shank[:, 2, 0], shank[:, 0, 0])))
+    gained = knee.energy(state[0], state[1]).sum(axis=1) - start
+    print("activation  highest shank [deg]  work [J]")
+    for i in range(0, count, 33):
+        print(f"{ACTIVATION[i]:10.2f} {highest[i]:20.1f} {state[2, i, 0]:9.3f}")
+    error = np.abs(gained - state[2, :, 0]).max()
+    print(f"energy gained and work differ by {error:.1e} J")
+    return 0 if error < 1e-3 else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
