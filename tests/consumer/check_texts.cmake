@@ -1,5 +1,5 @@
 # Texts that repeat what is elsewhere:  cmake -DROOT=SOURCE -DALEMBERT=COMMAND -DWORK=SCRATCH -P check_texts.cmake
-# The README shows the controller's program, the code of a pendulum and all functions; the example's arm.yaml is what importing its arm.urdf gives.
+# The README shows the controller's program, the code of a pendulum; the example's arm.yaml is what importing its arm.urdf gives.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/README.md readme)
 set(example ${ROOT}/mechanisms/examples/controller)
@@ -34,35 +34,6 @@ if(NOT function)
   message(FATAL_ERROR "inverse_dynamics is not where this test looks for it: ${parts}")
 endif()
 expect_in_readme("```cpp\n${function}```" "the pendulum's inverse_dynamics")
-
-# The rows of the table of functions say the same as lines `* name(arguments) -> results` of the help, in which the star marks what is written
-# by default; those functions all have a row.
-execute_process(COMMAND ${ALEMBERT} generate --functions help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX MATCHALL "\n[* ] [a-z_]+\\([a-z_, ]*\\) -> [A-Za-z_, ]+" functions "${help}")
-if(NOT functions)
-  message(FATAL_ERROR "--functions help has no lines as this test expects them:\n${help}")
-endif()
-foreach(line IN LISTS functions)
-  string(REGEX MATCH "([* ]) ([a-z_]+)\\(([a-z_, ]*)\\) -> ([A-Za-z_, ]+)" unused "${line}")
-  set(star "")
-  if(CMAKE_MATCH_1 STREQUAL "*")
-    set(star " *")
-  endif()
-  set(row "| `${CMAKE_MATCH_2}`${star} | ${CMAKE_MATCH_3} | ${CMAKE_MATCH_4} |")
-  string(REPLACE "|  |" "| |" row "${row}")
-  list(APPEND names "${CMAKE_MATCH_2}")
-  string(FIND "${readme}" "| `${CMAKE_MATCH_2}`" listed)
-  if(star OR NOT listed EQUAL -1)
-    expect_in_readme("${row}" "the function `${CMAKE_MATCH_2}` in a row that begins '${row}'")
-  endif()
-endforeach()
-string(REGEX MATCHALL "\n\\| `[a-z_]+`" rows "${readme}")
-foreach(row IN LISTS rows)
-  string(REGEX MATCH "[a-z_]+" name "${row}")
-  if(NOT name IN_LIST names)
-    message(FATAL_ERROR "the README has a row for ${name}, which is no function of --functions help")
-  endif()
-endforeach()
 
 execute_process(COMMAND ${ALEMBERT} import ${example}/arm.urdf --out ${WORK}/arm.yaml COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/arm.yaml ${example}/arm.yaml RESULT_VARIABLE different)

@@ -156,19 +156,12 @@ long double scaled_condition(const MatrixOf<long double>& M) {
 }
 
 std::set<std::string> comparable_functions(const Description& description) {
-  std::set<std::string> all{"inverse_dynamics",
-                            "mass_matrix",
-                            "bias",
-                            "mass_matrix_and_bias",
-                            "forward_dynamics",
-                            "coordinate_rates",
-                            "energy",
-                            "body_poses",
-                            "body_jacobians",
-                            "body_inertias",
-                            "inverse_dynamics_derivatives"};
-  if (!description.frames.empty()) all.insert({"frame_poses", "frame_jacobians"});
-  if (!description.constraints.empty()) all.insert("constraints");
+  std::set<std::string> all = numeric_function_names();
+  for (auto name = all.begin(); name != all.end();) {
+    const bool has_none = (name->rfind("frame_", 0) == 0 && description.frames.empty()) ||
+                          (*name == "constraints" && description.constraints.empty());
+    name = has_none ? all.erase(name) : std::next(name);
+  }
   return all;
 }
 

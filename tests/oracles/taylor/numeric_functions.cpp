@@ -2,6 +2,7 @@
 #include "oracles/taylor/numeric_functions.hpp"
 
 #include <array>
+#include <functional>
 
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
@@ -109,49 +110,114 @@ Eigen::VectorXd column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// What functions are made of at one state.
+template <class R>
+struct Quantities {
+  const Description& description;
+  const State& state;
+  DynamicsOf<R> dynamics;
+  std::vector<std::vector<Motion>> bodies, frames;  ///< along each speed
+  Motions now;
+
+  Quantities(const Description& given, const State& at)
+      : description(given), state(at), dynamics(numeric_lagrangian<R>(given, at)) {
+    const auto exact = lifted<R>(state);
+    for (int k = 0; k < description.nv; ++k) {
+      now = motions(description, unit_motion(description, exact, k), Jet<R>(exact.time, R(0.0), R(0.0)));
+      bodies.push_back(now.bodies);
+      frames.push_back(now.frames);
+    }
+  }
+  Eigen::MatrixXd M() const { return dynamics.mass_matrix.template cast<double>(); }
+  Eigen::VectorXd c() const { return dynamics.bias.template cast<double>(); }
+};
+
+template <class R>
+using Builders = std::map<std::string, std::function<Arrays(const Quantities<R>&)>>;
+
+/// By function, how its arrays are made: whatever stands here is compared.
+template <class R>
+const Builders<R>& builders() {
+  using From = const Quantities<R>&;
+  static const Builders<R> all{
+      {"inverse_dynamics",
+       [](From x) {
+         return Arrays{{"tau", x.dynamics.tau.template cast<double>()}};
+       }},
+      {"mass_matrix",
+       [](From x) {
+         return Arrays{{"M", x.M()}};
+       }},
+      {"bias",
+       [](From x) {
+         return Arrays{{"c", x.c()}};
+       }},
+      {"mass_matrix_and_bias",
+       [](From x) {
+         return Arrays{{"M", x.M()}, {"c", x.c()}};
+       }},
+      {"forward_dynamics",
+       [](From x) {
+         return Arrays{{"qdd", column(x.state.rates)}};
+       }},
+      {"coordinate_rates",
+       [](From x) {
+         return Arrays{{"qdot", column(coordinate_rates(x.description, x.state.q, x.state.speeds))}};
+       }},
+      {"energy",
+       [](From x) {
+         const auto [kinetic, potential] = energy<R>(x.description, x.state);
+         return Arrays{{"e", Eigen::Vector2d(static_cast<double>(kinetic), static_cast<double>(potential))}};
+       }},
+      {"body_inertias",
+       [](From x) {
+         return Arrays{{"inertias", inertia_rows(x.description)}};
+       }},
+      {"body_poses",
+       [](From x) {
+         return Arrays{{"W", pose_rows(x.now.bodies)}};
+       }},
+      {"frame_poses",
+       [](From x) {
+         return Arrays{{"F", pose_rows(x.now.frames)}};
+       }},
+      {"body_jacobians",
+       [](From x) {
+         return Arrays{{"J", jacobian(x.bodies)}};
+       }},
+      {"frame_jacobians",
+       [](From x) {
+         return Arrays{{"J", jacobian(x.frames)}};
+       }},
+      {"constraints",
+       [](From x) {
+         const ConstraintRowsOf<R> rows = numeric_constraints<R>(x.description, x.state);
+         return Arrays{{"P", rows.P.template cast<double>()},
+                       {"gamma", rows.gamma.template cast<double>()},
+                       {"velocity", rows.velocity.template cast<double>()},
+                       {"position", rows.position.template cast<double>()}};
+       }},
+      {"inverse_dynamics_derivatives",
+       [](From x) { return derivatives_of_forces<R>(x.description, x.state); }},
+  };
+  return all;
+}
+
 }  // namespace
+
+std::set<std::string> numeric_function_names() {
+  std::set<std::string> names;
+  for (const auto& [name, build] : builders<double>()) names.insert(name);
+  return names;
+}
 
 template <class R>
 std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state,
                                                 const std::set<std::string>& wanted) {
+  const Quantities<R> quantities(description, state);
   std::map<std::string, Arrays> all;
-  const auto asks_for = [&](const char* name) { return wanted.empty() || wanted.count(name) != 0; };
-  const DynamicsOf<R> dynamics = numeric_lagrangian<R>(description, state);
-  const Eigen::MatrixXd M = dynamics.mass_matrix.template cast<double>();
-  const Eigen::VectorXd c = dynamics.bias.template cast<double>();
-  all["inverse_dynamics"] = {{"tau", dynamics.tau.template cast<double>()}};
-  all["mass_matrix"] = {{"M", M}};
-  all["bias"] = {{"c", c}};
-  all["mass_matrix_and_bias"] = {{"M", M}, {"c", c}};
-  all["forward_dynamics"] = {{"qdd", column(state.rates)}};
-  all["coordinate_rates"] = {{"qdot", column(coordinate_rates(description, state.q, state.speeds))}};
-  const auto [kinetic, potential] = energy<R>(description, state);
-  all["energy"] = {{"e", Eigen::Vector2d(static_cast<double>(kinetic), static_cast<double>(potential))}};
-  all["body_inertias"] = {{"inertias", inertia_rows(description)}};
-
-  std::vector<std::vector<Motion>> bodies, frames;
-  const auto exact = lifted<R>(state);
-  Motions now;
-  for (int k = 0; k < description.nv; ++k) {
-    now = motions(description, unit_motion(description, exact, k), Jet<R>(exact.time, R(0.0), R(0.0)));
-    bodies.push_back(now.bodies);
-    frames.push_back(now.frames);
-  }
-  all["body_poses"] = {{"W", pose_rows(now.bodies)}};
-  all["frame_poses"] = {{"F", pose_rows(now.frames)}};
-  all["body_jacobians"] = {{"J", jacobian(bodies)}};
-  all["frame_jacobians"] = {{"J", jacobian(frames)}};
-  if (asks_for("constraints")) {
-    const ConstraintRowsOf<R> rows = numeric_constraints<R>(description, state);
-    all["constraints"] = {{"P", rows.P.template cast<double>()},
-                          {"gamma", rows.gamma.template cast<double>()},
-                          {"velocity", rows.velocity.template cast<double>()},
-                          {"position", rows.position.template cast<double>()}};
-  }
-  if (asks_for("inverse_dynamics_derivatives"))
-    all["inverse_dynamics_derivatives"] = derivatives_of_forces<R>(description, state);
-  for (auto entry = all.begin(); entry != all.end();)
-    entry = asks_for(entry->first.c_str()) ? std::next(entry) : all.erase(entry);
+  for (const auto& [name, build] : builders<R>())
+    if (wanted.empty() || wanted.count(name) != 0) all[name] = build(quantities);
   return all;
 }
 

@@ -110,9 +110,9 @@ using ::alembert::sines_and_cosines;
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
-/// Mass matrix, also called joint-space inertia matrix.
+/// Mass matrix (joint-space inertia matrix), symmetric and in full.
 ///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-/// M [3 x 3], row by row: symmetric and written in full, in units of tau / qdd.
+/// M [3 x 3], row by row: in units of tau / qdd.
 /// Operations: 20 multiplications, 14 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
@@ -126,14 +126,13 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once: shorter than one after the other.
 ///   tau = M(q) qdd + c(q, qd)
-/// M [3 x 3], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+/// M [3 x 3], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
 /// c [3]: bias forces, in units of tau.
 /// Operations: 75 multiplications, 52 additions, 4 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
-/// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-/// its body.
+/// Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
 ///   dq/dt = N(q) qd
 /// qdot [3]: per second.
 /// Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).

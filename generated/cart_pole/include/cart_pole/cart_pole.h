@@ -62,9 +62,9 @@ extern const double cart_pole_default_parameters[0 + 1];
 int cart_pole_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix, also called joint-space inertia matrix.
+/* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-   M [2 x 2], row by row: symmetric and written in full, in units of tau / qdd.
+   M [2 x 2], row by row: in units of tau / qdd.
    Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 8e-17 where it was measured).
  */
 int cart_pole_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
@@ -79,15 +79,14 @@ int cart_pole_bias(const double* q, const double* qd, double t, const double* pa
 
 /* Mass matrix and bias forces at once: shorter than one after the other.
      tau = M(q) qdd + c(q, qd)
-   M [2 x 2], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   M [2 x 2], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [2]: bias forces, in units of tau.
    Operations: 5 multiplications, 1 addition, 2 sin/cos/tan (reduced formulation; relative error 9.9e-17 where it was measured).
  */
 int cart_pole_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                    const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-   its body.
+/* Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
      dq/dt = N(q) qd
    qdot [2]: per second.
    Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).

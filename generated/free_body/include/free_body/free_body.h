@@ -62,9 +62,9 @@ extern const double free_body_default_parameters[0 + 1];
 int free_body_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix, also called joint-space inertia matrix.
+/* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-   M [6 x 6], row by row: symmetric and written in full, in units of tau / qdd.
+   M [6 x 6], row by row: in units of tau / qdd.
    Operations: 27 multiplications, 24 additions (reduced formulation; relative error 6.9e-17 where it was measured).
  */
 int free_body_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
@@ -79,15 +79,14 @@ int free_body_bias(const double* q, const double* qd, double t, const double* pa
 
 /* Mass matrix and bias forces at once: shorter than one after the other.
      tau = M(q) qdd + c(q, qd)
-   M [6 x 6], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   M [6 x 6], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [6]: bias forces, in units of tau.
    Operations: 93 multiplications, 100 additions (reduced formulation; relative error 1.7e-16 where it was measured).
  */
 int free_body_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                    const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-   its body.
+/* Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
      dq/dt = N(q) qd
    qdot [7]: per second.
    Operations: 15 multiplications, 8 additions (reduced formulation; relative error 1e-16 where it was measured).
@@ -116,7 +115,7 @@ int free_body_body_poses(const double* q, double t, const double* parameters, co
  */
 int free_body_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
-/* Geometric Jacobians of the named frames, in world axes.
+/* Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
    J [1 x 6 x 6], row by row: for each frame of free_body_frame_names 6 rows: 3 angular, then 3 linear.
    Operations: 48 multiplications, 41 additions (reduced formulation; relative error 4.5e-16 where it was measured).

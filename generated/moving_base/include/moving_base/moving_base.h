@@ -61,9 +61,9 @@ extern const double moving_base_default_parameters[0 + 1];
 int moving_base_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                  const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix, also called joint-space inertia matrix.
+/* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-   M [2 x 2], row by row: symmetric and written in full, in units of tau / qdd.
+   M [2 x 2], row by row: in units of tau / qdd.
    Operations: 4 multiplications, 3 additions, 2 sin/cos/tan (reduced formulation; relative error 6e-16 where it was measured).
  */
 int moving_base_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
@@ -78,15 +78,14 @@ int moving_base_bias(const double* q, const double* qd, double t, const double* 
 
 /* Mass matrix and bias forces at once: shorter than one after the other.
      tau = M(q) qdd + c(q, qd)
-   M [2 x 2], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   M [2 x 2], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [2]: bias forces, in units of tau.
    Operations: 60 multiplications, 37 additions, 8 sin/cos/tan (reduced formulation; relative error 4.1e-15 where it was measured).
  */
 int moving_base_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                      const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-   its body.
+/* Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
      dq/dt = N(q) qd
    qdot [2]: per second.
    Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).

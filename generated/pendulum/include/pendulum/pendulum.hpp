@@ -65,7 +65,7 @@ struct Mechanism {
     return tau;
   }
 
-  /// Mass matrix, also called joint-space inertia matrix.
+  /// Mass matrix (joint-space inertia matrix), symmetric and in full.
   ///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
   static SpeedMatrix mass_matrix(const CoordinateVector& q, const Inputs& in = Inputs()) {
     SpeedMatrix M;
@@ -88,8 +88,7 @@ struct Mechanism {
     ::alembert::mechanisms::pendulum::mass_matrix_and_bias<S>(q.data(), qd.data(), in, M.data(), c.data());
   }
 
-  /// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-  /// its body.
+  /// Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
   ///   dq/dt = N(q) qd
   static CoordinateVector coordinate_rates(const CoordinateVector& q, const SpeedVector& qd) {
     CoordinateVector qdot;

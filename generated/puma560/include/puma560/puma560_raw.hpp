@@ -114,9 +114,9 @@ using ::alembert::sines_and_cosines;
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
-/// Mass matrix, also called joint-space inertia matrix.
+/// Mass matrix (joint-space inertia matrix), symmetric and in full.
 ///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-/// M [6 x 6], row by row: symmetric and written in full, in units of tau / qdd.
+/// M [6 x 6], row by row: in units of tau / qdd.
 /// Operations: 91 multiplications, 76 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
@@ -130,14 +130,13 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once: shorter than one after the other.
 ///   tau = M(q) qdd + c(q, qd)
-/// M [6 x 6], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+/// M [6 x 6], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
 /// c [6]: bias forces, in units of tau.
 /// Operations: 256 multiplications, 194 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
-/// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-/// its body.
+/// Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
 ///   dq/dt = N(q) qd
 /// qdot [6]: per second.
 /// Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).
@@ -165,7 +164,7 @@ void body_poses(const S* q, const Inputs<S>& in, S* W);
 template <class S>
 void frame_poses(const S* q, const Inputs<S>& in, S* F);
 
-/// Geometric Jacobians of the named frames, in world axes.
+/// Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
 ///   J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
 /// J [1 x 6 x 6], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
 /// Operations: 59 multiplications, 24 additions, 10 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).

@@ -112,9 +112,9 @@ using ::alembert::sines_and_cosines;
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
-/// Mass matrix, also called joint-space inertia matrix.
+/// Mass matrix (joint-space inertia matrix), symmetric and in full.
 ///   kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-/// M [5 x 5], row by row: symmetric and written in full, in units of tau / qdd.
+/// M [5 x 5], row by row: in units of tau / qdd.
 /// Operations: 74 multiplications, 67 additions, 8 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
@@ -128,14 +128,13 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
 /// Mass matrix and bias forces at once: shorter than one after the other.
 ///   tau = M(q) qdd + c(q, qd)
-/// M [5 x 5], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+/// M [5 x 5], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
 /// c [5]: bias forces, in units of tau.
 /// Operations: 197 multiplications, 153 additions, 8 sin/cos/tan (reduced formulation; relative error 3.8e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
-/// Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-/// its body.
+/// Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
 ///   dq/dt = N(q) qd
 /// qdot [5]: per second.
 /// Operations: 0 multiplications, 0 additions (reduced formulation; relative error 0 where it was measured).

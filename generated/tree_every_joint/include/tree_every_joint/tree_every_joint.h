@@ -62,9 +62,9 @@ extern const double tree_every_joint_default_parameters[0 + 1];
 int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                       const double* parameters, const double* wrenches, double* tau);
 
-/* Mass matrix, also called joint-space inertia matrix.
+/* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
-   M [20 x 20], row by row: symmetric and written in full, in units of tau / qdd.
+   M [20 x 20], row by row: in units of tau / qdd.
    Operations: 872 multiplications, 902 additions, 16 sin/cos/tan (reduced formulation; relative error 4e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
@@ -80,15 +80,14 @@ int tree_every_joint_bias(const double* q, const double* qd, double t, const dou
 
 /* Mass matrix and bias forces at once: shorter than one after the other.
      tau = M(q) qdd + c(q, qd)
-   M [20 x 20], row by row: mass matrix, symmetric and written in full, in units of tau / qdd.
+   M [20 x 20], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [20]: bias forces, in units of tau.
    Operations: 1725 multiplications, 1729 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);
 
-/* Rates of the coordinates. They are the speeds, but for a quaternion p half of p (w, 0), with w in the axes of
-   its body.
+/* Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.
      dq/dt = N(q) qd
    qdot [22]: per second.
    Operations: 30 multiplications, 16 additions (reduced formulation; relative error 9.7e-17 where it was measured).
@@ -118,7 +117,7 @@ int tree_every_joint_body_poses(const double* q, double t, const double* paramet
 int tree_every_joint_frame_poses(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* F);
 
-/* Geometric Jacobians of the named frames, in world axes.
+/* Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
    J [1 x 6 x 20], row by row: for each frame of tree_every_joint_frame_names 6 rows: 3 angular, then 3 linear.
    Operations: 527 multiplications, 399 additions, 4 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).

@@ -1,0 +1,50 @@
+// The README's table of functions is that of the function table. ALEMBERT_UPDATE_GOLDEN=1 rewrites it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "emit/argument_lists.hpp"
+#include "functions/function_table.hpp"
+
+namespace alembert::test {
+namespace {
+
+const char* const kReadme = ALEMBERT_SOURCE_DIR "/README.md";
+const std::string kTableHead = "| name | arguments | results | meaning |\n| --- | --- | --- | --- |\n";
+
+/// A `*` marks what is written by default.
+std::string rows_of_table() {
+  std::string rows;
+  for (const OutputFunction& row : kOutputFunctions) {
+    std::string arguments, results;
+    for (const ArgumentKind kind : row.arguments)
+      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", array_name(kind));
+    for (const ResultArray& result : row.results)
+      results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
+    rows += fmt::format("| `{}`{} | {} | {} | {} |\n", row.name, row.by_default ? " *" : "", arguments,
+                        results, row.summary);
+  }
+  return rows;
+}
+
+TEST(Readme, ListsTheFunctionsOfTheTable) {
+  std::ifstream in(kReadme);
+  std::ostringstream read;
+  read << in.rdbuf();
+  const std::string text = read.str();
+  const std::size_t head = text.find(kTableHead);
+  ASSERT_NE(head, std::string::npos);
+  const std::size_t begin = head + kTableHead.size(), end = text.find("\n\n", begin) + 1;
+  ASSERT_NE(end, 0u);
+  if (std::getenv("ALEMBERT_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream(kReadme) << text.substr(0, begin) + rows_of_table() + text.substr(end);
+    GTEST_SKIP() << "table rewritten";
+  }
+  EXPECT_EQ(text.substr(begin, end - begin), rows_of_table());
+}
+
+}  // namespace
+}  // namespace alembert::test
