@@ -8,6 +8,7 @@
 #include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/outputs.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
@@ -81,6 +82,12 @@ Results build_forward_dynamics(const Ingredients& given) {
   return {solved_for_rates(given.kinematics, *given.equations, std::move(right_side))};
 }
 
+Results build_gravity(const Ingredients& given) {
+  Ingredients with_regrouped = given;
+  if (given.equations->tree) with_regrouped.trees.push_back(&*given.equations->tree);
+  return for_shortest_tree(with_regrouped, gravity_forces);
+}
+
 Results build_coordinate_rates(const Ingredients& given) {
   const SpeedDerivatives& derivatives = given.kinematics.derivatives;
   const std::vector<Expr> N = derivatives.coordinate_rate_matrix();
@@ -121,6 +128,7 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("mass_matrix"), true,
      [](const Ingredients& given) -> Results { return {given.equations->M}; }},
     {FunctionKind("bias"), true, [](const Ingredients& given) -> Results { return {given.equations->c}; }},
+    {FunctionKind("gravity"), true, build_gravity},
     {FunctionKind("mass_matrix_and_bias"), true,
      [](const Ingredients& given) -> Results {
        return {given.equations->M, given.equations->c};

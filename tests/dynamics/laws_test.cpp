@@ -263,6 +263,17 @@ TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
   expect_equal(std::vector<Expr>{change}, std::vector<Expr>{power}, 1e-9);
 }
 
+/// Gravity forces are the slope of the potential energy along the speeds.
+TEST_P(Laws, GravityIsTheSlopeOfThePotentialEnergy) {
+  const std::vector<Expr> potential{energies(*loaded.mechanism, kinematics.tree, *loaded.graph)[1]};
+  std::vector<Expr> slope(nv, loaded.graph->zero());
+  for (const SpeedPartial& partial : kinematics.derivatives.partials(potential)) {
+    if (partial.speed != kinematics.derivatives.time_index())
+      slope[static_cast<std::size_t>(partial.speed)] = partial.values[0];
+  }
+  expect_equal(function_outputs(kinematics, equations, FunctionKind("gravity"))[0].values, slope, 1e-11);
+}
+
 /// Kinetic energy of the bodies by their Jacobians and inertias: T = 1/2 sum m |v|^2 + om . R I R^T om.
 TEST_P(UnmovedLaws, BodyJacobiansAndInertiasGiveTheKineticEnergy) {
   const Mechanism& mechanism = *loaded.mechanism;

@@ -50,10 +50,10 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
   return {frame, om, al, angular};
 }
 
-}  // namespace
-
-std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
-                                           ExprGraph& graph) {
+/// Q, to which the forces of the tree's masses and of the wrenches are added.
+std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree,
+                              const std::vector<WrenchSymbols>& wrenches, std::vector<Expr> Q,
+                              ExprGraph& graph) {
   const std::size_t count = tree.nodes.size();
   const Vec3 zero = zeros<3, 1>(graph);
   const Vec3 acceleration{{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}};
@@ -70,7 +70,6 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
 
   // External wrenches are given in world axes: the world rotations of the nodes are made only if there are
   // any.
-  const std::vector<WrenchSymbols> wrenches = wrench_symbols(mechanism, graph);
   std::vector<Pose> poses;
   if (!wrenches.empty()) {
     for (const MotionNode& node : tree.nodes) {
@@ -98,7 +97,6 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
     moment[i] = moment[i] - scaled_by(scales[i], world_to_node * wrench.torque + cross(c, f));
   }
 
-  std::vector<Expr> Q = armature_forces(mechanism);
   for (std::size_t i = count; i-- > 0;) {
     const MotionNode& node = tree.nodes[i];
     const bool linear = node.motion.kind == MotionKind::translation;
@@ -120,6 +118,20 @@ std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const Mot
     }
   }
   return Q;
+}
+
+}  // namespace
+
+std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
+                                           ExprGraph& graph) {
+  return tree_forces(mechanism, tree, wrench_symbols(mechanism, graph), armature_forces(mechanism), graph);
+}
+
+std::vector<Expr> gravity_forces(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  MotionTree still = tree;
+  for (MotionNode& node : still.nodes) node.velocity = node.acceleration = zeros<3, 1>(graph);
+  const std::vector<Expr> none(static_cast<std::size_t>(mechanism.nv), graph.zero());
+  return tree_forces(mechanism, still, {}, none, graph);
 }
 
 }  // namespace alembert

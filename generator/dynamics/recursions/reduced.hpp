@@ -13,4 +13,7 @@ namespace alembert {
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
                                            ExprGraph& graph);
 
+/// The part of Q that gravity makes: the same recursion over a tree at rest, without wrenches.
+std::vector<Expr> gravity_forces(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+
 }  // namespace alembert

@@ -130,6 +130,16 @@ struct Quantities {
   }
   Eigen::MatrixXd M() const { return dynamics.mass_matrix.template cast<double>(); }
   Eigen::VectorXd c() const { return dynamics.bias.template cast<double>(); }
+  /// -sum m (velocity of the centre of mass along each speed) . (gravity)
+  Eigen::VectorXd gravity() const {
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(description.nv);
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      for (std::size_t i = 0; i < description.bodies.size(); ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          g[static_cast<Eigen::Index>(k)] -= description.bodies[i].mass * description.gravity[axis] *
+                                             bodies[k][i].velocity[3 + static_cast<Eigen::Index>(axis)];
+    return g;
+  }
 };
 
 template <class R>
@@ -155,6 +165,10 @@ const Builders<R>& builders() {
       {"mass_matrix_and_bias",
        [](From x) {
          return Arrays{{"M", x.M()}, {"c", x.c()}};
+       }},
+      {"gravity",
+       [](From x) {
+         return Arrays{{"g", x.gravity()}};
        }},
       {"forward_dynamics",
        [](From x) {
