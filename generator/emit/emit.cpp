@@ -97,7 +97,8 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
   }
   const bool over_c = options.language != Language::cpp;
   if (over_c && options.scalars.size() > 1)
-    fail("C and Python are written for one scalar type: expected double or float");
+    fail(fmt::format("{} is written for one scalar type: expected double or float",
+                     options.language == Language::c ? "C" : "Python"));
   if (over_c && !options.batch.empty()) fail("functions over many states are written in C++ only");
   if (options.parts < 0 || options.parts > kMaxParts)
     fail(fmt::format("the number of parts must be 1 to {}", kMaxParts));
