@@ -270,7 +270,7 @@ class FunctionWriter {
     Program program = lower(std::string(to_string(kind)), outputs, bindings_);
     program.formulation = to_string(formulation);
     if (dumping("lower")) *options_.dump << dump(program);
-    program = optimize(std::move(program));
+    program = kinematics_.lengths.optimized(std::move(program), outputs);
     if (dumping("optimise")) *options_.dump << dump(program);
     const OperationCount operations = count(program);
     return {{kind, formulation, std::move(program), operations, {}}, std::move(outputs)};

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "program/program.hpp"
@@ -84,6 +85,14 @@ std::vector<std::uint32_t> live_order(const ValueProgram& program);
 
 /// Number of uses of each node by nodes of `order` and by outputs.
 std::vector<std::uint32_t> use_counts(const ValueProgram& program, std::span<const std::uint32_t> order);
+
+/// A program with its live nodes in their order and the number of uses of each: what all rewrites read.
+struct LiveProgram {
+  explicit LiveProgram(ValueProgram program)
+      : values(std::move(program)), order(live_order(values)), uses(use_counts(values, order)) {}
+  ValueProgram values;
+  std::vector<std::uint32_t> order, uses;
+};
 
 /// Reads a program; dead instructions come along as nodes that nothing needs.
 ValueProgram to_values(const Program& program);

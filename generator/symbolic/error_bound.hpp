@@ -12,5 +12,8 @@ namespace alembert {
 
 /// Values of the roots in double precision; symbols are exact, `symbols[i]` the one with index i.
 std::vector<Approximate> evaluate_bounded(std::span<const Expr> roots, std::span<const double> symbols);
+/// The same at several points, one after the other.
+std::vector<std::vector<Approximate>> evaluate_bounded(std::span<const Expr> roots,
+                                                       std::span<const std::vector<double>> points);
 
 }  // namespace alembert

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "symbolic/expr.hpp"
@@ -15,13 +16,23 @@ class NodeIndex {
   static constexpr std::uint32_t kAbsent = 0xffffffffu;
 
   NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kAbsent, 0}) {}
-  /// For nodes that a graph of that size has: of a small one, by their ids.
+  /// For nodes that a graph of that size has, by their ids.
   explicit NodeIndex(std::uint32_t graph_size) {
-    if (graph_size <= kDirect) {
-      positions_.assign(graph_size, kAbsent);
-    } else {
-      slots_.assign(std::size_t{1} << bits_, Slot{kAbsent, 0});
+    if (!spare_.empty()) {
+      positions_ = std::move(spare_.back());
+      spare_.pop_back();
     }
+    if (positions_.size() < graph_size) positions_.resize(graph_size, kAbsent);
+  }
+  ~NodeIndex() {
+    for (const std::uint32_t id : added_) positions_[id] = kAbsent;
+    if (slots_.empty() && !positions_.empty() && spare_.size() < kSpare)
+      spare_.push_back(std::move(positions_));
+  }
+  NodeIndex(NodeIndex&& other) noexcept { swap(other); }
+  NodeIndex& operator=(NodeIndex&& other) noexcept {
+    swap(other);
+    return *this;
   }
 
   std::uint32_t find(std::uint32_t id) const {
@@ -35,6 +46,7 @@ class NodeIndex {
     if (slots_.empty()) {
       if (positions_[id] != kAbsent) return false;
       positions_[id] = position;
+      added_.push_back(id);
       return true;
     }
     if (2 * (count_ + 1) > slots_.size()) grow();
@@ -72,12 +84,24 @@ class NodeIndex {
     }
   }
 
-  static constexpr std::uint32_t kDirect = 1 << 14;
+  void swap(NodeIndex& other) noexcept {
+    std::swap(bits_, other.bits_);
+    std::swap(count_, other.count_);
+    slots_.swap(other.slots_);
+    positions_.swap(other.positions_);
+    added_.swap(other.added_);
+  }
+
+  /// Tables by id that hold nothing: clearing what was added takes the size of the set, a new table that of
+  /// the graph.
+  static constexpr std::size_t kSpare = 8;
+  static inline thread_local std::vector<std::vector<std::uint32_t>> spare_;
 
   int bits_ = 6;
   std::size_t count_ = 0;
-  std::vector<Slot> slots_;               ///< empty for small graphs, ...
-  std::vector<std::uint32_t> positions_;  ///< ... for which this is by id
+  std::vector<Slot> slots_;               ///< empty where nodes are of one graph, ...
+  std::vector<std::uint32_t> positions_;  ///< ... for which this is by id, ...
+  std::vector<std::uint32_t> added_;      ///< ... and has these
 };
 
 }  // namespace alembert

@@ -26,6 +26,7 @@ namespace alembert {
 namespace {
 
 constexpr std::size_t kPoints = 4;
+constexpr std::size_t kFirstPoints = 2;  // by which values are found; the others are for what is found
 constexpr std::size_t kRootPoints =
     40;  // further points where roots are involved: each halves the chance of error
 constexpr std::size_t kDoublePoints = 8;
@@ -110,17 +111,31 @@ class Numbering {
 
   const Node& node(std::uint32_t position) const { return graph_.node(order_.ids[position]); }
   Ref ref(std::uint32_t position) const { return {order_.ids[position], false}; }
-  bool upper(std::uint32_t i) const {
-    for (const auto& at : values_) {
+  bool upper(std::uint32_t i) {
+    for (std::size_t k = 0; k < kFirstPoints; ++k) {
+      if (!modular::is_zero(values_[k][i])) return modular::is_upper(values_[k][i]);
+    }
+    for (const auto& at : all_values()) {
       if (!modular::is_zero(at[i])) return modular::is_upper(at[i]);
     }
     return false;
   }
-  bool equal(std::uint32_t i, std::uint32_t k, bool negative) const {
-    for (const auto& at : values_) {
-      if ((negative ? modular::negate(at[k]) : at[k]) != at[i]) return false;
-    }
-    return true;
+  bool equal(std::uint32_t i, std::uint32_t k, bool negative) {
+    const auto same = [&](const std::vector<Modular>& at) {
+      return (negative ? modular::negate(at[k]) : at[k]) == at[i];
+    };
+    return std::all_of(values_.begin(), values_.begin() + kFirstPoints, same) &&
+           std::all_of(all_values().begin() + kFirstPoints, values_.end(), same);
+  }
+
+  void evaluate_points(std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      values_[k] = modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0x5eed + k));
+  }
+  // At the points that only confirm: often nothing is to be confirmed.
+  Values& all_values() {
+    if (values_.back().empty()) evaluate_points(kFirstPoints, kPoints);
+    return values_;
   }
 
   std::uint32_t own_class(std::uint32_t i) {
@@ -144,9 +159,7 @@ class Numbering {
 
   void classify() {
     const std::uint32_t count = static_cast<std::uint32_t>(order_.ids.size());
-    for (std::size_t k = 0; k < kPoints; ++k) {
-      values_[k] = modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0x5eed + k));
-    }
+    evaluate_points(0, kFirstPoints);
     members_.assign(count, {});
     rooted_.assign(count, false);
     std::size_t slots = 64;
@@ -175,7 +188,7 @@ class Numbering {
       }
       const bool flipped = upper(i);
       std::uint64_t hash = 0;
-      for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t k = 0; k < kFirstPoints; ++k) {
         const Modular value = flipped ? modular::negate(values_[k][i]) : values_[k][i];
         hash = (hash ^ value.re) * 0x9e3779b97f4a7c15u;
         hash = (hash ^ (hash >> 32) ^ value.im) * 0xbf58476d1ce4e5b9u;
@@ -199,11 +212,11 @@ class Numbering {
     }
   }
 
-  bool equal_everywhere(std::uint32_t i) const {
-    for (const auto& at : values_) {
-      if (at[i] != values_[0][i]) return false;
-    }
-    return true;
+  // A constant has one value at all points.
+  bool equal_everywhere(std::uint32_t i) {
+    if (node(i).constant) return true;
+    return std::all_of(all_values().begin(), values_.end(),
+                       [&](const auto& at) { return at[i] == values_[0][i]; });
   }
 
   // Takes back matches that fail where roots have a definite sign, or that could not be compared there.
@@ -219,7 +232,10 @@ class Numbering {
     const auto reject = [this](const Match& match) { own_class(match.node); };
     std::vector<bool> rejected(matches_.size(), false);
     const Postorder order = indexed_postorder(pairs);
-    for (std::size_t k = 0; k < kRootPoints; ++k) {
+    // Constants have one value at all points.
+    const bool constant =
+        std::all_of(pairs.begin(), pairs.end(), [](const Expr& x) { return x.is_constant(); });
+    for (std::size_t k = 0; k < (constant ? 1 : kRootPoints); ++k) {
       const std::vector<Modular> values =
           modular::values(graph_, order, random_modular_point(graph_.symbol_count(), 0xc0ffee + k));
       const auto of = [&](const Expr& x) {
@@ -230,8 +246,10 @@ class Numbering {
         if (of(pairs[2 * m]) != of(pairs[2 * m + 1])) rejected[m] = true;
     }
     std::vector<bool> compared(matches_.size(), false);
-    for (std::size_t k = 0; k < kDoublePoints; ++k) {
-      const std::vector<Approximate> value = evaluate_bounded(pairs, double_point(graph_, 0xd0b1e + k));
+    std::vector<std::vector<double>> points;
+    for (std::size_t k = 0; k < (constant ? 1 : kDoublePoints); ++k)
+      points.push_back(double_point(graph_, 0xd0b1e + k));
+    for (const std::vector<Approximate>& value : evaluate_bounded(pairs, points)) {
       for (std::size_t m = 0; m < matches_.size(); ++m) {
         const Approximate &x = value[2 * m], &y = value[2 * m + 1];
         const double rounding = kRoundingFactor * (x.error + y.error);

@@ -35,8 +35,7 @@ Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> p
 
 std::vector<double> Conditioning::bounds(std::span<const Expr> values) const {
   std::vector<double> worst(values.size(), 0.0);
-  for (const std::vector<double>& state : states_) {
-    const std::vector<Approximate> here = evaluate_bounded(values, state);
+  for (const std::vector<Approximate>& here : evaluate_bounded(values, states_)) {
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (std::isfinite(here[i].value)) worst[i] = std::max(worst[i], here[i].error);
     }

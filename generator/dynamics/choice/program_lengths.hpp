@@ -1,5 +1,5 @@
 // How long the programs of values are. In: lists of expressions. Out: operations of the optimised program of
-// each: what counts in the end. The same list is optimised once only.
+// each: what counts in the end; and these programs. The same list is optimised once only.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,16 @@ class ProgramLengths {
  public:
   ProgramLengths(const Mechanism& mechanism, ExprGraph& graph);
   Length of(std::span<const Expr> values);
+  /// `lowered`, which computes these outputs, as `optimize` leaves it.
+  Program optimized(Program lowered, std::span<const OutputExpressions> outputs) const;
 
  private:
+  struct Measured {
+    Length length;
+    Program program;
+  };
   std::vector<SymbolBinding> bindings_;
-  std::map<std::vector<std::uint32_t>, Length> known_;  ///< by the bits of the values
+  std::map<std::vector<std::uint32_t>, Measured> known_;  ///< by the bits of the values
 };
 
 }  // namespace alembert

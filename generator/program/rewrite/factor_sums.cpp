@@ -52,9 +52,9 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
 
 class SumFactoring : NodeRewrite {
  public:
-  SumFactoring(const ValueProgram& from, CommonPairs common_pairs, bool& any_spared)
+  SumFactoring(const LiveProgram& from, CommonPairs common_pairs, bool& any_spared)
       : NodeRewrite(from),
-        graph_(from.graph),
+        graph_(from.values.graph),
         spares_pairs_(common_pairs == CommonPairs::spared),
         any_spared_(any_spared),
         inner_(graph_.size(), 0),
@@ -395,7 +395,7 @@ class SumFactoring : NodeRewrite {
 
 }  // namespace
 
-std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs,
+std::optional<ValueProgram> factor_sums(const LiveProgram& program, CommonPairs common_pairs,
                                         bool& any_spared) {
   return SumFactoring(program, common_pairs, any_spared).run();
 }

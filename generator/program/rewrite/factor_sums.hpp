@@ -13,7 +13,7 @@ enum class CommonPairs { taken_apart, spared };
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
 /// `any_spared` becomes true if a pair was spared: as long as it is not, both ways are one.
-std::optional<ValueProgram> factor_sums(const ValueProgram& program, CommonPairs common_pairs,
+std::optional<ValueProgram> factor_sums(const LiveProgram& program, CommonPairs common_pairs,
                                         bool& any_spared);
 
 }  // namespace alembert

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace alembert {
 /// Base of a rewrite: reads live nodes in order, each after its operands.
 class NodeRewrite {
  protected:
-  explicit NodeRewrite(const ValueProgram& from)
-      : from_(from), order_(live_order(from)), uses_(use_counts(from, order_)), image_(from.graph.size()) {}
+  explicit NodeRewrite(const LiveProgram& from)
+      : from_(from.values), order_(from.order), uses_(from.uses), image_(from_.graph.size()) {}
 
   /// Sets the image of every live node to `rewrite(id)`, which makes it in `to_.graph`.
   template <class Rewrite>
@@ -35,7 +36,7 @@ class NodeRewrite {
   Value image(Value v) const { return image_[v.node()].negated_if(v.negative()); }
 
   const ValueProgram& from_;
-  std::vector<std::uint32_t> order_, uses_;
+  std::span<const std::uint32_t> order_, uses_;
   std::vector<Value> image_;
   ValueProgram to_;
 };

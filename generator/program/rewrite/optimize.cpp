@@ -80,7 +80,7 @@ class Rewriting {
   bool any_spared() const { return any_spared_; }
 
  private:
-  Candidate rewrite(ValueProgram values);
+  Candidate rewrite(ValueProgram program);
 
   CommonPairs pairs_;
   bool any_spared_ = false;
@@ -88,7 +88,8 @@ class Rewriting {
 
 // The local rewrites, each kept if it gains, until none does. The first, which is nearly certain to gain, is
 // not compared: callers compare what comes out.
-Candidate Rewriting::rewrite(ValueProgram values) {
+Candidate Rewriting::rewrite(ValueProgram program) {
+  LiveProgram values(std::move(program));
   std::optional<Candidate> best;
   const auto rewritten = [&](int which) {
     if (which == 0) return factor_sums(values, pairs_, any_spared_);
@@ -103,10 +104,10 @@ Candidate Rewriting::rewrite(ValueProgram values) {
     Candidate next = candidate(place_signs(*other));
     if (best && !(next.cost < best->cost)) continue;
     best = std::move(next);
-    values = to_values(best->program);
+    values = LiveProgram(to_values(best->program));
     failed = 0;
   }
-  return best ? *std::move(best) : candidate(place_signs(values));
+  return best ? *std::move(best) : candidate(place_signs(values.values));
 }
 
 // Rewriting and value numbering in turn, for as long as that gains.

@@ -21,8 +21,8 @@ struct Quotient {
 
 class DivisionSharing : NodeRewrite {
  public:
-  explicit DivisionSharing(const ValueProgram& from)
-      : NodeRewrite(from), divisions_by_(from.graph.size(), 0) {
+  explicit DivisionSharing(const LiveProgram& from)
+      : NodeRewrite(from), divisions_by_(from_.graph.size(), 0) {
     for (const std::uint32_t id : order_)
       if (from_.graph.node(id).op == Operation::div) ++divisions_by_[from_.graph.node(id).b.node()];
   }
@@ -32,6 +32,7 @@ class DivisionSharing : NodeRewrite {
                      [this](std::uint32_t id) { return from_.graph.node(id).op == Operation::div; }))
       return std::nullopt;
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
+    if (!rewritten_) return std::nullopt;
     return finished();
   }
 
@@ -50,12 +51,27 @@ class DivisionSharing : NodeRewrite {
   }
 
   Value rewrite(std::uint32_t id) {
+    if (const auto other = shared(id)) {
+      rewritten_ = true;
+      return *other;
+    }
+    return copied(id);
+  }
+
+  Value copied(std::uint32_t id) {
     const ValueNode& n = from_.graph.node(id);
     ValueGraph& to = to_.graph;
     if (n.op == Operation::constant) return to.constant(from_.graph.constant_value(Value(id, false)));
     if (n.op == Operation::input) return to.input(n.a.bits);
-    const Value a = image(n.a);
-    const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
+    return to.make(n.op, image(n.a), operand_count(n.op) == 2 ? image(n.b) : Value());
+  }
+
+  /// The value of a product or a quotient in another way, if there is a better one.
+  std::optional<Value> shared(std::uint32_t id) {
+    const ValueNode& n = from_.graph.node(id);
+    if (n.op != Operation::div && n.op != Operation::mul) return std::nullopt;
+    ValueGraph& to = to_.graph;
+    const Value a = image(n.a), b = image(n.b);
     if (n.op == Operation::div) {
       if (divisions_by_[n.b.node()] > 1) {
         const Value reciprocal = to.make(Operation::div, one(), b);
@@ -80,7 +96,7 @@ class DivisionSharing : NodeRewrite {
       if (left && pays(*left, b)) return into_numerator(*left, b);
       if (right && pays(*right, a)) return into_numerator(*right, a);
     }
-    return to.make(n.op, a, b);
+    return std::nullopt;
   }
 
   // (c/y)*x -> (c*x)/y saves a multiply if c is one or c*x is a constant.
@@ -94,11 +110,12 @@ class DivisionSharing : NodeRewrite {
   }
 
   std::vector<std::uint32_t> divisions_by_;
+  bool rewritten_ = false;
 };
 
 }  // namespace
 
-std::optional<ValueProgram> share_divisions(const ValueProgram& program) {
+std::optional<ValueProgram> share_divisions(const LiveProgram& program) {
   return DivisionSharing(program).run();
 }
 

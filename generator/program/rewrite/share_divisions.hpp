@@ -9,6 +9,6 @@ namespace alembert {
 
 /// x/d, y/d -> r = 1/d, x*r, y*r; (a/b)/c -> a/(b*c); a/(b/c) -> a*c/b; (a/b)*(c/d) -> (a*c)/(b*d); x*(c/y)
 /// -> (c*x)/y.
-std::optional<ValueProgram> share_divisions(const ValueProgram& program);
+std::optional<ValueProgram> share_divisions(const LiveProgram& program);
 
 }  // namespace alembert

@@ -22,7 +22,7 @@ using Pair = std::pair<FactorId, FactorId>;  ///< ascending
 
 class ProductSharing : NodeRewrite {
  public:
-  explicit ProductSharing(const ValueProgram& from) : NodeRewrite(from) {}
+  explicit ProductSharing(const LiveProgram& from) : NodeRewrite(from) {}
 
   std::optional<ValueProgram> run() {
     collect();
@@ -210,7 +210,7 @@ class ProductSharing : NodeRewrite {
 
 }  // namespace
 
-std::optional<ValueProgram> share_products(const ValueProgram& program) {
+std::optional<ValueProgram> share_products(const LiveProgram& program) {
   return ProductSharing(program).run();
 }
 

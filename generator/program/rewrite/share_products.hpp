@@ -9,6 +9,6 @@
 namespace alembert {
 
 /// a*(b*c), b*(a*d) -> p = a*b, p*c, p*d: products of several factors share pairs of them.
-std::optional<ValueProgram> share_products(const ValueProgram& program);
+std::optional<ValueProgram> share_products(const LiveProgram& program);
 
 }  // namespace alembert
