@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "emit/statements/literals.hpp"
@@ -168,25 +169,26 @@ struct Indices {
 std::vector<Indices> indices_of(const Mechanism& mechanism) {
   std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
                               {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}}};
-  const auto add = [&out](std::size_t kind, const std::string& name, int value) {
+  const auto add = [&out](std::size_t kind, std::string name, int value) {
+    // Names from descriptions are identifiers; others get no constant.
+    if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
     // A macro would be replaced, and a class has no member of its own name.
-    const bool taken = !objection_to_mechanism_name(name).empty() || name == out[kind].type;
-    out[kind].items.push_back({taken ? name + "_" : name, value});
-  };
-  const auto add_next = [&](std::size_t kind, const std::string& name) {
-    add(kind, name, static_cast<int>(out[kind].items.size()));
+    if (!objection_to_mechanism_name(name).empty() || name == out[kind].type) name += "_";
+    while (std::ranges::find(out[kind].items, name, &Index::name) != out[kind].items.end()) name += "2";
+    out[kind].items.push_back({std::move(name), value});
   };
   for (const Coordinate& c : mechanism.coordinates) {
     add(0, c.name, c.first_q);
     add(1, c.name, c.first_speed);
   }
-  for (const Body& body : mechanism.bodies) {
-    add_next(2, body.name);
-    if (body.external_wrench) add_next(5, body.name);
+  int body = 0, wrench = 0, frame = 0, parameter = 0;
+  for (const Body& b : mechanism.bodies) {
+    add(2, b.name, body++);
+    if (b.external_wrench) add(5, b.name, wrench++);
   }
-  for (const Frame& frame : mechanism.frames) add_next(3, frame.name);
-  for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.runtime) add_next(4, parameter.name);
+  for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
+  for (const Parameter& p : mechanism.parameters)
+    if (p.runtime) add(4, p.name, parameter++);
   std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
   return out;
 }
