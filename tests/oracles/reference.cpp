@@ -80,10 +80,11 @@ Judged judge_array(const std::string& function, const std::string& name, const s
   for (const Reference& state : states) {
     exact.push_back(parts(function, name, state.exact.at(function).at(name), unit_of(state)));
     if (!state.exact.at(function).at(name).allFinite()) return {kInfinity, kAgreement};
-    // Forces that do not depend on something have derivatives that are rounding of theirs.
-    const bool derivatives = function == "inverse_dynamics_derivatives";
+    // Forces that do not depend on something have derivatives that are rounding of theirs; so is gravity along
+    // axes that it does not turn.
+    const bool parts_of_forces = function == "inverse_dynamics_derivatives" || function == "gravity";
     largest.resize(exact.back().size(), 0.0);
-    if (derivatives)
+    if (parts_of_forces)
       largest[0] = std::max(largest[0], state.exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
     for (std::size_t p = 0; p < largest.size(); ++p) {
       if (exact.back()[p].size() > 0)
