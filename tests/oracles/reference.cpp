@@ -80,11 +80,10 @@ Judged judge_array(const std::string& function, const std::string& name, const s
   for (const Reference& state : states) {
     exact.push_back(parts(function, name, state.exact.at(function).at(name), unit_of(state)));
     if (!state.exact.at(function).at(name).allFinite()) return {kInfinity, kAgreement};
-    // Forces that do not depend on something have derivatives that are rounding of theirs; so is gravity along
-    // axes that it does not turn.
-    const bool parts_of_forces = function == "inverse_dynamics_derivatives" || function == "gravity";
+    // Forces that do not depend on something have derivatives that are rounding of theirs.
+    const bool derivatives = function == "inverse_dynamics_derivatives";
     largest.resize(exact.back().size(), 0.0);
-    if (parts_of_forces)
+    if (derivatives)
       largest[0] = std::max(largest[0], state.exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
     for (std::size_t p = 0; p < largest.size(); ++p) {
       if (exact.back()[p].size() > 0)
@@ -98,7 +97,11 @@ Judged judge_array(const std::string& function, const std::string& name, const s
     const Matrices plain = parts(function, name, states[i].plain.at(function).at(name), unit_of(states[i]));
     for (std::size_t p = 0; p < subjects.size(); ++p) {
       if (exact[i][p].size() == 0) continue;
-      const double scale = std::max(exact[i][p].cwiseAbs().maxCoeff(), kFloor * largest[p]);
+      double scale = std::max(exact[i][p].cwiseAbs().maxCoeff(), kFloor * largest[p]);
+      // Gravity is a part of the forces. Where axes are vertical but for the rounding of pi/2, what is left of the
+      // weights in it is that rounding.
+      if (function == "gravity")
+        scale = std::max(scale, states[i].exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
       const auto relative = [&](double x) { return x == 0 ? 0 : x / scale; };
       Judged here{relative(difference(subjects[p], exact[i][p])), kAgreement};
       const double by_plain = relative(difference(plain[p], exact[i][p]));
