@@ -11,7 +11,7 @@
 namespace alembert {
 
 void interpret(const Program& program, std::span<const double> inputs, std::span<double> outputs,
-               std::vector<double>& scratch) {
+               std::vector<double>& scratch, OperationValue function) {
   std::size_t expected = 0;
   for (const OutputArray& output : program.outputs) expected += output.values.size();
   if (inputs.size() != program.inputs.size() || outputs.size() != expected)
@@ -23,12 +23,15 @@ void interpret(const Program& program, std::span<const double> inputs, std::span
   double* const v = scratch.data();
   for (std::size_t i = 0; i < n; ++i) {
     const Instruction c = program.code[i];
-    if (c.op == Operation::constant)
+    if (c.op == Operation::constant) {
       v[i] = program.constants[c.a];
-    else if (c.op == Operation::input)
+    } else if (c.op == Operation::input) {
       v[i] = inputs[c.a];
-    else
-      v[i] = apply(c.op, v[c.a], operand_count(c.op) == 2 ? v[c.b] : 0.0);
+    } else {
+      const double b = operand_count(c.op) == 2 ? v[c.b] : 0.0;
+      const bool stands_in = function != nullptr && is_of_library(c.op);
+      v[i] = stands_in ? function(c.op, v[c.a], b) : apply(c.op, v[c.a], b);
+    }
   }
   std::size_t k = 0;
   for (const OutputArray& output : program.outputs)

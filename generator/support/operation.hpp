@@ -426,6 +426,12 @@ constexpr bool is_call(Operation op) {
   return facts(op).counted == Counted::trig || facts(op).counted == Counted::other;
 }
 
+/// True for what the C library computes, whose rounding differs between machines; the others are rounded
+/// correctly.
+constexpr bool is_of_library(Operation op) {
+  return facts(op).roundings > 1;
+}
+
 /// Value of an operation on `a` (and `b`); constants and inputs have none here and give `a`.
 template <class Real>
 Real apply(Operation op, const Real& a, const Real& b) {

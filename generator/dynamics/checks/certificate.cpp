@@ -9,6 +9,7 @@
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/function_builders.hpp"
+#include "program/interpret.hpp"
 #include "support/operation.hpp"
 #include "symbolic/error_bound.hpp"
 
@@ -21,26 +22,8 @@ namespace {
 constexpr int kMeasuredStates = 10, kFewestStates = 3;
 constexpr double kMeasuringWork = 4e6;
 
-/// Values of a program in double precision, functions of the C library rounded correctly.
-std::vector<double> run(const Program& program, std::span<const double> inputs) {
-  std::vector<double> v(program.code.size());
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const Instruction& c = program.code[i];
-    const std::uint32_t b = operand_count(c.op) == 2 ? c.b : c.a;
-    if (c.op == Operation::constant) {
-      v[i] = program.constants[c.a];
-    } else if (c.op == Operation::input) {
-      v[i] = inputs[c.a];
-    } else if (facts(c.op).roundings <= 1) {
-      v[i] = apply(c.op, v[c.a], v[b]);
-    } else {
-      v[i] = apply(c.op, Extended(v[c.a]), Extended(v[b])).convert_to<double>();
-    }
-  }
-  std::vector<double> out;
-  for (const OutputArray& output : program.outputs)
-    for (const std::uint32_t value : output.values) out.push_back(v[value]);
-  return out;
+double rounded_correctly(Operation op, double a, double b) {
+  return apply(op, Extended(a), Extended(b)).convert_to<double>();
 }
 
 bool finite(const VectorXe& v) {
@@ -178,6 +161,9 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
+  std::size_t entries = 0;
+  for (const OutputArray& output : program.outputs) entries += output.values.size();
+  std::vector<double> inputs, found(entries), scratch;
   for (const std::vector<double>& values : states_) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
     const PlainEquations::State state = plain_.state(values);
@@ -187,10 +173,10 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
-    std::vector<double> inputs;
+    inputs.clear();
     for (const SymbolBinding& binding : bindings_)
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
-    const std::vector<double> found = run(program, inputs);
+    interpret(program, inputs, found, scratch, rounded_correctly);
     if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
       worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
       continue;
