@@ -2,6 +2,7 @@
 #include "commands/common_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -63,14 +64,9 @@ std::string function_list() {
     out += fmt::format("\n{}\n", title);
     for (const OutputFunction& row : kOutputFunctions) {
       if (row.topic != topic) continue;
-      std::string arguments;
-      for (const ArgumentKind kind : row.arguments)
-        arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", array_name(kind));
-      std::string results;
-      for (const ResultArray& result : row.results)
-        results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
-      out += fmt::format("{} {}({}) -> {}\n      {}\n", row.by_default ? "*" : " ", row.name, arguments,
-                         results, row.summary);
+      out +=
+          fmt::format("{} {}({}) -> {}\n      {}\n", row.by_default ? "*" : " ", row.name,
+                      fmt::join(argument_names(row), ", "), fmt::join(result_names(row), ", "), row.summary);
     }
   }
   return out;

@@ -2,6 +2,7 @@
 #include "emit/argument_lists.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -28,82 +29,63 @@ bool is_input(ArgumentKind kind, const OutputFunction& signature) {
 
 }  // namespace
 
-std::string_view array_name(ArgumentKind kind) {
-  switch (kind) {
-    case ArgumentKind::q:
-      return "q";
-    case ArgumentKind::qd:
-      return "qd";
-    case ArgumentKind::qdd:
-      return "qdd";
-    case ArgumentKind::tau:
-      return "tau";
-    case ArgumentKind::time:
-    case ArgumentKind::parameter:
-    case ArgumentKind::wrench:
-      break;
-  }
-  throw InternalError("emit: not an array argument");
+std::vector<std::string_view> argument_names(const OutputFunction& function) {
+  std::vector<std::string_view> names;
+  for (const ArgumentKind kind : function.arguments) names.push_back(argument_name(kind));
+  return names;
 }
 
-std::string cpp_parameters(const OutputFunction& signature, bool unused_allowed) {
-  const std::string_view mark = unused_allowed ? "[[maybe_unused]] " : "";
-  std::string out;
-  for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("{}const S* {}, ", mark, array_name(kind));
-  if (signature.takes_inputs) out += fmt::format("{}const Inputs<S>& in, ", mark);
-  for (const ResultArray& result : signature.results)
-    out += fmt::format("{}S* {}{}", mark, result.name, &result == &signature.results.back() ? "" : ", ");
-  return out;
+std::vector<std::string_view> result_names(const OutputFunction& function) {
+  std::vector<std::string_view> names;
+  for (const ResultArray& result : function.results) names.push_back(result.name);
+  return names;
 }
 
-std::string cpp_arguments(const OutputFunction& signature) {
-  std::string out;
-  for (const ArgumentKind kind : signature.arguments) out += fmt::format("{}, ", array_name(kind));
-  if (signature.takes_inputs) out += "in, ";
-  for (const ResultArray& result : signature.results)
-    out += fmt::format("{}{}", result.name, &result == &signature.results.back() ? "" : ", ");
-  return out;
+std::string argument_list(const OutputFunction& function, std::string_view argument, std::string_view inputs,
+                          std::string_view result, std::string_view separator) {
+  std::vector<std::string> items;
+  for (const std::string_view name : argument_names(function))
+    items.push_back(fmt::format(fmt::runtime(argument), name));
+  if (!inputs.empty()) items.emplace_back(inputs);
+  for (const std::string_view name : result_names(function))
+    items.push_back(fmt::format(fmt::runtime(result), name));
+  return fmt::format("{}", fmt::join(items, separator));
 }
 
-std::string cpp_parameter_types(const OutputFunction& signature, std::string_view scalar) {
-  std::string out;
-  for (std::size_t i = 0; i < signature.arguments.size(); ++i) out += fmt::format("const {}*, ", scalar);
-  if (signature.takes_inputs) out += fmt::format("const Inputs<{}>&, ", scalar);
-  for (std::size_t i = 0; i < signature.results.size(); ++i)
-    out += fmt::format("{}{}*", i == 0 ? "" : ", ", scalar);
-  return out;
+std::string cpp_parameters(const OutputFunction& function, bool unused_allowed) {
+  const std::string mark = unused_allowed ? "[[maybe_unused]] " : "";
+  return argument_list(function, mark + "const S* {}",
+                       function.takes_inputs ? mark + "const Inputs<S>& in" : "", mark + "S* {}");
 }
 
-std::string c_parameters(const OutputFunction& signature, std::string_view number,
+std::string cpp_arguments(const OutputFunction& function) {
+  return argument_list(function, "{}", function.takes_inputs ? "in" : "", "{}");
+}
+
+std::string cpp_parameter_types(const OutputFunction& function, std::string_view scalar) {
+  return argument_list(function, fmt::format("const {}*", scalar),
+                       function.takes_inputs ? fmt::format("const Inputs<{}>&", scalar) : "",
+                       fmt::format("{}*", scalar));
+}
+
+std::string c_parameters(const OutputFunction& function, std::string_view number,
                          std::string_view qualifier) {
-  std::string out;
-  for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("const {}*{} {}, ", number, qualifier, array_name(kind));
-  if (signature.takes_inputs)
-    out += fmt::format("{0} t, const {0}*{1} parameters, const {0}*{1} wrenches, ", number, qualifier);
-  for (const ResultArray& result : signature.results)
-    out += fmt::format("{}*{} {}{}", number, qualifier, result.name,
-                       &result == &signature.results.back() ? "" : ", ");
-  return out;
+  const std::string array = fmt::format("{}*{} ", number, qualifier);
+  return argument_list(function, "const " + array + "{}",
+                       function.takes_inputs
+                           ? fmt::format("{0} t, const {1}parameters, const {1}wrenches", number, array)
+                           : "",
+                       array + "{}");
 }
 
-std::string c_arguments(const OutputFunction& signature) {
-  std::string out;
-  for (const ArgumentKind kind : signature.arguments) out += fmt::format("{}, ", array_name(kind));
-  if (signature.takes_inputs) out += "make_inputs(t, parameters, wrenches), ";
-  for (const ResultArray& result : signature.results)
-    out += fmt::format("{}{}", result.name, &result == &signature.results.back() ? "" : ", ");
-  return out;
+std::string c_arguments(const OutputFunction& function) {
+  return argument_list(function, "{}", function.takes_inputs ? "make_inputs(t, parameters, wrenches)" : "",
+                       "{}");
 }
 
-std::string c_null_check(const OutputFunction& signature, std::string_view null) {
-  std::string out;
-  for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("{} == {} || ", array_name(kind), null);
-  for (const ResultArray& result : signature.results)
-    out += fmt::format("{} == {}{}", result.name, null, &result == &signature.results.back() ? "" : " || ");
-  return out;
+std::string c_null_check(const OutputFunction& function, std::string_view null) {
+  const std::string check = fmt::format("{{}} == {}", null);
+  return argument_list(function, check, "", check, " || ");
 }
 
 void check_program(const Program& program, const OutputFunction& signature, const Mechanism& mechanism) {

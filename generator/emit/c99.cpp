@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -29,12 +30,11 @@ bool has_word(std::string_view code, std::string_view word) {
   return false;
 }
 
-/// Names of the arguments, in order; array results last.
-std::vector<std::string_view> argument_names(const OutputFunction& signature) {
-  std::vector<std::string_view> names;
-  for (const ArgumentKind kind : signature.arguments) names.push_back(array_name(kind));
+/// Names of all arguments in order.
+std::vector<std::string_view> all_names(const OutputFunction& signature) {
+  std::vector<std::string_view> names = argument_names(signature);
   if (signature.takes_inputs) names.insert(names.end(), {"t", "parameters", "wrenches"});
-  for (const ResultArray& result : signature.results) names.push_back(result.name);
+  std::ranges::copy(result_names(signature), std::back_inserter(names));
   return names;
 }
 
@@ -54,7 +54,7 @@ std::string wrapped_in_c(std::string_view start, const std::string& list) {
 std::string block_functions(const WrittenFunction& function, const std::string& name,
                             const std::string& number, const Slots& common) {
   const std::string parameters = c_parameters(*function.signature, number, " restrict");
-  std::vector<std::string_view> arguments = argument_names(*function.signature);
+  std::vector<std::string_view> arguments = all_names(*function.signature);
   arguments.push_back("w");
   std::string out;
   for (std::size_t i = 0; i < function.body.blocks.size(); ++i) {
@@ -77,7 +77,7 @@ std::string definition(const WrittenFunction& function, const std::string& numbe
   const std::string name = fmt::format("{}_{}", common.at("name"), signature.name);
   const std::vector<CodeBlock>& blocks = function.body.blocks;
   const bool cut = blocks.size() > 1;
-  const std::vector<std::string_view> arguments = argument_names(signature);
+  const std::vector<std::string_view> arguments = all_names(signature);
   const auto reads = [&](std::string_view word) {
     return std::ranges::any_of(blocks, [&](const CodeBlock& b) { return has_word(b.statement_lines, word); });
   };

@@ -98,8 +98,8 @@ std::string eigen_member(const OutputFunction& function, std::string_view name_s
     list += (list.empty() ? "" : ", ") + item;
   };
   for (const ArgumentKind kind : function.arguments) {
-    add(parameters, fmt::format("{} {}", argument_type(kind), array_name(kind)));
-    add(arguments, fmt::format("{}.data()", array_name(kind)));
+    add(parameters, fmt::format("{} {}", argument_type(kind), argument_name(kind)));
+    add(arguments, fmt::format("{}.data()", argument_name(kind)));
   }
   if (function.takes_inputs) {
     add(parameters, returned ? "const Inputs& in = Inputs()" : "const Inputs& in");

@@ -95,7 +95,7 @@ std::string signature_of(const OutputFunction& function, const Mechanism& mechan
   };
   std::vector<std::string> items;
   for (const ArgumentKind kind : function.arguments)
-    items.push_back(fmt::format("{}{}", array_name(kind), hinted ? ": ArrayLike" : ""));
+    items.push_back(fmt::format("{}{}", argument_name(kind), hinted ? ": ArrayLike" : ""));
   if (function.takes_inputs) items.push_back(optional("t", "ArrayLike", "0.0"));
   items.emplace_back("*");
   if (function.takes_inputs) {
@@ -112,8 +112,6 @@ std::string signature_of(const OutputFunction& function, const Mechanism& mechan
 
 std::string python_function(const WrittenFunction& written, const Mechanism& mechanism) {
   const OutputFunction& function = *written.signature;
-  std::vector<std::string_view> arguments;
-  for (const ArgumentKind kind : function.arguments) arguments.push_back(array_name(kind));
   std::vector<std::string> keywords;
   for (const std::string_view name : keyword_parameters(mechanism))
     keywords.push_back(fmt::format("\"{0}\": {0}", name));
@@ -125,7 +123,7 @@ std::string python_function(const WrittenFunction& written, const Mechanism& mec
   return fill_template("python_function.py", {{"function", std::string(function.name)},
                                               {"signature", signature_of(function, mechanism, false)},
                                               {"doc", doc},
-                                              {"arguments", tuple_of(arguments)},
+                                              {"arguments", tuple_of(argument_names(function))},
                                               {"inputs", wrap_list(inputs, 30, 17)}});
 }
 
@@ -133,7 +131,7 @@ std::string python_function(const WrittenFunction& written, const Mechanism& mec
 std::string table_row(const OutputFunction& function, const Mechanism& mechanism) {
   std::vector<std::string> arguments, results;
   for (const ArgumentKind kind : function.arguments)
-    arguments.push_back(fmt::format("(\"{}\", ({},))", array_name(kind), argument_size(kind, mechanism)));
+    arguments.push_back(fmt::format("(\"{}\", ({},))", argument_name(kind), argument_size(kind, mechanism)));
   for (const ResultArray& result : function.results)
     results.push_back(fmt::format("(\"{}\", {})", result.name, tuple_of(natural_shape(result, mechanism))));
   const std::string start = fmt::format("_{} = _Function(", function.name);

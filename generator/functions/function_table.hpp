@@ -177,6 +177,20 @@ inline constexpr OutputFunction kOutputFunctions[] = {
 };
 // clang-format on
 
+/// Arguments are arrays of coordinates, speeds, rates or forces; what else there is comes by `takes_inputs`.
+constexpr bool takes_arrays(const OutputFunction& function) {
+  for (const ArgumentKind kind : function.arguments) {
+    if (kind == ArgumentKind::time || kind == ArgumentKind::parameter || kind == ArgumentKind::wrench)
+      return false;
+  }
+  return true;
+}
+static_assert([] {
+  for (const OutputFunction& row : kOutputFunctions)
+    if (!takes_arrays(row)) return false;
+  return true;
+}());
+
 /// One of the functions of the table, by its name: FunctionKind("bias"). A name that is not there does not
 /// compile.
 class FunctionKind {

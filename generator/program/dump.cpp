@@ -10,30 +10,6 @@
 #include "support/operation.hpp"
 
 namespace alembert {
-namespace {
-
-const char* argument_name(ArgumentKind kind) {
-  switch (kind) {
-    case ArgumentKind::q:
-      return "q";
-    case ArgumentKind::qd:
-      return "qd";
-    case ArgumentKind::qdd:
-      return "qdd";
-    case ArgumentKind::time:
-      return "t";
-    case ArgumentKind::parameter:
-      return "parameter";
-    case ArgumentKind::wrench:
-      return "wrench";
-    case ArgumentKind::tau:
-      return "tau";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string dump(const Program& program) {
   std::string text = "function " + program.function;
   if (!program.formulation.empty()) text += " (" + program.formulation + ")";

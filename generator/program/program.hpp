@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/operation.hpp"
@@ -31,6 +32,27 @@ enum class ArgumentKind : std::uint8_t {
               ///< (world)
   tau,        ///< generalized forces, size nv
 };
+/// What the argument is called.
+constexpr std::string_view argument_name(ArgumentKind kind) {
+  switch (kind) {
+    case ArgumentKind::q:
+      return "q";
+    case ArgumentKind::qd:
+      return "qd";
+    case ArgumentKind::qdd:
+      return "qdd";
+    case ArgumentKind::time:
+      return "t";
+    case ArgumentKind::parameter:
+      return "parameter";
+    case ArgumentKind::wrench:
+      return "wrench";
+    case ArgumentKind::tau:
+      return "tau";
+  }
+  return "";
+}
+
 struct InputSlot {
   ArgumentKind kind;
   std::uint32_t index;

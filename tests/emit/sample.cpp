@@ -136,7 +136,7 @@ std::vector<InputSlot> slots_of(const Mechanism& mechanism, const OutputFunction
     const int size = kind == ArgumentKind::q ? mechanism.nq : mechanism.nv;
     for (int i = 0; i < size; ++i)
       slots.push_back(
-          {kind, static_cast<std::uint32_t>(i), std::string(array_name(kind)) + std::to_string(i)});
+          {kind, static_cast<std::uint32_t>(i), std::string(argument_name(kind)) + std::to_string(i)});
   }
   if (!signature.takes_inputs) return slots;
   slots.push_back({ArgumentKind::time, 0, "t"});

@@ -20,7 +20,7 @@ std::string calls(const alembert::Mechanism& mechanism) {
   for (const alembert::OutputFunction& function : alembert::kOutputFunctions) {
     std::string arguments;
     for (const alembert::ArgumentKind kind : function.arguments)
-      arguments += std::string(alembert::array_name(kind)) + ", ";
+      arguments += std::string(alembert::argument_name(kind)) + ", ";
     if (function.takes_inputs) arguments += "in, ";
     std::size_t offset = 0;
     for (const alembert::ResultArray& result : function.results) {

@@ -1,5 +1,6 @@
 // The README's table of functions is that of the function table. ALEMBERT_UPDATE_GOLDEN=1 rewrites it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,13 +20,9 @@ const std::string kTableHead = "| name | arguments | results | meaning |\n| --- 
 std::string rows_of_table() {
   std::string rows;
   for (const OutputFunction& row : kOutputFunctions) {
-    std::string arguments, results;
-    for (const ArgumentKind kind : row.arguments)
-      arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", array_name(kind));
-    for (const ResultArray& result : row.results)
-      results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
-    rows += fmt::format("| `{}`{} | {} | {} | {} |\n", row.name, row.by_default ? " *" : "", arguments,
-                        results, row.summary);
+    rows +=
+        fmt::format("| `{}`{} | {} | {} | {} |\n", row.name, row.by_default ? " *" : "",
+                    fmt::join(argument_names(row), ", "), fmt::join(result_names(row), ", "), row.summary);
   }
   return rows;
 }

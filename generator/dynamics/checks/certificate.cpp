@@ -8,7 +8,6 @@
 #include <random>
 
 #include "dynamics/checks/state_checks.hpp"
-#include "dynamics/function_builders.hpp"
 #include "program/interpret.hpp"
 #include "support/operation.hpp"
 #include "symbolic/error_bound.hpp"
@@ -199,7 +198,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
 }
 
 bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
-  const std::vector<OutputExpressions> plain = plain_function_outputs(kinematics_, kind);
+  const std::vector<OutputExpressions>& plain = plain_.expressions(kind);
   double bound = kLargestError;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const bool without_value =

@@ -4,9 +4,7 @@
 #include <Eigen/LU>
 
 #include "dynamics/function_builders.hpp"
-#include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
-#include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/symbols.hpp"
 
@@ -16,13 +14,6 @@ namespace {
 
 /// Steps of central differences. Their error is that of a third derivative times its square.
 const Extended kStep = 1e-16;
-
-std::vector<Expr> plain_values(const Kinematics& kinematics, FunctionKind kind) {
-  std::vector<Expr> all;
-  for (const OutputExpressions& output : plain_function_outputs(kinematics, kind))
-    all.insert(all.end(), output.values.begin(), output.values.end());
-  return all;
-}
 
 VectorXe vector(const std::vector<Extended>& values) {
   return Eigen::Map<const VectorXe>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -121,10 +112,21 @@ VectorXe PlainEquations::by_speeds(const State& state, const VectorXe& v) const 
   return (moved(kStep) - moved(-kStep)) / Extended(2 * kStep);
 }
 
+const std::vector<OutputExpressions>& PlainEquations::expressions(FunctionKind kind) const {
+  auto found = expressions_.find(kind);
+  if (found == expressions_.end())
+    found = expressions_.emplace(kind, plain_function_outputs(kinematics_, kind)).first;
+  return found->second;
+}
+
 std::vector<Extended> PlainEquations::outputs(FunctionKind kind, const State& state) const {
   auto found = others_.find(kind);
-  if (found == others_.end())
-    found = others_.emplace(kind, ExtendedFunction(plain_values(kinematics_, kind))).first;
+  if (found == others_.end()) {
+    std::vector<Expr> all;
+    for (const OutputExpressions& output : expressions(kind))
+      all.insert(all.end(), output.values.begin(), output.values.end());
+    found = others_.emplace(kind, ExtendedFunction(all)).first;
+  }
   return found->second(state);
 }
 

@@ -46,7 +46,9 @@ class PlainEquations {
   /// The forces' derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
   VectorXe along_speeds(const State& state, const VectorXe& v) const;
   VectorXe by_speeds(const State& state, const VectorXe& v) const;
-  /// Results of a function as its builder makes them of the plain equations, all arrays one after another.
+  /// A function as its builder makes it of the plain equations.
+  const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;
+  /// Its results, all arrays one after another.
   std::vector<Extended> outputs(FunctionKind kind, const State& state) const;
 
   /// Nodes that `forces` evaluates: what the others take is a multiple of it.
@@ -60,6 +62,7 @@ class PlainEquations {
   ExtendedFunction forces_;
   ExtendedFunction coordinate_rates_;  ///< N, nq x nv
   mutable std::optional<ExtendedFunction> mass_matrix_;
+  mutable std::map<FunctionKind, std::vector<OutputExpressions>> expressions_;
   mutable std::map<FunctionKind, ExtendedFunction> others_;
 };
 

@@ -49,29 +49,20 @@ bool has_program(std::span<const Program> programs, std::string_view function) {
 }
 
 std::string cpp_batch_parameters(const OutputFunction& signature, bool defaults) {
-  std::string out = "::std::size_t n, ::std::size_t stride, ";
-  for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("const double* {}, ", array_name(kind));
-  out += "const BatchInputs& in, ";
-  for (const ResultArray& result : signature.results) out += fmt::format("double* {}, ", result.name);
-  return out + "const ::alembert::BatchOptions& options" + (defaults ? " = {}" : "");
+  return fmt::format("::std::size_t n, ::std::size_t stride, {}, const ::alembert::BatchOptions& options{}",
+                     argument_list(signature, "const double* {}", "const BatchInputs& in", "double* {}"),
+                     defaults ? " = {}" : "");
 }
 
 std::string c_batch_parameters(const OutputFunction& signature) {
-  std::string out = "size_t n, size_t stride, ";
-  for (const ArgumentKind kind : signature.arguments)
-    out += fmt::format("const double* {}, ", array_name(kind));
-  out += "double t, const double* parameters, const double* wrenches, ";
-  for (const ResultArray& result : signature.results) out += fmt::format("double* {}, ", result.name);
-  return out + "int threads";
+  return fmt::format(
+      "size_t n, size_t stride, {}, int threads",
+      argument_list(signature, "const double* {}",
+                    "double t, const double* parameters, const double* wrenches", "double* {}"));
 }
 
 std::string c_batch_call(const OutputFunction& signature) {
-  std::string out = "n, stride, ";
-  for (const ArgumentKind kind : signature.arguments) out += fmt::format("{}, ", array_name(kind));
-  out += "in, ";
-  for (const ResultArray& result : signature.results) out += fmt::format("{}, ", result.name);
-  return out + "options";
+  return fmt::format("n, stride, {}, options", argument_list(signature, "{}", "in", "{}"));
 }
 
 /// Longer programs are cut into such blocks, of operations: what is longer does not fit the nearest cache of
@@ -88,7 +79,7 @@ struct PackArray {
 std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const OutputFunction& signature) {
   std::vector<PackArray> arrays;
   for (const ArgumentKind kind : signature.arguments)
-    arrays.push_back({array_name(kind),
+    arrays.push_back({argument_name(kind),
                       static_cast<std::size_t>(kind == ArgumentKind::q ? mechanism.nq : mechanism.nv),
                       false});
   for (const ResultArray& result : signature.results)
@@ -343,7 +334,7 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
             {{"function", name}, {"arguments", wrapped(cpp_batch_parameters(signature, true), start)}}));
     std::string assignments;
     for (std::size_t i = 0; i < signature.arguments.size(); ++i)
-      assignments += fmt::format("call.arguments[{}] = {};\n", i, array_name(signature.arguments[i]));
+      assignments += fmt::format("call.arguments[{}] = {};\n", i, argument_name(signature.arguments[i]));
     for (std::size_t i = 0; i < signature.results.size(); ++i)
       assignments += fmt::format("call.results[{}] = {};\n", i, signature.results[i].name);
     definitions +=
