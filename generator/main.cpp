@@ -287,6 +287,8 @@ int run(int argc, char** argv) {
   command
       ->add_option("--hold", simulate.start.hold, "coordinates to keep while the constraints are satisfied")
       ->delimiter(',');
+  command->add_option("--input", common.inputs,
+                      "NAME=EXPRESSION of t, coordinates, speeds and parameters: what an input is");
   command->add_flag("!--no-assemble", simulate.start.assemble,
                     "fail if the initial state violates the constraints, instead of changing it");
   add_compiler_options(command, common);

@@ -328,7 +328,8 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
     return options.dump != nullptr && options.dump_stage == stage;
   };
 
-  compiled.mechanism = std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph));
+  compiled.mechanism =
+      std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph, options.inputs));
   const Mechanism& mechanism = *compiled.mechanism;
   if (options.warn) options.warn(mechanism.warnings);
   log.done("load", fmt::format("{} bodies, {} coordinates", mechanism.bodies.size(), mechanism.nq));

@@ -14,6 +14,7 @@
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "functions/function_table.hpp"
+#include "mechanism/load.hpp"
 #include "mechanism/model.hpp"
 #include "program/count.hpp"
 #include "program/program.hpp"
@@ -42,6 +43,7 @@ struct CompileOptions {
   std::optional<Formulation> formulation;  ///< none: the one with fewer operations, function by function
   Passes passes;                           ///< --without
   std::vector<FunctionKind> functions;     ///< in the order wanted
+  std::vector<InputExpression> inputs;     ///< what stands in the place of inputs
   std::size_t loop_operations = kLoopOperations;  ///< functions of more have loops over steps
   std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
   Inapplicable inapplicable = Inapplicable::refuse;

@@ -16,6 +16,19 @@
 
 namespace alembert {
 
+namespace {
+
+InputExpression input_expression(const std::string& text) {
+  const auto source = std::make_shared<const SourceText>(SourceText{"--input", text});
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos || sign == 0)
+    throw InputError({source, 1, 1}, "expected NAME=EXPRESSION",
+                     "for example --input \"throttle=0.5*sin(3*t)\"");
+  return {text.substr(0, sign), source};
+}
+
+}  // namespace
+
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
                           Inapplicable inapplicable) {
   CompileOptions options;
@@ -26,6 +39,7 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
   options.loop_operations = common.loop_operations;
   options.loop_results = common.loop_results;
   options.functions = std::move(functions);
+  for (const std::string& text : common.inputs) options.inputs.push_back(input_expression(text));
   if (common.verbose) options.talk = &std::cerr;
   if (!common.dump_stage.empty()) {
     options.dump = &std::cout;

@@ -23,6 +23,7 @@ struct CommonOptions {
   bool verbose = false;
   bool strict = false;  ///< warnings are errors
   std::string dump_stage;
+  std::vector<std::string> inputs;  ///< --input: NAME=EXPRESSION
 };
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,

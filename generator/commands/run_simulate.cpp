@@ -96,6 +96,7 @@ class Simulation {
   std::optional<InputError> add(const std::string& file, bool first) {
     CommonOptions common = common_;
     common.file = file;
+    if (!first) common.inputs.clear();
     std::vector<FunctionKind> functions = trajectory_functions();
     if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
       functions.push_back(FunctionKind("body_poses"));

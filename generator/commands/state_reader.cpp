@@ -44,15 +44,20 @@ void members(const JsonValue& object, const std::vector<std::string>& names, con
   }
 }
 
-void parameters(const Mechanism& mechanism, const JsonValue& values, EvaluationState& state) {
+/// Runtime parameters, or the inputs, which stand behind them.
+void parameters(const Mechanism& mechanism, bool inputs, const JsonValue& values, EvaluationState& state) {
   if (values.kind != JsonValue::Kind::object)
-    fail(values, "'parameters' must be an object of runtime parameters by name");
+    fail(values, inputs ? "'inputs' must be an object of inputs by name"
+                        : "'parameters' must be an object of runtime parameters by name");
   std::vector<std::string> names;
+  std::size_t before = 0;
   for (const Parameter& parameter : mechanism.parameters) {
-    if (parameter.runtime) names.push_back(parameter.name);
+    if (parameter.runtime && parameter.input == inputs) names.push_back(parameter.name);
+    before += parameter.runtime && !parameter.input && inputs;
   }
-  members(values, names, "there is no runtime parameter",
-          [&](std::size_t i, const JsonValue& value) { state.parameters[i] = number(value, names[i]); });
+  members(
+      values, names, inputs ? "there is no input" : "there is no runtime parameter",
+      [&](std::size_t i, const JsonValue& value) { state.parameters[before + i] = number(value, names[i]); });
 }
 
 void wrenches(const Mechanism& mechanism, const JsonValue& values, EvaluationState& state) {
@@ -84,8 +89,9 @@ void coordinates(const Mechanism& mechanism, const JsonValue& value, EvaluationS
 EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
                          const EvaluationState& defaults) {
   if (object.kind != JsonValue::Kind::object)
-    fail(object, "expected a JSON object with q, qd, qdd, t, tau, parameters, wrenches");
-  static const std::vector<std::string> kKeys{"q", "qd", "qdd", "t", "tau", "parameters", "wrenches"};
+    fail(object, "expected a JSON object with q, qd, qdd, t, tau, parameters, inputs, wrenches");
+  static const std::vector<std::string> kKeys{"q",   "qd",         "qdd",    "t",
+                                              "tau", "parameters", "inputs", "wrenches"};
   EvaluationState state = defaults;
   members(object, kKeys, "unknown key", [&](std::size_t i, const JsonValue& value) {
     const std::string& key = kKeys[i];
@@ -97,7 +103,7 @@ EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
       state.tau.resize(state.qd.size());
       numbers(value, key, state.tau);
     }
-    if (key == "parameters") parameters(mechanism, value, state);
+    if (key == "parameters" || key == "inputs") parameters(mechanism, key == "inputs", value, state);
     if (key == "wrenches") wrenches(mechanism, value, state);
   });
   return state;

@@ -26,7 +26,9 @@ bool is_exact(const ExprGraph& expressions, std::span<const Expr> roots) {
   std::unordered_map<std::uint32_t, bool> has_root;  // node -> there is a square root in it
   for (const std::uint32_t id : postorder(roots)) {
     const Node& node = expressions.node(id);
-    if (node.op == Operation::real || node.op == Operation::abs || node.op == Operation::sign) return false;
+    if (node.op == Operation::real || node.op == Operation::abs || node.op == Operation::sign ||
+        is_choice(node.op))
+      return false;
     bool below = false;
     if (node.arity() >= 1) below = has_root[node.a.node()];
     if (node.arity() >= 2) below = has_root[node.b.node()] || below;

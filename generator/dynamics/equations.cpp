@@ -60,15 +60,21 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
     any = true;
   }
   if (any) peeled = motion_tree(mechanism, motions, derivatives, graph);
+  AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
   return {mechanism,
           graph,
           std::move(derivatives),
           std::move(tree),
           std::move(peeled),
+          std::move(applied),
           ProgramLengths(mechanism, graph)};
 }
 
-EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation, Passes passes) {
+namespace {
+
+/// The equations of what is inert, heavy or pushed by external wrenches.
+EquationsOfMotion equations_without_forces(const Kinematics& kinematics, Formulation formulation,
+                                           Passes passes) {
   switch (formulation) {
     case Formulation::factored: {
       const Mechanism& mechanism = kinematics.mechanism;
@@ -84,6 +90,16 @@ EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation 
       return reduced_equations(kinematics, passes);
   }
   throw InternalError("there is no such formulation");
+}
+
+}  // namespace
+
+EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation, Passes passes) {
+  EquationsOfMotion equations = equations_without_forces(kinematics, formulation, passes);
+  if (kinematics.applied.Q.empty()) return equations;
+  equations.Q = value_number(less_applied(std::move(equations.Q), kinematics.applied));
+  equations.c = value_number(less_applied(std::move(equations.c), kinematics.applied));
+  return equations;
 }
 
 }  // namespace alembert

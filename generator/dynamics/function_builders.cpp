@@ -88,6 +88,18 @@ Results build_gravity(const Ingredients& given) {
   return for_shortest_tree(with_regrouped, gravity_forces);
 }
 
+Results build_applied_forces(const Ingredients& given) {
+  const std::vector<Expr>& Q = given.kinematics.applied.Q;
+  if (!Q.empty()) return {Q};
+  return {std::vector<Expr>(static_cast<std::size_t>(given.mechanism().nv), given.graph().zero())};
+}
+
+Results build_energy(const Ingredients& given) {
+  Results energy = for_shortest_tree(given, energies);
+  energy.front()[1] += given.kinematics.applied.potential;
+  return energy;
+}
+
 Results build_coordinate_rates(const Ingredients& given) {
   const SpeedDerivatives& derivatives = given.kinematics.derivatives;
   const std::vector<Expr> N = derivatives.coordinate_rate_matrix();
@@ -129,14 +141,14 @@ constexpr Builder kBuilders[] = {
      [](const Ingredients& given) -> Results { return {given.equations->M}; }},
     {FunctionKind("bias"), true, [](const Ingredients& given) -> Results { return {given.equations->c}; }},
     {FunctionKind("gravity"), true, build_gravity},
+    {FunctionKind("applied_forces"), false, build_applied_forces},
     {FunctionKind("mass_matrix_and_bias"), true,
      [](const Ingredients& given) -> Results {
        return {given.equations->M, given.equations->c};
      }},
     {FunctionKind("forward_dynamics"), true, build_forward_dynamics},
     {FunctionKind("coordinate_rates"), false, build_coordinate_rates},
-    {FunctionKind("energy"), false,
-     [](const Ingredients& given) { return for_shortest_tree(given, energies); }},
+    {FunctionKind("energy"), false, build_energy},
     {FunctionKind("body_poses"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, body_poses); }},
     {FunctionKind("frame_poses"), false,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -117,24 +119,21 @@ std::string c99_source(const Mechanism& mechanism, std::span<const WrittenFuncti
                 {"sin", syntax.function("sin")},
                 {"cos", syntax.function("cos")}});
   std::string definitions, helpers;
-  bool sign = false, trigonometry = false, products = false, cut = false;
+  std::set<std::string> called;
+  bool cut = false;
   for (const WrittenFunction& function : functions) {
     definitions += (definitions.empty() ? "" : "\n") + definition(function, number, common);
     cut |= function.body.blocks.size() > 1;
-    for (const CodeBlock& block : function.body.blocks) {
-      sign |= block.calls_sign;
-      trigonometry |= block.calls_sines_and_cosines;
-      products |= block.calls_dot_products;
-    }
+    for (const CodeBlock& block : function.body.blocks)
+      called.insert(block.helpers.begin(), block.helpers.end());
   }
   const auto add = [&](bool wanted, std::string_view name) {
     if (wanted) helpers += (helpers.empty() ? "" : "\n") + fill_template(name, {}, words);
   };
   add(cut, "noinline.hpp");
   add(has_word(definitions, common.at("name") + "_no_wrenches"), "c99_no_wrenches.c");
-  add(sign, "c99_sign.c");
-  add(trigonometry, "c99_sines_and_cosines.c");
-  add(products, "c99_dot_products.c");
+  for (const std::string_view helper : kHelpers)
+    add(called.contains(std::string(helper)), fmt::format("c99_{}.c", helper));
   Slots slots = c_constant_slots(mechanism, number, "0");
   slots["number"] = number;
   slots["helpers"] = helpers;

@@ -121,31 +121,43 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
   return out;
 }
 
+/// What stands in the array of parameters, in SI units.
+std::string parameters_text(const Mechanism& mechanism) {
+  std::size_t parameters = 0, inputs = 0;
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime) ++(parameter.input ? inputs : parameters);
+  if (parameters == 0) return inputs == 0 ? "" : "inputs in SI units";
+  const std::string last =
+      inputs == 1 ? "the last of them an input" : fmt::format("the last {} of them inputs", inputs);
+  return "runtime parameters in SI units" + (inputs == 0 ? "" : ", " + last);
+}
+
 /// What the functions take besides the state, in the comment of the C interface.
-std::string c_inputs(const std::string& mechanism, std::size_t parameters, std::size_t wrenches) {
-  const std::string first =
-      parameters == 0
-          ? "parameters  NULL: there are no runtime parameters"
-          : fmt::format(
-                "parameters  [{}] runtime parameters in SI units; NULL for the values of the description",
-                parameters);
+std::string c_inputs(const Mechanism& mechanism, std::size_t parameters, std::size_t wrenches) {
+  const std::string first = parameters == 0
+                                ? "parameters  NULL: there are no runtime parameters"
+                                : fmt::format("parameters  [{}] {}; NULL for the values of the description",
+                                              parameters, parameters_text(mechanism));
   const std::string second = wrenches == 0 ? "wrenches    NULL: no body takes an external wrench"
                                            : fmt::format(
                                                  "wrenches    [{} x 6] per body of {}_wrench_body_names the "
                                                  "force x y z at its centre of mass, N, and the torque\n"
                                                  "            x y z, N m, both in world axes; NULL for none",
-                                                 wrenches, mechanism);
+                                                 wrenches, mechanism.name);
   return first + "\n" + second;
 }
 
 /// The same as members of Inputs in C++; where there are none, arrays of no elements.
-std::string cpp_inputs(const std::vector<std::string>& parameter_defaults, std::size_t wrenches) {
-  const std::string first = parameter_defaults.empty()
-                                ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
-                                : "/// Runtime parameters in SI units, in the order of kParameterNames; the "
-                                  "values of the description unless changed.\n"
-                                  "::std::array<S, kParameterCount> parameters = " +
-                                      cpp_array(parameter_defaults) + ";";
+std::string cpp_inputs(const Mechanism& mechanism, std::size_t wrenches) {
+  const std::vector<std::string> defaults = parameter_defaults(mechanism, "S({})", "double");
+  std::string text = parameters_text(mechanism);
+  if (!text.empty()) text[0] = text[0] == 'r' ? 'R' : 'I';
+  const std::string first =
+      defaults.empty() ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
+                       : fmt::format(
+                             "/// {}, in the order of kParameterNames; the values of the description unless "
+                             "changed.\n::std::array<S, kParameterCount> parameters = {};",
+                             text, cpp_array(defaults));
   const std::string second = wrenches == 0
                                  ? "::std::array<S, 0> wrenches = {};  ///< no body takes an external wrench"
                                  : "/// Six per body of kWrenchBodyNames: force x y z at its centre of mass, "
@@ -167,8 +179,8 @@ struct Indices {
 };
 
 std::vector<Indices> indices_of(const Mechanism& mechanism) {
-  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
-                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}}};
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},  {"Body", {}}, {"Frame", {}},
+                              {"Parameter", {}},  {"Wrench", {}}, {"Input", {}}};
   const auto add = [&out](std::size_t kind, std::string name, int value) {
     // Names from descriptions are identifiers; others get no constant.
     if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
@@ -188,7 +200,7 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   }
   for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
   for (const Parameter& p : mechanism.parameters)
-    if (p.runtime) add(4, p.name, parameter++);
+    if (p.runtime) add(p.input ? 6 : 4, p.name, parameter++);
   std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
   return out;
 }
@@ -229,12 +241,13 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
       {"parameter_count", std::to_string(names.parameters.size())},
+      {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},
       {"quaternion_count", std::to_string(quaternions)},
       {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},
-      {"c_inputs", c_inputs(mechanism.name, names.parameters.size(), names.wrench_bodies.size())},
+      {"c_inputs", c_inputs(mechanism, names.parameters.size(), names.wrench_bodies.size())},
       {"index_aliases", index_aliases(mechanism, full_namespace)},
   };
 }
@@ -257,8 +270,7 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
-      {"cpp_inputs",
-       cpp_inputs(parameter_defaults(mechanism, "S({})", "double"), names.wrench_bodies.size())},
+      {"cpp_inputs", cpp_inputs(mechanism, names.wrench_bodies.size())},
   };
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
+#include <string_view>
 
 #include "emit/argument_lists.hpp"
 #include "emit/c99.hpp"
@@ -217,9 +219,10 @@ std::string documented(const WrittenFunction& function, const Mechanism& mechani
 
 std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
                        const EmitOptions& options, const Slots& common) {
-  std::string declarations, externs, sign, sines_and_cosines, dot_products;
+  std::string declarations, externs, helpers;
+  std::set<std::string> called;
   // Over packs, angles are brought together that one state computes one by one.
-  bool calls_sines_and_cosines = !options.batch.empty();
+  if (!options.batch.empty()) called.emplace("sines_and_cosines");
   for (const WrittenFunction& function : functions) {
     const std::string name(function.signature->name);
     declarations += fill_template(
@@ -229,21 +232,19 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
          {"arguments", wrapped_after("void " + name + "(", cpp_parameters(*function.signature, false))}});
     declarations += '\n';
     externs += instantiation("extern template", name, *function.signature, options.scalars, false);
-    for (const CodeBlock& block : function.body.blocks) {
-      if (block.calls_sign && sign.empty()) sign = fill_template("sign.hpp", {}) + "\n";
-      calls_sines_and_cosines |= block.calls_sines_and_cosines;
-      if (block.calls_dot_products && dot_products.empty())
-        dot_products = fill_template("dot_products.hpp", {}, common) + "\n";
-    }
+    for (const CodeBlock& block : function.body.blocks)
+      called.insert(block.helpers.begin(), block.helpers.end());
   }
-  if (calls_sines_and_cosines) sines_and_cosines = fill_template("sines_and_cosines.hpp", {}) + "\n";
+  for (const std::string_view helper : kHelpers)
+    if (called.contains(std::string(helper)))
+      helpers += fill_template(fmt::format("{}.hpp", helper), {}, common) + "\n";
   if (declarations.ends_with("\n\n")) declarations.pop_back();
   std::string description;
   if (!mechanism.description.empty())
     description = "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   Slots slots = cpp_constant_slots(mechanism);
   slots["description"] = description;
-  slots["declarations"] = sign + sines_and_cosines + dot_products + declarations;
+  slots["declarations"] = helpers + declarations;
   slots["extern_templates"] = externs;
   return fill_template("mechanism_raw.hpp", slots, common);
 }

@@ -79,6 +79,7 @@ std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
 }
 
 bool has_results(const OutputFunction& function, const Mechanism& mechanism) {
+  if (function.needs == Needs::forces && mechanism.forces.empty()) return false;
   return std::ranges::all_of(
       function.results, [&](const ResultArray& result) { return array_shape(result, mechanism).size() > 0; });
 }

@@ -36,8 +36,7 @@ TableShape table_shape(const ResultArray& result, const Mechanism& mechanism);
 /// Numbers that an argument of this kind has.
 std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism);
 
-/// Whether the function has any result for this mechanism: poses of frames have none where there are no
-/// frames.
+/// Whether the function says anything of this mechanism: poses of frames do not where there are no frames.
 bool has_results(const OutputFunction& function, const Mechanism& mechanism);
 
 }  // namespace alembert

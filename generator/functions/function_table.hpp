@@ -65,6 +65,9 @@ struct ResultArray {
 /// What functions are about; `report` counts those of dynamics unless told otherwise.
 enum class Topic : std::uint8_t { dynamics, kinematics, derivatives };
 
+/// What a mechanism must have for a function to be of any use, besides what its results are sized by.
+enum class Needs : std::uint8_t { nothing, forces };
+
 /// A row of the table. The function takes the arrays of `arguments` in this order, then the inputs (time,
 /// parameters, wrenches) if `takes_inputs`, then its results, whether a given mechanism uses them or not.
 struct OutputFunction {
@@ -78,6 +81,7 @@ struct OutputFunction {
   Few<ResultArray, 4> results;
   std::string_view remark;  ///< guarantee, errors, frames; empty: none
   std::string_view source;  ///< where the formula stands, or is explained; empty: it is the definition
+  Needs needs = Needs::nothing;
 };
 
 // clang-format off
@@ -94,7 +98,7 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        true}},
      "", ""},
     {"bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
-     "Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.",
+     "Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.",
      "tau = M(q) qdd + c(q, qd)",
      {{"c", "bias forces, in units of tau", kPerSpeed}},
      "", ""},
@@ -103,6 +107,11 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "g = (derivative of the potential energy along the speeds), the part of c(q, qd) that is linear in gravity",
      {{"g", "gravity forces, in units of tau", kPerSpeed}},
      "To hold the mechanism still, apply tau = g, if no motion is prescribed in time.", ""},
+    {"applied_forces", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Generalized forces of what the description has under forces, damping, friction and stiffness.",
+     "tau = M(q) qdd + c(q, qd), where c contains -Q",
+     {{"Q", "generalized forces, in units of tau", kPerSpeed}},
+     "", "", Needs::forces},
     {"mass_matrix_and_bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Mass matrix and bias forces at once: shorter than one after the other.",
      "tau = M(q) qdd + c(q, qd)",

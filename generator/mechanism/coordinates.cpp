@@ -10,14 +10,16 @@
 #include "mechanism/section.hpp"
 
 namespace alembert {
-namespace {
-
-constexpr double kUnitTolerance = 1e-6;
 
 Section coordinate_section(const Document& document, const YamlNode& item) {
   return Section(document, item, "a coordinate",
-                 {"name", "type", "initial", "initial_speed", "limits", "armature"});
+                 {"name", "type", "initial", "initial_speed", "limits", "armature", "damping", "friction",
+                  "stiffness", "rest", "effort", "speed"});
 }
+
+namespace {
+
+constexpr double kUnitTolerance = 1e-6;
 
 const YamlNode& name_node(const Document& document, const YamlNode& item) {
   if (item.kind == YamlNode::Kind::mapping) return coordinate_section(document, item).require("name");
@@ -61,28 +63,13 @@ void make_symbols(ExprGraph& graph, Coordinate& coordinate) {
 }
 
 void read_real(Loading& loading, Coordinate& coordinate, const YamlNode* initial, const YamlNode* limits) {
-  const Document& document = loading.document;
   const std::string what = fmt::format("the initial value of coordinate '{}'", coordinate.name);
   const double start =
       initial != nullptr ? loading.reader.read(*initial, Allowed::constants, what).initial : 0.0;
   coordinate.initial = {start};
-  if (limits == nullptr) return;
-  const std::string what_limits = fmt::format("the limits of coordinate '{}'", coordinate.name);
-  const auto& items = expect_list(document, *limits, what_limits, 2);
-  const double lower = loading.reader.read(*items[0], Allowed::constants, what_limits).initial;
-  const double upper = loading.reader.read(*items[1], Allowed::constants, what_limits).initial;
-  if (!(lower < upper))
-    throw InputError(
-        document.where(*limits),
-        fmt::format("expected a lower and a larger upper limit for coordinate '{}', found {:.6g} and {:.6g}",
-                    coordinate.name, lower, upper));
-  if (start < lower || start > upper)
-    throw InputError(
-        document.where(initial != nullptr ? *initial : *limits),
-        fmt::format("the initial value {:.6g} of coordinate '{}' is outside its limits [{:.6g}, {:.6g}]",
-                    start, coordinate.name, lower, upper),
-        initial != nullptr ? "" : "initial is 0 unless given");
-  coordinate.limits = {lower, upper};
+  if (limits != nullptr)
+    coordinate.limits =
+        read_limits(loading, *limits, fmt::format("coordinate '{}'", coordinate.name), start, initial);
 }
 
 void read_quaternion(Loading& loading, Coordinate& coordinate, const YamlNode* initial,
@@ -132,7 +119,37 @@ void read_armature(Loading& loading, Coordinate& coordinate, const YamlNode* arm
   coordinate.armature = value.expr;
 }
 
+std::optional<double> read_magnitude(Loading& loading, const Coordinate& coordinate, const Section& section,
+                                     std::string_view key) {
+  const YamlNode* node = section.find(key);
+  if (node == nullptr) return std::nullopt;
+  const std::string what = fmt::format("the largest {} of coordinate '{}'", key, coordinate.name);
+  const double value = loading.reader.read(*node, Allowed::constants, what).initial;
+  if (value < 0)
+    throw InputError(loading.document.where(*node), fmt::format("{} is negative: {:.6g}", what, value));
+  return value;
+}
+
 }  // namespace
+
+std::pair<double, double> read_limits(Loading& loading, const YamlNode& node, const std::string& of,
+                                      double start, const YamlNode* initial) {
+  const Document& document = loading.document;
+  const std::string what = "the limits of " + of;
+  const auto& items = expect_list(document, node, what, 2);
+  const double lower = loading.reader.read(*items[0], Allowed::constants, what).initial;
+  const double upper = loading.reader.read(*items[1], Allowed::constants, what).initial;
+  if (!(lower < upper))
+    throw InputError(document.where(node),
+                     fmt::format("expected a lower and a larger upper limit for {}, found {:.6g} and {:.6g}",
+                                 of, lower, upper));
+  if (start < lower || start > upper)
+    throw InputError(document.where(initial != nullptr ? *initial : node),
+                     fmt::format("the initial value {:.6g} of {} is outside its limits [{:.6g}, {:.6g}]",
+                                 start, of, lower, upper),
+                     initial != nullptr ? "" : "initial is 0 unless given");
+  return {lower, upper};
+}
 
 void declare_coordinates(Loading& loading, const YamlNode& list) {
   const Document& document = loading.document;
@@ -172,6 +189,8 @@ void read_coordinate_values(Loading& loading, const YamlNode& list, std::span<co
       speed = section.find("initial_speed");
       limits = section.find("limits");
       armature = section.find("armature");
+      coordinate.effort_limit = read_magnitude(loading, coordinate, section, "effort");
+      coordinate.speed_limit = read_magnitude(loading, coordinate, section, "speed");
     }
     switch (coordinate.type) {
       case CoordinateType::real:
@@ -201,7 +220,7 @@ int expect_coordinate(Loading& loading, const YamlNode& node, CoordinateType typ
   NameEntry* entry = loading.scope.find(name);
   if (entry == nullptr || entry->index < 0) {
     const std::string found = entry != nullptr
-                                  ? fmt::format("'{}' is a {}, not a coordinate", name, noun(entry->kind))
+                                  ? fmt::format("'{}' is {}, not a coordinate", name, a_noun(entry->kind))
                                   : fmt::format("unknown coordinate '{}'{}", printable(name),
                                                 did_you_mean(name, loading.scope.coordinate_names()));
     throw InputError(where, fmt::format("{} (as {})", found, what));

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "mechanism/loading.hpp"
+#include "mechanism/section.hpp"
 
 namespace alembert {
 
+/// A coordinate that is a mapping.
+Section coordinate_section(const Document& document, const YamlNode& item);
+/// A lower and a larger upper limit of something that starts at `start` (given at `initial`, unless null).
+std::pair<double, double> read_limits(Loading& loading, const YamlNode& node, const std::string& of,
+                                      double start, const YamlNode* initial);
 /// Makes the coordinates of a list known: names, types, indices, symbols (coordinates.cpp).
 void declare_coordinates(Loading& loading, const YamlNode& list);
 /// Reads their initial values and limits, once parameters have values. `start` replaces initial values, unless

@@ -7,6 +7,7 @@
 
 #include "mechanism/expression_reader.hpp"
 #include "mechanism/natural_spline.hpp"
+#include "mechanism/piecewise_linear.hpp"
 #include "mechanism/section.hpp"
 
 namespace alembert {
@@ -15,7 +16,9 @@ namespace {
 constexpr std::size_t kMaximumKnots = 1000;
 
 std::vector<std::string> function_names() {
-  std::vector<std::string> names = {"position"};
+  std::vector<std::string> names(std::begin(kReferences), std::end(kReferences));
+  names.insert(names.end(), std::begin(kTables), std::end(kTables));
+  for (const ChoosingFunction& function : kChoosingFunctions) names.emplace_back(function.name);
   for (const OperationFacts& row : kOperationFacts)
     if (row.in_language) names.emplace_back(row.name);
   return names;
@@ -31,7 +34,7 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   if (arity == 0) {
     std::string message;
     if (const NameEntry* entry = scope_.find(function); entry != nullptr)
-      message = fmt::format("'{}' is a {}, not a function", function, noun(entry->kind));
+      message = fmt::format("'{}' is {}, not a function", function, a_noun(entry->kind));
     else if (function == "pi" || function == "t")
       message = fmt::format("'{}' is not a function", function);
     else
@@ -46,7 +49,7 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   Operand out{{}, token.begin, token.close};
   bool known = true;
   for (const Operand& argument : arguments) {
-    if (includes(argument.value.dependence, Dependence::speed))
+    if (reading.allowed == Allowed::pfaffian && includes(argument.value.dependence, Dependence::speed))
       throw not_linear(reading, out, "is a function of speeds");
     known = known && !std::isnan(argument.value.initial);
     out.value.dependence = out.value.dependence | argument.value.dependence;
@@ -60,9 +63,14 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
                   fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
                               out.value.dependence == Dependence::none ? "" : " at the initial state"));
     check_call(reading, function, x, out);
-    const Operation op = *function_called(function);
-    out.value.initial = apply(op, x.value.initial, y.value.initial);
-    out.value.expr = apply(op, x.value.expr, y.value.expr);
+    if (const std::optional<Operation> op = function_called(function)) {
+      out.value.initial = apply(*op, x.value.initial, y.value.initial);
+      out.value.expr = apply(*op, x.value.expr, y.value.expr);
+    } else {
+      choose(function, arguments, out);
+      if (moves(out.value.dependence))
+        make_rough(out, fmt::format("'{}', which has a kink or a step", text_of(reading, out)));
+    }
   } catch (const std::domain_error&) {
     throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }
@@ -101,21 +109,64 @@ void ExpressionReader::check_call(const Reading& reading, std::string_view funct
   }
 }
 
-ExpressionReader::Operand ExpressionReader::spline(const Reading& reading, const PostfixToken& token,
-                                                   const std::vector<Operand>& operands) const {
+namespace {
+
+/// The functions that are made of choices, of numbers and of expressions.
+template <class X>
+X chosen(std::string_view function, const X& zero, const X& one, const std::vector<X>& x) {
+  const auto select = [](const X& c, const X& a, const X& b) {
+    return if_positive(c, a) + unless_positive(c, b);
+  };
+  const auto clamp = [&](const X& value, const X& lower, const X& upper) {
+    const X below = select(upper - value, value, upper);
+    return select(lower - value, lower, below);
+  };
+  if (function == "select") return select(x[0], x[1], x[2]);
+  if (function == "min") return select(x[1] - x[0], x[0], x[1]);
+  if (function == "max") return select(x[0] - x[1], x[0], x[1]);
+  if (function == "clamp") return clamp(x[0], x[1], x[2]);
+  if (function == "step") return if_positive(x[0], one);
+  if (function == "sign") {
+    const X below = -x[0];
+    return if_positive(x[0], one) - if_positive(below, one);
+  }
+  // smoothstep
+  const X c = clamp(x[0], zero, one);
+  return c * c * (one + one + one - (one + one) * c);
+}
+
+}  // namespace
+
+void ExpressionReader::choose(std::string_view function, const std::vector<Operand>& arguments,
+                              Operand& result) {
+  std::vector<double> numbers;
+  std::vector<Expr> values;
+  for (const Operand& argument : arguments) {
+    numbers.push_back(argument.value.initial);
+    values.push_back(argument.value.expr);
+  }
+  ExprGraph& graph = values.front().graph();
+  result.value.initial = chosen<double>(function, 0, 1, numbers);
+  result.value.expr = chosen<Expr>(function, graph.zero(), graph.integer(1), values);
+}
+
+ExpressionReader::Operand ExpressionReader::table(const Reading& reading, const PostfixToken& token,
+                                                  const std::vector<Operand>& operands) const {
   Operand out{operands[0].value, token.begin, token.close};
-  if (includes(out.value.dependence, Dependence::speed))
+  const std::string_view kind =
+      std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
+  if (reading.allowed == Allowed::pfaffian && includes(out.value.dependence, Dependence::speed))
     throw not_linear(reading, out, "is a function of speeds");
   const auto knot_count = static_cast<std::size_t>(token.knots);
   const std::size_t value_count = operands.size() - 1 - knot_count;
   if (knot_count != value_count)
     throw error(
         reading, token.begin,
-        fmt::format("spline with {} knot{} and {} value{}; expected one value for each knot", knot_count,
+        fmt::format("{} with {} knot{} and {} value{}; expected one value for each knot", kind, knot_count,
                     knot_count == 1 ? "" : "s", value_count, value_count == 1 ? "" : "s"));
   if (knot_count < 2 || knot_count > kMaximumKnots)
     throw error(reading, token.begin,
-                fmt::format("spline with {} knot{}; expected from 2 to {}", knot_count,
+                fmt::format("{} with {} knot{}; expected from 2 to {}", kind, knot_count,
                             knot_count == 1 ? "" : "s", kMaximumKnots));
   std::vector<ConstantNumber> numbers;
   for (std::size_t i = 1; i < operands.size(); ++i) {
@@ -123,8 +174,8 @@ ExpressionReader::Operand ExpressionReader::spline(const Reading& reading, const
     const bool knot = i <= knot_count;
     if (number.value.dependence != Dependence::none)
       throw error(reading, number.begin,
-                  fmt::format("expected a constant as a {} of a spline, found '{}'", knot ? "knot" : "value",
-                              text_of(reading, number)),
+                  fmt::format("expected a constant as a {} of {} {}, found '{}'", knot ? "knot" : "value",
+                              kind == "linear" ? "the table" : "a", kind, text_of(reading, number)),
                   "numbers, pi and parameters that are folded in are constants");
     if (knot && i > 1 && !(number.value.initial > numbers.back().value))
       throw error(reading, number.begin,
@@ -134,11 +185,19 @@ ExpressionReader::Operand ExpressionReader::spline(const Reading& reading, const
   }
   try {
     const std::span<const ConstantNumber> all(numbers);
-    const NaturalSpline spline(all.first(knot_count), all.subspan(knot_count));
-    out.value.expr = spline(operands[0].value.expr);
-    out.value.initial = spline(operands[0].value.initial);
+    const auto use = [&](const auto& curve) {
+      out.value.expr = curve(operands[0].value.expr);
+      out.value.initial = curve(operands[0].value.initial);
+    };
+    if (kind == "spline") {
+      use(NaturalSpline(all.first(knot_count), all.subspan(knot_count)));
+    } else {
+      use(PiecewiseLinear(all.first(knot_count), all.subspan(knot_count)));
+      if (moves(out.value.dependence))
+        make_rough(out, fmt::format("'{}', whose pieces meet with a kink", text_of(reading, out)));
+    }
   } catch (const std::domain_error&) {
-    throw error(reading, token.begin, "the coefficients of this spline are out of range");
+    throw error(reading, token.begin, fmt::format("the coefficients of this {} are out of range", kind));
   }
   if (!std::isfinite(out.value.initial) && !std::isnan(operands[0].value.initial))
     throw error(reading, token.begin,

@@ -45,7 +45,8 @@ struct function_name : pegtl::identifier {};
 struct open_call : pegtl::seq<function_name, blank, pegtl::one<'('>> {};
 struct close_call : pegtl::one<')'> {};
 struct call : pegtl::if_must<open_call, blank, argument, pegtl::star<pegtl::if_must<symbol<','>, argument>>, close_call> {};
-struct open_spline : pegtl::seq<TAO_PEGTL_STRING("spline"), blank, pegtl::one<'('>> {};
+struct table_name : pegtl::sor<TAO_PEGTL_STRING("spline"), TAO_PEGTL_STRING("linear")> {};
+struct open_spline : pegtl::seq<table_name, blank, pegtl::one<'('>> {};
 struct items : pegtl::list_must<argument, symbol<','>> {};
 struct close_list : symbol<']'> {};
 struct bracketed : pegtl::if_must<symbol<'['>, items, close_list> {};
@@ -54,12 +55,14 @@ struct values : pegtl::sor<bracketed, items> {};
 struct semicolon : symbol<';'> {};
 struct close_spline : pegtl::one<')'> {};
 struct spline : pegtl::if_must<open_spline, blank, argument, semicolon, knots, semicolon, values, close_spline> {};
-struct referring : pegtl::seq<pegtl::sor<TAO_PEGTL_STRING("position"), pegtl::one<'d'>>, pegtl::not_at<pegtl::identifier_other>> {};
+struct referring_word : pegtl::sor<TAO_PEGTL_STRING("position"), TAO_PEGTL_STRING("velocity"), TAO_PEGTL_STRING("rotation"), TAO_PEGTL_STRING("angular_velocity"), TAO_PEGTL_STRING("length"), TAO_PEGTL_STRING("rate"), TAO_PEGTL_STRING("distance"), pegtl::one<'d'>> {};
+struct referring : pegtl::seq<referring_word, pegtl::not_at<pegtl::identifier_other>> {};
 struct open_reference : pegtl::seq<referring, blank, pegtl::one<'('>> {};
 struct referent : pegtl::identifier {};
 struct close_reference : pegtl::one<')'> {};
 struct part : pegtl::identifier {};
-struct reference : pegtl::seq<pegtl::if_must<open_reference, blank, referent, blank, close_reference>, pegtl::opt<pegtl::if_must<pegtl::seq<blank, pegtl::one<'.'>>, blank, part>>> {};
+struct second_referent : pegtl::identifier {};
+struct reference : pegtl::seq<pegtl::if_must<open_reference, blank, referent, blank, pegtl::opt<pegtl::if_must<symbol<','>, second_referent, blank>>, close_reference>, pegtl::opt<pegtl::if_must<pegtl::seq<blank, pegtl::one<'.'>>, blank, part>>> {};
 struct name : pegtl::identifier {};
 struct close_group : pegtl::one<')'> {};
 struct group : pegtl::if_must<symbol<'('>, expression, close_group> {};
@@ -116,9 +119,11 @@ constexpr const char* Expected::message<grammar::close_spline> = "an operator, '
 template <>
 constexpr const char* Expected::message<grammar::referent> = "a name";
 template <>
+constexpr const char* Expected::message<grammar::second_referent> = "a name";
+template <>
 constexpr const char* Expected::message<grammar::close_reference> = "')' after the name";
 template <>
-constexpr const char* Expected::message<grammar::part> = "x, y or z after the point";
+constexpr const char* Expected::message<grammar::part> = "a part such as x after the point";
 template <>
 constexpr const char* Expected::message<pegtl::eof> = "an operator or the end of the expression";
 
@@ -190,6 +195,14 @@ struct Action<grammar::referent> {
   static void apply(const Input& in, ParseState& state) {
     state.reference.referent = in.iterator().byte;
     state.reference.referent_end = state.reference.referent + in.size();
+  }
+};
+template <>
+struct Action<grammar::second_referent> {
+  template <typename Input>
+  static void apply(const Input& in, ParseState& state) {
+    state.reference.second = in.iterator().byte;
+    state.reference.second_end = state.reference.second + in.size();
   }
 };
 template <>
@@ -272,7 +285,8 @@ std::string note_for(std::string_view text, std::size_t offset) {
   if (c == '*' && offset > 0 && text[offset - 1] == '*') return "a power is written x^n";
   if (c == '.' && text.substr(0, offset).find_first_not_of(" \t\n\r") == std::string_view::npos)
     return "infinity and NaN are not values here";
-  if (c == '.' && offset > 0 && text[offset - 1] == ')') return "only d(NAME) and position(NAME) have parts";
+  if (c == '.' && offset > 0 && text[offset - 1] == ')')
+    return "only references such as d(NAME) and position(NAME) have parts";
   std::size_t end = offset;
   while (end > 0 && is_blank(text[end - 1])) --end;
   std::size_t begin = end;
@@ -312,8 +326,9 @@ std::optional<Operation> function_called(std::string_view name) {
 }
 
 int function_arity(std::string_view name) {
-  const std::optional<Operation> function = function_called(name);
-  return function ? operand_count(*function) : 0;
+  if (const std::optional<Operation> function = function_called(name)) return operand_count(*function);
+  const auto* const choosing = std::ranges::find(kChoosingFunctions, name, &ChoosingFunction::name);
+  return choosing == std::end(kChoosingFunctions) ? 0 : choosing->arguments;
 }
 
 const std::vector<std::string>& reserved_names() {

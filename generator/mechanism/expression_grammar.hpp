@@ -12,8 +12,8 @@
 
 namespace alembert {
 
-/// One operation of an expression in postfix order. A reference is `d(NAME)` or `position(NAME)`, with or
-/// without `.part`.
+/// One operation of an expression in postfix order. A reference is `d(NAME)`, `position(NAME)` and the like,
+/// with or without `.part`, or `distance(NAME, NAME)`. A spline is any table of knots and values.
 struct PostfixToken {
   enum class Kind {
     number,
@@ -37,6 +37,7 @@ struct PostfixToken {
   int arguments = 0;      ///< of a call; of a spline: its argument, knots and values together
   int knots = 0;          ///< of a spline
   std::size_t referent = 0, referent_end = 0;  ///< of a reference: the name in parentheses
+  std::size_t second = 0, second_end = 0;      ///< of a reference: the second name; 0: there is none
   std::size_t part = 0;  ///< of a reference: the word after its point, 0 if there is none
 };
 
@@ -54,10 +55,23 @@ inline constexpr std::size_t kMaximumExpressionLength = std::size_t{1} << 20;
 /// Throws SyntaxError.
 std::vector<PostfixToken> parse_expression(std::string_view text);
 
-/// The function that an expression may call by this name, if there is one.
+/// The operation that an expression may call by this name, if there is one.
 std::optional<Operation> function_called(std::string_view name);
-/// How many arguments it takes; 0: there is no such function.
+/// A function that is made of choices, of which `max(x, y)` is one: not smooth, and its name may name
+/// something else as well.
+struct ChoosingFunction {
+  std::string_view name;
+  int arguments;
+};
+inline constexpr ChoosingFunction kChoosingFunctions[] = {
+    {"min", 2}, {"max", 2}, {"clamp", 3}, {"step", 1}, {"smoothstep", 1}, {"select", 3}, {"sign", 1}};
+/// How many arguments a function takes; 0: there is no such function.
 int function_arity(std::string_view name);
+/// The tables of knots and values, the smooth one first.
+inline constexpr std::string_view kTables[] = {"spline", "linear"};
+/// What may stand before a name in parentheses, besides functions.
+inline constexpr std::string_view kReferences[] = {
+    "d", "position", "velocity", "rotation", "angular_velocity", "length", "rate", "distance"};
 /// Names that mean something in every description: functions, `pi` and `t`.
 const std::vector<std::string>& reserved_names();
 

@@ -1,5 +1,4 @@
-// Names in expressions: parameters, coordinates, definitions and time everywhere; in constraints also speeds
-// and positions of frames.
+// Names in expressions: parameters, coordinates, definitions and time everywhere, inputs in forces, and speeds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +12,7 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   const std::string_view text =
       std::string_view(reading.node.text).substr(token.begin, token.end - token.begin);
   Quantity out;
-  std::string_view kind = "the time";
+  std::string kind = "the time";
   if (text == "pi") {
     out.expr = graph_.pi();
     out.initial = 3.14159265358979323846;
@@ -21,7 +20,7 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   }
   for (const LocalName& local : locals_)
     if (local.name == text)
-      return {local.symbol, std::numeric_limits<double>::quiet_NaN(), Dependence::local, nullptr};
+      return {local.value, std::numeric_limits<double>::quiet_NaN(), local.dependence, nullptr};
   if (text == "t") {
     out.expr = graph_.symbol("t");
     out.dependence = Dependence::time;
@@ -29,9 +28,9 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
     if (text == "spline")
       throw error(reading, token.begin, "'spline' needs its argument, knots and values in parentheses",
                   "spline(x; [knots]; [values])");
-    if (function_arity(text) > 0)
-      throw error(reading, token.begin, fmt::format("function '{}' needs its argument in parentheses", text));
     NameEntry* entry = scope_.find(text);
+    if (entry == nullptr && function_arity(text) > 0)
+      throw error(reading, token.begin, fmt::format("function '{}' needs its argument in parentheses", text));
     if (entry == nullptr) {
       NameEntry* coordinate = coordinate_of_speed(reading, token.begin, text);
       if (coordinate == nullptr) throw unknown_name(reading, token.begin, text);
@@ -53,7 +52,7 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
                               entry->where.line));
     out = entry->value;
     if (coordinate_here) out.dependence = Dependence::coordinate;
-    kind = noun(entry->kind);
+    kind = a_noun(entry->kind);
     if (out.roughness != nullptr)
       out.roughness = std::make_shared<const Roughness>(Roughness{
           token.begin,
@@ -64,8 +63,7 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   }
   const auto refuse = [&](std::string_view why) {
     return error(reading, token.begin,
-                 fmt::format("{} may not depend on {}: '{}' is {}{}", reading.what, why, text,
-                             text == "t" ? "" : "a ", kind));
+                 fmt::format("{} may not depend on {}: '{}' is {}", reading.what, why, text, kind));
   };
   if (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters) {
     if (includes(out.dependence, Dependence::coordinate)) throw refuse("coordinates");
@@ -73,6 +71,9 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   }
   if (reading.allowed == Allowed::constants && includes(out.dependence, Dependence::runtime_parameter))
     throw refuse("runtime parameters");
+  const bool inputs = reading.allowed == Allowed::motion || reading.allowed == Allowed::potential ||
+                      reading.allowed == Allowed::force;
+  if (!inputs && includes(out.dependence, Dependence::input)) throw refuse("inputs, as only forces do");
   return out;
 }
 
@@ -81,7 +82,7 @@ InputError ExpressionReader::unknown_name(const Reading& reading, std::size_t of
   std::vector<std::string> candidates = scope_.names();
   candidates.insert(candidates.end(), {"pi", "t"});
   for (const LocalName& local : locals_) candidates.push_back(local.name);
-  if (reading.allowed == Allowed::pfaffian)
+  if (reading.allowed == Allowed::pfaffian || reading.allowed == Allowed::force)
     for (const std::string& coordinate : scope_.coordinate_names()) candidates.push_back("qd_" + coordinate);
   std::string note;
   if (name == "nan" || name == "inf" || name == "infinity" || name == "NaN")
@@ -118,7 +119,7 @@ Quantity ExpressionReader::speed(const Reading& reading, const PostfixToken& tok
                             did_you_mean(name, scope_.coordinate_names())));
   if (entry->index < 0)
     throw error(reading, token.referent,
-                fmt::format("'{}' is a {}; d() is the speed of a coordinate", name, noun(entry->kind)));
+                fmt::format("'{}' is {}; d() is the speed of a coordinate", name, a_noun(entry->kind)));
   return speed_of(reading, token.begin, *entry, part);
 }
 
@@ -126,10 +127,10 @@ Quantity ExpressionReader::speed_of(const Reading& reading, std::size_t offset, 
                                     std::string_view part) const {
   const Coordinate& coordinate = mechanism_.coordinates[static_cast<std::size_t>(entry.index)];
   const std::string& name = coordinate.name;
-  if (reading.allowed != Allowed::pfaffian)
+  if (reading.allowed != Allowed::pfaffian && reading.allowed != Allowed::force)
     throw error(reading, offset,
                 fmt::format("{} may not depend on speeds: this is the speed of '{}'", reading.what, name),
-                "speeds stand in the rows of pfaffian constraints only");
+                "speeds stand in the rows of pfaffian constraints and in forces only");
   std::size_t index = 0;
   switch (coordinate.type) {
     case CoordinateType::real:
@@ -147,52 +148,8 @@ Quantity ExpressionReader::speed_of(const Reading& reading, std::size_t offset, 
   entry.used = true;
   Quantity out;
   out.expr = coordinate.speed_symbols[index];
+  out.initial = coordinate.initial_speed[index];
   out.dependence = Dependence::speed;
-  return out;
-}
-
-void ExpressionReader::declare_last_frame() {
-  const int index = static_cast<int>(mechanism_.frames.size()) - 1;
-  frames_.emplace(mechanism_.frames.back().name, DeclaredFrame{index});
-}
-
-Quantity ExpressionReader::position(const Reading& reading, const PostfixToken& token) {
-  const std::string_view text = reading.node.text;
-  const std::string_view name = text.substr(token.referent, token.referent_end - token.referent);
-  const std::string_view part =
-      token.part == 0 ? std::string_view() : text.substr(token.part, token.close - token.part);
-  if (reading.allowed != Allowed::holonomic)
-    throw error(reading, token.begin,
-                fmt::format("{} may not depend on the position of a frame", reading.what),
-                "positions stand in the equations of holonomic constraints only");
-  const auto found = frames_.find(name);
-  if (found == frames_.end()) {
-    std::vector<std::string> names;
-    for (const auto& [known, frame] : frames_) names.push_back(known);
-    const auto& bodies = mechanism_.bodies;
-    const bool body =
-        std::any_of(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
-    throw error(
-        reading, token.referent,
-        fmt::format("unknown frame '{}'{}", printable(name), did_you_mean(name, names)),
-        body ? fmt::format("to use the origin of a body, add a frame: {{name: {0}, body: {0}}}", name) : "");
-  }
-  const std::size_t axis = std::string_view("xyz").find(part);
-  if (part.size() != 1 || axis == std::string_view::npos)
-    throw error(reading, token.begin,
-                fmt::format("the position of frame '{0}' has the parts position({0}).x, .y and .z", name));
-  DeclaredFrame& frame = found->second;
-  if (frame.position < 0) {
-    frame.position = static_cast<int>(mechanism_.frame_positions.size());
-    FramePosition position{frame.index, {}};
-    for (std::size_t i = 0; i < 3; ++i)
-      position.symbols[i] = graph_.symbol(fmt::format("position({}).{}", name, "xyz"[i]));
-    mechanism_.frame_positions.push_back(position);
-  }
-  Quantity out;
-  out.expr = mechanism_.frame_positions[static_cast<std::size_t>(frame.position)].symbols[axis];
-  out.initial = std::numeric_limits<double>::quiet_NaN();
-  out.dependence = Dependence::coordinate;
   return out;
 }
 

@@ -58,12 +58,9 @@ Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::stri
       case PostfixToken::Kind::name:
         stack.push_back({name(reading, token), token.begin, token.end});
         break;
-      case PostfixToken::Kind::reference: {
-        const bool of_speed = node.text[token.begin] == 'd';
-        stack.push_back(
-            {of_speed ? speed(reading, token) : position(reading, token), token.begin, token.close});
+      case PostfixToken::Kind::reference:
+        stack.push_back({reference(reading, token), token.begin, token.close});
         break;
-      }
       case PostfixToken::Kind::group:
         stack.back().begin = token.begin;
         stack.back().end = token.end;
@@ -79,7 +76,7 @@ Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::stri
         const std::vector<Operand> arguments(stack.begin() + static_cast<std::ptrdiff_t>(first), stack.end());
         stack.resize(first);
         stack.push_back(token.kind == PostfixToken::Kind::call ? call(reading, token, arguments)
-                                                               : spline(reading, token, arguments));
+                                                               : table(reading, token, arguments));
         break;
       }
       case PostfixToken::Kind::add:
@@ -118,6 +115,14 @@ Vec3 ExpressionReader::read_point(const YamlNode& node, std::vector<LocalName> n
   return point;
 }
 
+Quantity ExpressionReader::read_with(const YamlNode& node, std::vector<LocalName> names, Allowed allowed,
+                                     std::string_view what) {
+  locals_ = std::move(names);
+  Quantity value = read(node, allowed, what);
+  locals_.clear();
+  return value;
+}
+
 Quantity ExpressionReader::number(const Reading& reading, const PostfixToken& token) const {
   const char* begin = reading.node.text.data() + token.begin;
   const char* end = reading.node.text.data() + token.end;
@@ -140,8 +145,9 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
   const Expr x = a.value.expr, y = b.value.expr;
   const double u = a.value.initial, v = b.value.initial;
   double& value = out.value.initial;
-  const bool speeds_left = includes(a.value.dependence, Dependence::speed);
-  const bool speeds_right = includes(b.value.dependence, Dependence::speed);
+  const bool linear = reading.allowed == Allowed::pfaffian;
+  const bool speeds_left = linear && includes(a.value.dependence, Dependence::speed);
+  const bool speeds_right = linear && includes(b.value.dependence, Dependence::speed);
   if (token.kind == PostfixToken::Kind::multiply && speeds_left && speeds_right)
     throw not_linear(reading, out, "is a product of speeds");
   if (token.kind == PostfixToken::Kind::divide && speeds_right)

@@ -24,6 +24,8 @@ enum class Allowed {
   transform,   ///< as motion, and must be twice differentiable
   pfaffian,    ///< as transform, and linear in the speeds
   holonomic,   ///< as transform, and positions of frames
+  potential,   ///< as motion, and inputs, positions and rotations of frames, and lengths of paths
+  force,       ///< and speeds, and whatever moves with them
 };
 
 class ExpressionReader {
@@ -39,12 +41,24 @@ class ExpressionReader {
   /// A name that only some expressions know, and its symbol.
   struct LocalName {
     std::string name;
-    Expr symbol;
+    Expr value;
+    Dependence dependence = Dependence::local;
   };
+  /// As read, with names that only this expression knows.
+  Quantity read_with(const YamlNode& node, std::vector<LocalName> names, Allowed allowed,
+                     std::string_view what);
   /// As read_vector, over constants, runtime parameters and the names given.
   Vec3 read_point(const YamlNode& node, std::vector<LocalName> names, std::string_view what);
   /// Makes the last frame of the mechanism known to expressions.
   void declare_last_frame();
+  /// Makes a path known to expressions, by its length and what stands for the length's rate.
+  void declare_path(const std::string& name, Expr length, Expr rate);
+  /// The frame of that name, an index into Mechanism::frames. Throws if there is none.
+  int expect_frame(const YamlNode& name, std::string_view what);
+  /// A quantity of a frame; its symbols are noted in the mechanism.
+  const std::vector<Expr>& frame_symbols(int frame, FrameQuantity quantity);
+  /// The distance between the origins of two frames.
+  Expr distance(int from, int to);
 
   const Document& document() const { return document_; }
   ExprGraph& graph() const { return graph_; }
@@ -65,7 +79,11 @@ class ExpressionReader {
   Quantity number(const Reading& reading, const PostfixToken& token) const;
   Quantity name(const Reading& reading, const PostfixToken& token) const;
   Quantity speed(const Reading& reading, const PostfixToken& token) const;
-  Quantity position(const Reading& reading, const PostfixToken& token);
+  Quantity reference(const Reading& reading, const PostfixToken& token);
+  Quantity of_frame(const Reading& reading, const PostfixToken& token, FrameQuantity quantity);
+  Quantity of_path(const Reading& reading, const PostfixToken& token, bool rate) const;
+  int frame_called(const Reading& reading, std::size_t begin, std::size_t end) const;
+  void check_reference(const Reading& reading, const PostfixToken& token, bool speeds) const;
   /// The entry of the coordinate whose speed is called `name` (qd_NAME; qd1 for q1), or null.
   NameEntry* coordinate_of_speed(const Reading& reading, std::size_t offset, std::string_view name) const;
   Quantity speed_of(const Reading& reading, std::size_t offset, NameEntry& coordinate,
@@ -74,8 +92,9 @@ class ExpressionReader {
   Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
   Operand call(const Reading& reading, const PostfixToken& token,
                const std::vector<Operand>& arguments) const;
-  Operand spline(const Reading& reading, const PostfixToken& token,
-                 const std::vector<Operand>& operands) const;
+  Operand table(const Reading& reading, const PostfixToken& token,
+                const std::vector<Operand>& operands) const;
+  static void choose(std::string_view function, const std::vector<Operand>& arguments, Operand& result);
   void check_power(const Reading& reading, const Operand& base, const Operand& exponent,
                    Operand& result) const;
   void check_call(const Reading& reading, std::string_view function, const Operand& x, Operand& result) const;
@@ -90,12 +109,13 @@ class ExpressionReader {
   ExprGraph& graph_;
   Scope& scope_;
   Mechanism& mechanism_;
-  struct DeclaredFrame {
-    int index;          ///< in Mechanism::frames
-    int position = -1;  ///< in Mechanism::frame_positions, if it is used
+  struct Path {
+    Expr length, rate;
   };
   std::vector<LocalName> locals_;
-  std::map<std::string, DeclaredFrame, std::less<>> frames_;
+  std::map<std::string, int, std::less<>> frames_;  ///< indices into Mechanism::frames
+  std::map<std::string, Path, std::less<>> paths_;
+  std::map<std::pair<int, FrameQuantity>, std::size_t> frame_symbols_;  ///< where they are in the mechanism
 };
 
 }  // namespace alembert

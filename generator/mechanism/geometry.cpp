@@ -63,7 +63,7 @@ struct ShapeReader {
     return {name, loading.graph.symbol(name)};
   }
   void expect_along(const YamlNode& point, const ExpressionReader::LocalName& name) const {
-    if (!depends_on(shape.point, name.symbol))
+    if (!depends_on(shape.point, name.value))
       throw InputError(
           loading.document.where(point),
           fmt::format("the point does not move with '{}', along which {} lies", name.name, what));
@@ -84,7 +84,7 @@ struct ShapeReader {
     const Section section(loading.document, node, what, {"curve", "along", "range", "radius"});
     const ExpressionReader::LocalName along = local_name(section.require("along"));
     const YamlNode& curve = section.require("curve");
-    shape.u = along.symbol;
+    shape.u = along.value;
     shape.point = loading.reader.read_point(curve, {along}, fmt::format("the curve of {}", what));
     expect_along(curve, along);
     shape.u_range = range(section.require("range"));
@@ -100,8 +100,8 @@ struct ShapeReader {
       throw InputError(document.where(*names[1]),
                        fmt::format("'{}' twice; a surface lies along two different names", u.name));
     const YamlNode& point = section.require("point");
-    shape.u = u.symbol;
-    shape.v = v.symbol;
+    shape.u = u.value;
+    shape.v = v.value;
     shape.point = loading.reader.read_point(point, {u, v}, fmt::format("the point of {}", what));
     expect_along(point, u);
     expect_along(point, v);

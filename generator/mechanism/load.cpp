@@ -5,9 +5,12 @@
 
 #include "mechanism/bodies.hpp"
 #include "mechanism/constraint_reader.hpp"
+#include "mechanism/coordinate_forces.hpp"
 #include "mechanism/coordinates.hpp"
 #include "mechanism/document.hpp"
+#include "mechanism/force_reader.hpp"
 #include "mechanism/inertia_checks.hpp"
+#include "mechanism/inputs.hpp"
 #include "mechanism/loading.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
@@ -84,15 +87,17 @@ Vec3 read_gravity(Loading& loading, const YamlNode* node) {
 
 }  // namespace
 
-Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph) {
-  return load_mechanism(Document(std::move(source)), graph);
+Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& graph,
+                         const std::vector<InputExpression>& inputs) {
+  return load_mechanism(Document(std::move(source)), graph, {}, inputs);
 }
 
-Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<const double> start) {
+Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<const double> start,
+                         const std::vector<InputExpression>& input_expressions) {
   check_version(document, document.root());
   const Section root(document, document.root(), "the description",
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",
-                      "definitions", "bodies", "frames", "constraints"});
+                      "definitions", "bodies", "frames", "constraints", "inputs", "forces"});
   root.require("alembert");
 
   Loading loading(document, graph);
@@ -116,16 +121,22 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
 
   // All names first, so that a name used too early is told from an unknown one.
   if (parameters != nullptr) declare_keys(loading, *parameters, "the parameters", NameKind::parameter);
+  const YamlNode* inputs = root.find("inputs");
+  if (inputs != nullptr) declare_inputs(loading, *inputs);
   declare_coordinates(loading, coordinates);
   if (definitions != nullptr) declare_keys(loading, *definitions, "the definitions", NameKind::definition);
 
   if (parameters != nullptr) read_parameters(loading, *parameters);
+  if (inputs != nullptr) read_inputs(loading, *inputs);
   read_coordinate_values(loading, coordinates, start);
+  for (const InputExpression& input : input_expressions) replace_input(loading, input.name, input.source);
   mechanism.gravity = read_gravity(loading, root.find("gravity"));
   if (definitions != nullptr) read_definitions(loading, *definitions);
   read_bodies(loading, bodies);
   if (const YamlNode* frames = root.find("frames")) read_frames(loading, *frames);
   if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
+  read_coordinate_forces(loading, coordinates);
+  if (const YamlNode* forces = root.find("forces")) read_forces(loading, *forces);
   check_matrices(loading);
   check_inertias(loading);
   loading.scope.check_used();

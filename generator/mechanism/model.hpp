@@ -22,6 +22,10 @@ struct Parameter {
   double value = 0;      ///< default, if runtime
   bool runtime = false;  ///< stays an argument of the generated functions
   SourceLocation where;
+  /// What a controller or a player sets from step to step: behind all others, always at runtime. Only forces
+  /// depend on it.
+  bool input = false;
+  std::optional<std::pair<double, double>> limits = {};
 };
 
 enum class CoordinateType { real, quaternion };
@@ -38,10 +42,11 @@ struct Coordinate {
   std::vector<double> initial;        ///< size nq
   std::vector<double> initial_speed;  ///< size nv
   std::optional<std::pair<double, double>> limits;
-  Expr armature;                    ///< inertia of its own to every speed: constant, or of runtime parameters
-  std::vector<Expr> symbols;        ///< size nq: q
-  std::vector<Expr> speed_symbols;  ///< size nv: d(name), or d(name).x .y .z
-  std::vector<Expr> rate_symbols;   ///< size nv: dd(name), or dd(name).x .y .z
+  Expr armature;  ///< inertia of its own to every speed: constant, or of runtime parameters
+  std::optional<double> effort_limit, speed_limit;  ///< magnitudes; the equations do not enforce them
+  std::vector<Expr> symbols;                        ///< size nq: q
+  std::vector<Expr> speed_symbols;                  ///< size nv: d(name), or d(name).x .y .z
+  std::vector<Expr> rate_symbols;                   ///< size nv: dd(name), or dd(name).x .y .z
   SourceLocation where;
 };
 
@@ -147,11 +152,21 @@ struct Frame {
   SourceLocation where;
 };
 
-/// World position of the origin of a frame, as `position(frame).x .y .z` in the equations of a constraint.
-/// The symbols stand in its place until the kinematics are known.
-struct FramePosition {
-  int frame;  ///< index into Mechanism::frames
-  Vec3 symbols;
+/// What expressions say of frames, in world axes: `position(frame).x .y .z` and the origin's velocity, the
+/// entries of the rotation `.xx .xy ... .zz` (row, column), and the angular velocity.
+enum class FrameQuantity { position, velocity, rotation, angular_velocity };
+
+/// Such a quantity of a frame. The symbols stand in its place until the kinematics are known.
+struct FrameSymbols {
+  FrameQuantity quantity;
+  int frame;                  ///< index into Mechanism::frames
+  std::vector<Expr> symbols;  ///< 3, or 9 row by row
+};
+
+/// The distance between the origins of two frames, for which the symbol `distance(from, to)` stands.
+struct FrameDistance {
+  int from, to;  ///< indices into Mechanism::frames
+  Expr symbol;
 };
 
 enum class ConstraintType {
@@ -164,10 +179,32 @@ struct Constraint {
   std::string name;
   ConstraintType type = ConstraintType::holonomic;
   std::vector<Expr> equations;  ///< pfaffian: over coordinates, speed symbols and t; holonomic: coordinates,
-                                ///< t, and Mechanism::frame_positions; rolling: none
+                                ///< t, and positions of Mechanism::frame_symbols; rolling: none
   int body = -1;                ///< rolling: the body whose transform has the mate, ...
   std::size_t factor = 0;       ///< ... and which factor that is
   std::size_t rows() const { return type == ConstraintType::rolling ? 2 : equations.size(); }
+  SourceLocation where;
+};
+
+enum class ForceKind {
+  on_speed,   ///< added along a speed
+  potential,  ///< minus its derivative along every speed; counts as potential energy
+  path,       ///< a line of a tension, from frame to frame, that is to be shorter
+  wrench,     ///< force at the origin of a frame and torque on it
+};
+
+/// What acts besides gravity and external wrenches: expressions over coordinates, speeds, t, runtime
+/// parameters, inputs, Mechanism::frame_symbols and distances.
+struct Force {
+  std::string name;
+  ForceKind kind = ForceKind::on_speed;
+  int speed = -1;          ///< on_speed: which one
+  Expr value;              ///< on_speed: the generalized force; potential: J; path: the tension, N
+  Expr length;             ///< path: over Mechanism::distances
+  Expr rate;               ///< path: the symbol that stands for the rate of the length
+  int frame = -1;          ///< wrench: index into Mechanism::frames
+  bool frame_axes = true;  ///< wrench: in the axes of the frame, else in the world's
+  Vec3 force, torque;
   SourceLocation where;
 };
 
@@ -180,8 +217,10 @@ struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Frame> frames;
   std::vector<Constraint> constraints;
-  std::vector<FramePosition> frame_positions;  ///< those that constraints use
-  Expr time;                                   ///< the symbol t
+  std::vector<Force> forces;                ///< those of coordinates (damping, friction, stiffness) first
+  std::vector<FrameSymbols> frame_symbols;  ///< those that constraints and forces use
+  std::vector<FrameDistance> distances;     ///< likewise
+  Expr time;                                ///< the symbol t
   int nq = 0, nv = 0;
   Warnings warnings;  ///< what is doubtful in the description
   SourceLocation where;

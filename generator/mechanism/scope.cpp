@@ -15,6 +15,8 @@ std::string_view noun(NameKind kind) {
       return "parameter";
     case NameKind::runtime_parameter:
       return "runtime parameter";
+    case NameKind::input:
+      return "input";
     case NameKind::coordinate:
       return "coordinate";
     case NameKind::quaternion:
@@ -25,8 +27,12 @@ std::string_view noun(NameKind kind) {
   return {};
 }
 
+std::string a_noun(NameKind kind) {
+  return fmt::format("{} {}", kind == NameKind::input ? "an" : "a", noun(kind));
+}
+
 NameEntry& Scope::declare(const Document& document, const YamlNode& name, NameKind kind) {
-  const std::string& text = expect_name(document, name, fmt::format("a {}", noun(kind)));
+  const std::string& text = expect_name(document, name, a_noun(kind));
   const SourceLocation where = document.where(name);
   const std::vector<std::string>& reserved = reserved_names();
   if (std::find(reserved.begin(), reserved.end(), text) != reserved.end()) {
@@ -35,7 +41,7 @@ NameEntry& Scope::declare(const Document& document, const YamlNode& name, NameKi
   }
   const auto [entry, inserted] = entries_.try_emplace(text, NameEntry{kind, where, {}, false, false, -1});
   if (!inserted)
-    throw InputError(where, fmt::format("'{}' is already a {} (line {})", text, noun(entry->second.kind),
+    throw InputError(where, fmt::format("'{}' is already {} (line {})", text, a_noun(entry->second.kind),
                                         entry->second.where.line));
   in_order_.push_back(&*entry);
   return entry->second;

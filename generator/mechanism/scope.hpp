@@ -21,7 +21,8 @@ enum class Dependence : unsigned {
   coordinate = 2,
   time = 4,
   speed = 8,
-  local = 16
+  local = 16,
+  input = 32
 };
 constexpr Dependence operator|(Dependence a, Dependence b) {
   return static_cast<Dependence>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -50,9 +51,11 @@ struct Quantity {
   std::shared_ptr<const Roughness> roughness;  ///< null if the value may be used for a transform
 };
 
-enum class NameKind { parameter, runtime_parameter, coordinate, quaternion, definition };
+enum class NameKind { parameter, runtime_parameter, input, coordinate, quaternion, definition };
 /// `parameter 'r'`, `coordinate 'q'` ...
 std::string_view noun(NameKind kind);
+/// `a parameter`, `an input` ...
+std::string a_noun(NameKind kind);
 
 struct NameEntry {
   NameKind kind;

@@ -19,8 +19,8 @@ SymbolsBelow::SymbolsBelow(const ExprGraph& graph, const Mechanism& mechanism)
     for (const Expr& symbol : mechanism.coordinates[i].speed_symbols)
       kind_of[index(symbol)] = Dependence::speed;
   }
-  for (const FramePosition& position : mechanism.frame_positions)
-    for (const Expr& symbol : position.symbols.entries) kind_of[index(symbol)] = Dependence::coordinate;
+  for (const FrameSymbols& of_frame : mechanism.frame_symbols)
+    for (const Expr& symbol : of_frame.symbols) kind_of[index(symbol)] = Dependence::coordinate;
 
   for (std::uint32_t id = 0; id < graph.size(); ++id) {
     const Node& node = graph.node(id);

@@ -98,6 +98,10 @@ Interval absolute(Interval x) {
   return {0, std::max(-x.lower, x.upper)};
 }
 
+Interval with_zero(Interval x) {
+  return {x.lower < 0 ? x.lower : 0, x.upper > 0 ? x.upper : 0};
+}
+
 Interval power(Interval x, Interval y) {
   if (!(x.lower > 0)) return x.lower >= 0 ? Interval{0, kInfinity} : kWhole;
   if (x.lower != x.upper || y.lower != y.upper) return {0, kInfinity};

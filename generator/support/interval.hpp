@@ -34,6 +34,8 @@ Interval square(Interval x);
 Interval reciprocal(Interval x);
 Interval root(Interval x);
 Interval absolute(Interval x);
+/// The smallest interval that holds x and 0.
+Interval with_zero(Interval x);
 Interval power(Interval x, Interval y);
 /// The cosine, or the sine.
 Interval wave(bool cosine, Interval x);

@@ -40,9 +40,11 @@ enum class Operation : std::uint8_t {
   sinh,
   cosh,
   tanh,
-  pow,  ///< a^b where b is no integer (integers become products)
-  sub,  ///< programs: a - b
-  neg,  ///< programs: -a
+  pow,              ///< a^b where b is no integer (integers become products)
+  if_positive,      ///< b where a > 0, else 0, whatever b is there
+  unless_positive,  ///< 0 where a > 0, else b
+  sub,              ///< programs: a - b
+  neg,              ///< programs: -a
   constant = real,
   input = symbol,
 };
@@ -55,7 +57,7 @@ enum class Parity { odd, even, none };
 enum class Counted { free, add, mul, div, trig, other };
 
 /// Its value in a finite field: exact, by the rational parametrisation of the circle or of the hyperbola, or
-/// a hash of the operands that keeps the parity.
+/// a hash of the operands that keeps the parity. What is chosen is linear in what there is to choose.
 enum class FieldValue {
   exact,
   sine,
@@ -64,7 +66,8 @@ enum class FieldValue {
   hyperbolic_sine,
   hyperbolic_cosine,
   hyperbolic_tangent,
-  opaque
+  opaque,
+  chosen  ///< the second operand times a hash h of the first, or times 1 - h
 };
 
 /// A computed value and a bound on its distance to the exact value, to first order.
@@ -91,6 +94,16 @@ Real sign_of(const Real& x) {
   return Real((x > 0 ? 1 : 0) - (x < 0 ? 1 : 0));
 }
 
+/// `x` where c > 0, else 0; and the other way round. Without a branch where the compiler can.
+template <class Real>
+Real if_positive(const Real& c, const Real& x) {
+  return c > 0 ? x : Real(0);
+}
+template <class Real>
+Real unless_positive(const Real& c, const Real& x) {
+  return c > 0 ? Real(0) : x;
+}
+
 /// The rows. `value(a, b)` in any arithmetic that has the functions of <cmath>; `partial(one, a, b, v, slot)`
 /// for v = value(a, b), by a (slot 0) or b (slot 1), of anything that has the operations; `bounds(a, b)` of
 /// intervals; `carried(a, b, v)`: what errors of the operands become through the derivative, infinite where
@@ -98,7 +111,7 @@ Real sign_of(const Real& x) {
 namespace rows {
 
 inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
-inline constexpr unsigned kDivision = 4, kRoot = 5, kFunction = 12;
+inline constexpr unsigned kDivision = 4, kRoot = 5, kFunction = 12, kChoice = 2;
 inline constexpr double kFunctionRoundings =
     4;  // functions of the C library are within a few units in the last place
 
@@ -372,9 +385,48 @@ struct Pow {
   }
 };
 
+/// What both choices have in common.
+constexpr OperationFacts choice(Operation op, std::string_view name) {
+  return {op, name, 2, Counted::other, kChoice, 0, false, Parity::none, FieldValue::chosen};
+}
+constexpr bool is_decided(Approximate condition) {
+  return condition.error == 0 || condition.value > condition.error || condition.value < -condition.error;
+}
+struct IfPositive {
+  static constexpr OperationFacts facts = choice(Operation::if_positive, "if_positive");
+  static auto value(const auto& a, const auto& b) { return if_positive(a, b); }
+  static auto partial(const auto& one, const auto& a, const auto&, const auto&, int slot) {
+    return slot == 0 ? one - one : if_positive(a, one);
+  }
+  static Interval bounds(Interval a, Interval b) {
+    if (a.lower > 0) return b;
+    return a.upper <= 0 ? Interval{0, 0} : interval::with_zero(b);
+  }
+  static double carried(Approximate a, Approximate b, double) {
+    if (is_decided(a)) return a.value > 0 ? b.error : 0;
+    return std::abs(b.value) + b.error;
+  }
+};
+struct UnlessPositive {
+  static constexpr OperationFacts facts = choice(Operation::unless_positive, "unless_positive");
+  static auto value(const auto& a, const auto& b) { return unless_positive(a, b); }
+  static auto partial(const auto& one, const auto& a, const auto&, const auto&, int slot) {
+    return slot == 0 ? one - one : unless_positive(a, one);
+  }
+  static Interval bounds(Interval a, Interval b) {
+    if (a.lower > 0) return {0, 0};
+    return a.upper <= 0 ? b : interval::with_zero(b);
+  }
+  static double carried(Approximate a, Approximate b, double) {
+    if (is_decided(a)) return a.value > 0 ? 0 : b.error;
+    return std::abs(b.value) + b.error;
+  }
+};
+
 /// Those that most steps are come first.
 using All = std::tuple<Mul, Add, Sub, Neg, Div, Sin, Cos, SymbolLeaf, RealLeaf, RationalLeaf, PiMultipleLeaf,
-                       Sqrt, Tan, Asin, Acos, Atan, Atan2, Exp, Log, Abs, Sign, Sinh, Cosh, Tanh, Pow>;
+                       Sqrt, Tan, Asin, Acos, Atan, Atan2, Exp, Log, Abs, Sign, Sinh, Cosh, Tanh, Pow,
+                       IfPositive, UnlessPositive>;
 
 template <class Result, class Use, class... Rows>
 constexpr Result use(Operation op, Result otherwise, const Use& with, std::tuple<Rows...>*) {
@@ -424,6 +476,11 @@ constexpr bool is_leaf(Operation op) {
 /// True for what is written as a call: sin(x), not a + b.
 constexpr bool is_call(Operation op) {
   return facts(op).counted == Counted::trig || facts(op).counted == Counted::other;
+}
+
+/// True for a choice between an operand and 0.
+constexpr bool is_choice(Operation op) {
+  return facts(op).field == FieldValue::chosen;
 }
 
 /// True for what the C library computes, whose rounding differs between machines; the others are rounded

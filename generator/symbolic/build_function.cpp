@@ -152,6 +152,28 @@ Ref Builder::signum(Ref x) {
   return signed_as(intern(Operation::sign, x, Ref()), negative);
 }
 
+// Conditions lose positive factors, choices their sign, and a choice among what is chosen already by the same
+// condition is none.
+Ref Builder::choice(Operation wanted, Ref condition, Ref x) {
+  if (x == kZero) return kZero;
+  const bool negative = x.negative();
+  x = magnitude(x);
+  for (Node n = node(condition); n.op == Operation::mul && graph.bounds(n.a).lower > 0 && constant(n.a);
+       n = node(condition))
+    condition = signed_as(n.b, condition.negative());
+  const bool if_positive = wanted == Operation::if_positive;
+  const Interval range = graph.bounds(condition);
+  if (range.lower > 0) return if_positive ? signed_as(x, negative) : kZero;
+  if (range.upper <= 0) return if_positive ? kZero : signed_as(x, negative);
+  const auto chosen = [&](Ref part) { return is_choice(op(part)) && node(part).a == condition; };
+  const Node n = node(x);
+  for (const Ref part : {x, n.op == Operation::mul ? n.a : x, n.op == Operation::mul ? n.b : x}) {
+    if (!chosen(part)) continue;
+    return op(part) == wanted ? signed_as(x, negative) : kZero;
+  }
+  return signed_as(intern(wanted, condition, x), negative);
+}
+
 Ref Builder::exponential(Ref x) {
   if (x == kZero) return kOne;
   if (op(x) == Operation::log && !x.negative()) return node(x).a;

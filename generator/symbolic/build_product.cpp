@@ -56,6 +56,9 @@ Ref Builder::product(Ref a, Ref b) {
   const Nested nested(*this);
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+    if (is_choice(op(one)) && node(one).b == kOne)
+      return signed_as(choice(op(one), node(one).a, other), negative);
 
   if (constant(a)) {
     if (const auto found = constant_product(a, b)) return signed_as(*found, negative);

@@ -25,6 +25,7 @@ struct Builder {
   Ref quotient(Ref a, Ref b);
   Ref function(Operation op, Ref x);
   Ref arctangent2(Ref y, Ref x);
+  Ref choice(Operation wanted, Ref condition, Ref x);
   Ref power(Ref x, Ref y);
   Ref integer_power(Ref x, std::int64_t n);
 

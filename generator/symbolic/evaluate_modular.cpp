@@ -102,6 +102,9 @@ std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
     } else if (node.op == Operation::sqrt) {
       const std::optional<Modular> found = root(a);
       value = found ? *found : Modular{hash(node.op, a), 0};
+    } else if (is_choice(node.op)) {
+      const Modular taken{hash(Operation::if_positive, a), 0};
+      value = multiply(b, node.op == Operation::if_positive ? taken : add({1, 0}, negate(taken)));
     } else if (facts(node.op).field != FieldValue::opaque) {
       value = on_curve(node.op, a);
     } else if (parity(node.op) == Parity::odd) {

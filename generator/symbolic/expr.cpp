@@ -135,6 +135,12 @@ Expr cosh(Expr x) {
 Expr tanh(Expr x) {
   return apply(Operation::tanh, x);
 }
+Expr if_positive(Expr c, Expr x) {
+  return apply(Operation::if_positive, c, x);
+}
+Expr unless_positive(Expr c, Expr x) {
+  return apply(Operation::unless_positive, c, x);
+}
 Expr pow(Expr x, Expr y) {
   return apply(Operation::pow, x, y);
 }
@@ -325,6 +331,7 @@ Ref ExprGraph::make(Operation op, Ref a, Ref b) {
   if (op == Operation::neg) return -a;
   if (op == Operation::atan2) return builder.arctangent2(a, b);
   if (op == Operation::pow) return builder.power(a, b);
+  if (is_choice(op)) return builder.choice(op, a, b);
   if (operand_count(op) == 1) return builder.function(op, a);
   throw std::logic_error("constants and symbols are not made from operands");
 }

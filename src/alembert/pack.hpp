@@ -215,6 +215,22 @@ inline Pack sign(const Pack& a) {
   return Pack::load(x);
 }
 
+/// x where c > 0, else 0; and the other way round.
+inline Pack if_positive(const Pack& c, const Pack& x) {
+  double condition[Pack::kLanes], value[Pack::kLanes];
+  c.store(condition);
+  x.store(value);
+  for (int i = 0; i < Pack::kLanes; ++i) value[i] = condition[i] > 0 ? value[i] : 0;
+  return Pack::load(value);
+}
+inline Pack unless_positive(const Pack& c, const Pack& x) {
+  double condition[Pack::kLanes], value[Pack::kLanes];
+  c.store(condition);
+  x.store(value);
+  for (int i = 0; i < Pack::kLanes; ++i) value[i] = condition[i] > 0 ? 0 : value[i];
+  return Pack::load(value);
+}
+
 /// Sines and cosines of n packs of angles, within 1 ulp.
 inline void sines_and_cosines(int n, const Pack* angle, Pack* sine, Pack* cosine) {
   const int count = n * Pack::kLanes;

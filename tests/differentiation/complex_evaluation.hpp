@@ -61,6 +61,10 @@ inline std::complex<double> complex_value(const ExprGraph& graph, std::uint32_t 
       return a.real() < 0 ? -a : a;
     case Operation::sign:
       return a.real() < 0 ? -1.0 : a.real() > 0 ? 1.0 : 0.0;
+    case Operation::if_positive:
+      return a.real() > 0 ? b : 0.0;
+    case Operation::unless_positive:
+      return a.real() > 0 ? 0.0 : b;
     case Operation::sinh:
       return std::sinh(a);
     case Operation::cosh:

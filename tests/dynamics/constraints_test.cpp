@@ -279,14 +279,14 @@ frames:
   Mechanism& m = *loaded.mechanism;
   ExprGraph& graph = *loaded.graph;
   for (const int frame : {1, 2}) {
-    FramePosition position{frame, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      position.symbols[i] =
-          graph.symbol("position(" + m.frames[static_cast<std::size_t>(frame)].name + ")." + "xyz"[i]);
-    }
-    m.frame_positions.push_back(position);
+    FrameSymbols position{FrameQuantity::position, frame, {}};
+    for (const char axis : {'x', 'y', 'z'})
+      position.symbols.push_back(
+          graph.symbol("position(" + m.frames[static_cast<std::size_t>(frame)].name + ")." + axis));
+    m.frame_symbols.push_back(position);
   }
-  const Vec3 tip = m.frame_positions[0].symbols, end = m.frame_positions[1].symbols;
+  const auto vector = [](const std::vector<Expr>& x) -> Vec3 { return {{x[0], x[1], x[2]}}; };
+  const Vec3 tip = vector(m.frame_symbols[0].symbols), end = vector(m.frame_symbols[1].symbols);
   const Expr a = m.coordinates[0].symbols[0];
   m.constraints.push_back(
       constraint("joined", ConstraintType::holonomic, {tip[0] - end[0], tip[1] - end[1], tip[2] - end[2]}));

@@ -15,6 +15,7 @@
 #include "dynamics/choice/regrouping.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
+#include "dynamics/recursions/armature.hpp"
 #include "dynamics/recursions/articulated_bodies.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/outputs.hpp"
@@ -256,7 +257,9 @@ TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
       no_wrench.emplace_back(wrench.torque[i], loaded.graph->zero());
     }
   }
-  const std::vector<Expr> free_force = substitute(equations.Q, no_wrench);
+  std::vector<Expr> free_force = substitute(equations.Q, no_wrench);
+  const std::vector<Expr>& applied = kinematics.applied.Q;
+  for (std::size_t k = 0; k < applied.size(); ++k) free_force[k] += applied[k];
   Expr power = loaded.graph->zero();
   for (std::size_t k = 0; k < nv; ++k)
     power += kinematics.derivatives.speed(static_cast<int>(k)) * free_force[k];
@@ -294,7 +297,9 @@ TEST_P(UnmovedLaws, BodyJacobiansAndInertiasGiveTheKineticEnergy) {
     const double expected = loaded.values(kinetic, seed)[0];
     if (!std::isfinite(expected)) continue;
     ++finite;
+    const std::vector<double> rotors = loaded.values(armatures(mechanism), seed);
     double sum = 0;
+    for (std::size_t k = 0; k < nv; ++k) sum += rotors[k] * u[k] * u[k] / 2;
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
       const auto n = static_cast<Eigen::Index>(nv);
       const Eigen::Matrix<double, 6, 1> twist =

@@ -61,11 +61,17 @@ Program random_program(std::string function, std::vector<InputSlot> inputs, std:
     oldest ? unused.pop_front() : unused.pop_back();
     return value;
   };
-  const std::array<Operation, 20> all = {Operation::add,   Operation::sub,  Operation::mul,  Operation::div,
-                                         Operation::neg,   Operation::sqrt, Operation::sin,  Operation::cos,
-                                         Operation::tan,   Operation::asin, Operation::acos, Operation::atan,
-                                         Operation::atan2, Operation::exp,  Operation::log,  Operation::abs,
-                                         Operation::sign,  Operation::sinh, Operation::cosh, Operation::tanh};
+  const std::array<Operation, 22> all = {Operation::add,         Operation::sub,
+                                         Operation::mul,         Operation::div,
+                                         Operation::neg,         Operation::sqrt,
+                                         Operation::sin,         Operation::cos,
+                                         Operation::tan,         Operation::asin,
+                                         Operation::acos,        Operation::atan,
+                                         Operation::atan2,       Operation::exp,
+                                         Operation::log,         Operation::abs,
+                                         Operation::sign,        Operation::sinh,
+                                         Operation::cosh,        Operation::tanh,
+                                         Operation::if_positive, Operation::unless_positive};
   std::size_t made = 0;
   const auto one = [&](Operation op) {
     std::uint32_t a = operand();

@@ -38,7 +38,7 @@ Expr equation(const Loaded& loaded) {
 TEST(Constraints, AreAbsentUnlessGiven) {
   Loaded loaded(test::with_transform("[{translate: [q, 0, 0]}]"));
   EXPECT_TRUE(loaded.mechanism.constraints.empty());
-  EXPECT_TRUE(loaded.mechanism.frame_positions.empty());
+  EXPECT_TRUE(loaded.mechanism.frame_symbols.empty());
   EXPECT_EQ(error_of(constrained("  []\n")), "");
 }
 
@@ -130,12 +130,12 @@ TEST(Constraints, CollectPositionsOfFramesInOrderOfUse) {
       constrained("  - {name: a, type: holonomic, equations: [\"position(tip).x - q1\", "
                   "\"position( heel ) . z - position(tip).y\"]}\n"));
   const Mechanism& m = loaded.mechanism;
-  ASSERT_EQ(m.frame_positions.size(), 2u);
-  EXPECT_EQ(m.frame_positions[0].frame, 1);
-  EXPECT_EQ(m.frame_positions[1].frame, 0);
-  EXPECT_EQ(m.frame_positions[1].symbols[2], loaded.symbol("position(heel).z"));
-  EXPECT_EQ(m.constraints[0].equations[0], m.frame_positions[0].symbols[0] - loaded.symbol("q1"));
-  EXPECT_EQ(m.constraints[0].equations[1], m.frame_positions[1].symbols[2] - m.frame_positions[0].symbols[1]);
+  ASSERT_EQ(m.frame_symbols.size(), 2u);
+  EXPECT_EQ(m.frame_symbols[0].frame, 1);
+  EXPECT_EQ(m.frame_symbols[1].frame, 0);
+  EXPECT_EQ(m.frame_symbols[1].symbols[2], loaded.symbol("position(heel).z"));
+  EXPECT_EQ(m.constraints[0].equations[0], m.frame_symbols[0].symbols[0] - loaded.symbol("q1"));
+  EXPECT_EQ(m.constraints[0].equations[1], m.frame_symbols[1].symbols[2] - m.frame_symbols[0].symbols[1]);
 }
 
 TEST(Constraints, DoNotJudgeValuesThatOnlyTheKinematicsKnow) {

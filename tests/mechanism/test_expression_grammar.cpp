@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"d(q + 1)", 4, "expected ')' after the name, found '+'"},
                     Wrong{"d(2)", 2, "expected a name, found '2'"},
                     Wrong{"position(f).", 12,
-                          "expected x, y or z after the point, found the end of the expression"}));
+                          "expected a part such as x after the point, found the end of the expression"}));
 
 TEST(ExpressionGrammar, LimitsNestingWithoutRunningOutOfStack) {
   const auto deep = [](const std::string& open, std::size_t n, const std::string& close) {
@@ -188,8 +188,10 @@ TEST(ExpressionGrammar, KnowsTheFunctions) {
   for (const char* name :
        {"sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "sinh", "cosh", "tanh"})
     EXPECT_EQ(function_arity(name), 1) << name;
-  EXPECT_EQ(function_arity("atan2"), 2);
-  for (const char* name : {"pi", "t", "spline", "sign", "max", "x"})
+  for (const char* name : {"step", "smoothstep", "sign"}) EXPECT_EQ(function_arity(name), 1) << name;
+  for (const char* name : {"atan2", "min", "max"}) EXPECT_EQ(function_arity(name), 2) << name;
+  for (const char* name : {"clamp", "select"}) EXPECT_EQ(function_arity(name), 3) << name;
+  for (const char* name : {"pi", "t", "spline", "linear", "position", "x"})
     EXPECT_EQ(function_arity(name), 0) << name;
 }
 

@@ -245,10 +245,10 @@ inline Program random_program(std::size_t size, Mix mix, std::mt19937_64& random
   static constexpr Operation kArithmetic[] = {Operation::add, Operation::sub, Operation::mul, Operation::add,
                                               Operation::mul, Operation::sub, Operation::neg};
   static constexpr Operation kFunctions[] = {
-      Operation::div,   Operation::sqrt, Operation::sin,  Operation::cos,  Operation::tan,
-      Operation::asin,  Operation::acos, Operation::atan, Operation::exp,  Operation::log,
-      Operation::atan2, Operation::sign, Operation::abs,  Operation::sinh, Operation::cosh,
-      Operation::tanh,  Operation::pow,  Operation::div,  Operation::div,  Operation::div};
+      Operation::div,   Operation::sqrt, Operation::sin,  Operation::cos,         Operation::tan,
+      Operation::asin,  Operation::acos, Operation::atan, Operation::exp,         Operation::log,
+      Operation::atan2, Operation::sign, Operation::abs,  Operation::sinh,        Operation::cosh,
+      Operation::tanh,  Operation::pow,  Operation::div,  Operation::if_positive, Operation::unless_positive};
   while (m.program.code.size() < size) {
     const std::uint64_t r = random();
     const auto pick = [&] {

@@ -93,6 +93,9 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
   const auto unary = [&](Operation op, std::size_t a) {
     return push(op, a, 0, false, Expr(graph, graph.make(op, out.values[a].ref())));
   };
+  const auto choice = [&](Operation op, std::size_t a, std::size_t b) {
+    return push(op, a, b, false, Expr(graph, graph.make(op, out.values[a].ref(), out.values[b].ref())));
+  };
   for (const Expr& symbol : out.symbols) push(Operation::symbol, 0, 0, false, symbol);
   for (std::int64_t n : {1, 2, -3}) push(Operation::rational, 0, 0, false, graph.integer(n));
   const std::size_t half = push(Operation::rational, 0, 0, false, graph.rational({1, 2}));
@@ -121,7 +124,13 @@ inline RandomDag random_dag(ExprGraph& graph, std::uint64_t seed, RandomDagOptio
       unary(Operation::sqrt, options.absolute && random.one_in(3) ? square : add(square, one, false));
     } else if (kind == 11 && options.functions) {
       const std::size_t s = bounded(a), small = mul(half, s);
-      switch (random.below(9)) {
+      switch (random.below(11)) {
+        case 9:
+          choice(Operation::if_positive, b, a);
+          break;
+        case 10:
+          choice(Operation::unless_positive, b, a);
+          break;
         case 0:
           unary(Operation::asin, small);
           break;

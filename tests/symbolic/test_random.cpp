@@ -106,6 +106,10 @@ double apply(Operation op, double a, double b) {
       return std::cosh(a);
     case Operation::tanh:
       return std::tanh(a);
+    case Operation::if_positive:
+      return a > 0 ? b : 0;
+    case Operation::unless_positive:
+      return a > 0 ? 0 : b;
     case Operation::pow:
       return std::pow(a, b);
     case Operation::rational:

@@ -11,6 +11,7 @@
 #include "program/interpret.hpp"
 #include "support/operation.hpp"
 #include "symbolic/error_bound.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
@@ -142,6 +143,25 @@ class ArrayErrors {
   Extended size_ = 0;
 };
 
+/// What decides choices and signs below these expressions.
+std::vector<Expr> conditions_below(std::span<const Expr> roots) {
+  std::vector<Expr> conditions;
+  for (const std::uint32_t id : postorder(roots)) {
+    ExprGraph& graph = roots.front().graph();
+    const Node& node = graph.node(id);
+    if (is_choice(node.op) || node.op == Operation::abs || node.op == Operation::sign)
+      conditions.emplace_back(graph, node.a);
+  }
+  return conditions;
+}
+
+/// Whether rounding, or a difference quotient, would decide.
+bool is_undecided(std::span<const Expr> conditions, std::span<const double> state) {
+  return std::ranges::any_of(evaluate_bounded(conditions, state), [](const Approximate& condition) {
+    return !(std::abs(condition.value) > condition.error);
+  });
+}
+
 }  // namespace
 
 Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
@@ -152,7 +172,11 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
       most_(states.value_or(kMeasuredStates)),
       work_(states ? HUGE_VAL : kMeasuringWork) {
   // More than are wanted: the equations may have no value at some.
-  for (int k = 0; k < 4 * most_; ++k) states_.push_back(state_in_range(kinematics, static_cast<unsigned>(k)));
+  const std::vector<Expr> conditions = conditions_below(kinematics.applied.Q);
+  for (int k = 0; k < 4 * most_; ++k) {
+    std::vector<double> state = state_in_range(kinematics, static_cast<unsigned>(k));
+    if (!is_undecided(conditions, state)) states_.push_back(std::move(state));
+  }
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {

@@ -23,7 +23,8 @@ VectorXe vector(const std::vector<Extended>& values) {
 
 PlainEquations::PlainEquations(const Kinematics& kinematics)
     : kinematics_(kinematics),
-      forces_(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph)),
+      forces_(less_applied(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph),
+                           kinematics.applied)),
       coordinate_rates_(kinematics.derivatives.coordinate_rate_matrix()) {}
 
 PlainEquations::State PlainEquations::state(std::span<const double> values) const {

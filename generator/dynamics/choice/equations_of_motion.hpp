@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/choice/program_lengths.hpp"
+#include "dynamics/recursions/applied_forces.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 #include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
@@ -26,6 +27,7 @@ struct Kinematics {
   SpeedDerivatives derivatives;
   MotionTree tree;
   std::optional<MotionTree> peeled;  ///< the same motion by other factors (screw_peeling.hpp)
+  AppliedForces applied;             ///< of the mechanism's forces
   mutable ProgramLengths lengths;    ///< of candidates for equations
 };
 

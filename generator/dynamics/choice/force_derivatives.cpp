@@ -46,6 +46,9 @@ constexpr std::size_t kLong = 40'000;
 }  // namespace
 
 std::vector<Expr> force_derivatives(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+  std::vector<Expr> applied;
+  if (!kinematics.applied.Q.empty())
+    applied = value_number(derivatives_of_the_whole(kinematics, kinematics.applied.Q));
   std::vector<std::pair<std::size_t, std::vector<Expr>>> found;  // with their operations
   const auto add = [&](const std::vector<Expr>& values) {
     std::vector<Expr> numbered = value_number(values);
@@ -55,8 +58,10 @@ std::vector<Expr> force_derivatives(const Kinematics& kinematics, const Equation
   const auto add_recursions = [&](MotionTree tree) {
     mark_scaled(tree, {});
     for (const FarPairs far : {FarPairs::meet, FarPairs::meet_sooner, FarPairs::carry}) {
-      add(recursive_force_derivatives(kinematics.mechanism, tree, kinematics.derivatives, kinematics.graph,
-                                      far));
+      std::vector<Expr> both = recursive_force_derivatives(kinematics.mechanism, tree, kinematics.derivatives,
+                                                           kinematics.graph, far);
+      for (std::size_t i = 0; i < applied.size(); ++i) both[i] -= applied[i];
+      add(both);
       if (found.back().first > kLong) break;
     }
   };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "dynamics/recursions/outputs.hpp"
+#include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/tree/contact_frames.hpp"
 #include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
@@ -142,19 +142,6 @@ SpeedRows rolling_rows(const Mate& mate, const SourceLocation& where, const Mech
   return rows;
 }
 
-/// What the symbols of frames' positions stand for.
-std::vector<std::pair<Expr, Expr>> frame_positions(const Mechanism& mechanism, const MotionTree& tree,
-                                                   ExprGraph& graph) {
-  std::vector<std::pair<Expr, Expr>> positions;
-  if (mechanism.frame_positions.empty()) return positions;
-  const std::vector<Expr> poses = frame_poses(mechanism, tree, graph);
-  for (const FramePosition& position : mechanism.frame_positions) {
-    const std::size_t first = 12 * static_cast<std::size_t>(position.frame);
-    for (std::size_t i = 0; i < 3; ++i) positions.emplace_back(position.symbols[i], poses[first + 4 * i + 3]);
-  }
-  return positions;
-}
-
 void check_values(const Mechanism& mechanism, const ConstraintEquations& equations, ExprGraph& graph) {
   const std::vector<double> state = state_values(mechanism, graph, 0);
   const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
@@ -182,7 +169,7 @@ void check_values(const Mechanism& mechanism, const ConstraintEquations& equatio
 
 ConstraintEquations constraint_equations(const Mechanism& mechanism, const MotionTree& tree,
                                          const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  const std::vector<std::pair<Expr, Expr>> positions = frame_positions(mechanism, tree, graph);
+  const std::vector<std::pair<Expr, Expr>> positions = frame_values(mechanism, tree, derivatives, graph);
   const auto rows_of = [&](const Constraint& constraint) {
     std::vector<Expr> equations = substitute(constraint.equations, positions);
     switch (constraint.type) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "dynamics/recursions/frame_values.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
 
@@ -109,19 +110,13 @@ std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivat
   std::vector<Expr> out(mechanism.frames.size() * 6 * nv, graph.zero());
   for (std::size_t f = 0; f < mechanism.frames.size(); ++f) {
     const std::span<const Expr> pose = poses.subspan(12 * f, 12);
-    for (const SpeedPartial& partial : derivatives.partials(pose)) {
-      if (partial.speed == derivatives.time_index()) continue;
-      const std::size_t k = static_cast<std::size_t>(partial.speed);
-      // skew(om) = (D_k R) R^T, so om_x is row 2 of D_k R with row 1 of R, and so on.
-      const auto row_dot = [&](std::size_t changed, std::size_t kept) {
-        Expr sum = partial.values[4 * changed] * pose[4 * kept];
-        sum += partial.values[4 * changed + 1] * pose[4 * kept + 1];
-        sum += partial.values[4 * changed + 2] * pose[4 * kept + 2];
-        return sum;
-      };
-      const std::array<Expr, 6> column{row_dot(2, 1),     row_dot(0, 2),     row_dot(1, 0),
-                                       partial.values[3], partial.values[7], partial.values[11]};
-      for (std::size_t r = 0; r < 6; ++r) out[(6 * f + r) * nv + k] = column[r];
+    for (const FrameTwist& twist : frame_twists(derivatives, pose)) {
+      if (twist.speed == derivatives.time_index()) continue;
+      const std::size_t k = static_cast<std::size_t>(twist.speed);
+      for (std::size_t r = 0; r < 3; ++r) {
+        out[(6 * f + r) * nv + k] = twist.angular[r];
+        out[(6 * f + 3 + r) * nv + k] = twist.linear[r];
+      }
     }
   }
   return out;

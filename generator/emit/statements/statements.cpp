@@ -530,9 +530,7 @@ class Writer {
     BlockState& state = states_[b];
     CodeBlock& block = body_.blocks[b];
     for (const std::string& name : state.calls) {
-      block.calls_sign |= name == "sign";
-      block.calls_sines_and_cosines |= name == "sines_and_cosines";
-      block.calls_dot_products |= name == "dot_products";
+      if (is_helper(name)) block.helpers.insert(name);
       if (syntax_.templates)
         block.using_lines += fmt::format("using {}::{};\n", is_helper(name) ? "detail" : "::std", name);
     }

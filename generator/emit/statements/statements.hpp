@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,7 @@ struct CodeBlock {
   std::string using_lines;
   std::string statement_lines;
   std::size_t statements = 0;
-  bool calls_sign = false;
-  bool calls_sines_and_cosines = false;
-  bool calls_dot_products = false;
+  std::set<std::string> helpers;  ///< of kHelpers, those that it calls
 };
 
 /// One block: a plain function. More: blocks to be called in order, with `crossing` values handed over in an

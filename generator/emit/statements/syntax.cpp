@@ -3,14 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "emit/statements/literals.hpp"
 
 namespace alembert {
 
 bool is_helper(std::string_view function) {
-  return function == "sign" || function == "sines_and_cosines" || function == "dot_products";
+  return std::ranges::find(kHelpers, function) != std::end(kHelpers);
 }
 
 std::string c_literal(double value, std::string_view number) {

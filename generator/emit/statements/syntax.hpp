@@ -13,7 +13,7 @@ namespace alembert {
 struct Syntax {
   std::string number;        ///< type of numbers: S, double, float
   std::string inputs;        ///< before `t`, `parameters` and `wrenches`
-  std::string helpers;       ///< before `sign`, `sines_and_cosines` and `dot_products`
+  std::string helpers;       ///< before the names of kHelpers
   std::string table;         ///< what a table of constants is declared as, but for its type
   std::string table_number;  ///< and its type
   bool templates;            ///< functions are brought in by `using` and take sizes as template arguments
@@ -32,7 +32,11 @@ Syntax cpp_syntax();
 /// C99, for double or float; names of helpers begin with `prefix`.
 Syntax c_syntax(const std::string& number, const std::string& prefix);
 
-/// Whether generated code brings this function along: sign, sines_and_cosines, dot_products.
+/// The functions that generated code brings along, in the order in which it does: NAME stands in the templates
+/// NAME.hpp and c99_NAME.c.
+inline constexpr std::string_view kHelpers[] = {"sign", "if_positive", "unless_positive", "sines_and_cosines",
+                                                "dot_products"};
+/// Whether it is one of them.
 bool is_helper(std::string_view function);
 
 /// A literal of C for double or float: 0.5, 0.5f; INFINITY for what float cannot hold.

@@ -69,7 +69,7 @@ int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const doub
  */
 int bead_on_helix_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 81 multiplications, 55 additions, 4 sin/cos/tan (reduced formulation; relative error 3.5e-16 where it was measured).

@@ -68,7 +68,7 @@ int body_on_torus_inverse_dynamics(const double* q, const double* qd, const doub
  */
 int body_on_torus_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [3]: bias forces, in units of tau.
    Operations: 55 multiplications, 38 additions, 4 sin/cos/tan (reduced formulation; relative error 1.9e-16 where it was measured).

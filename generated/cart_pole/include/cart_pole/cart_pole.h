@@ -69,7 +69,7 @@ int cart_pole_inverse_dynamics(const double* q, const double* qd, const double* 
  */
 int cart_pole_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 4 multiplications, 1 addition, 1 sin/cos/tan (reduced formulation; relative error 9.9e-17 where it was measured).

@@ -70,7 +70,7 @@ int chain6r_inverse_dynamics(const double* q, const double* qd, const double* qd
  */
 int chain6r_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
    Operations: 333 multiplications, 268 additions, 10 sin/cos/tan (reduced formulation; relative error 7.8e-16 where it was measured).

@@ -68,7 +68,7 @@ int chain6r_90_inverse_dynamics(const double* q, const double* qd, const double*
  */
 int chain6r_90_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
    Operations: 212 multiplications, 177 additions, 10 sin/cos/tan (reduced formulation; relative error 3.1e-16 where it was measured).

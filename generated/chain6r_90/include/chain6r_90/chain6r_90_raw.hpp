@@ -120,7 +120,7 @@ void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in
 template <class S>
 void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 
-/// Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/// Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
 ///   tau = M(q) qdd + c(q, qd)
 /// c [6]: bias forces, in units of tau.
 /// Operations: 212 multiplications, 177 additions, 10 sin/cos/tan (reduced formulation; relative error 3.1e-16 where it was measured).

@@ -68,7 +68,7 @@ int double_pendulum_inverse_dynamics(const double* q, const double* qd, const do
  */
 int double_pendulum_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 11 multiplications, 5 additions, 4 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).

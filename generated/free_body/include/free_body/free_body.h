@@ -69,7 +69,7 @@ int free_body_inverse_dynamics(const double* q, const double* qd, const double* 
  */
 int free_body_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
    Operations: 75 multiplications, 91 additions (reduced formulation; relative error 1.7e-16 where it was measured).

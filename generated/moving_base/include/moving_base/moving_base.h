@@ -68,7 +68,7 @@ int moving_base_inverse_dynamics(const double* q, const double* qd, const double
  */
 int moving_base_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 56 multiplications, 34 additions, 8 sin/cos/tan (reduced formulation; relative error 4.1e-15 where it was measured).

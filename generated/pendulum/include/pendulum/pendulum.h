@@ -68,7 +68,7 @@ int pendulum_inverse_dynamics(const double* q, const double* qd, const double* q
  */
 int pendulum_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [1]: bias forces, in units of tau.
    Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).

@@ -70,7 +70,7 @@ int puma560_inverse_dynamics(const double* q, const double* qd, const double* qd
  */
 int puma560_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
    Operations: 165 multiplications, 118 additions, 10 sin/cos/tan (reduced formulation; relative error 6.9e-16 where it was measured).

@@ -69,7 +69,7 @@ int rolling_wheels_inverse_dynamics(const double* q, const double* qd, const dou
  */
 int rolling_wheels_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 49 multiplications, 31 additions, 8 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).

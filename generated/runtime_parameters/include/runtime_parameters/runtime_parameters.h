@@ -69,7 +69,7 @@ int runtime_parameters_inverse_dynamics(const double* q, const double* qd, const
 int runtime_parameters_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                    double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
    Operations: 28 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).

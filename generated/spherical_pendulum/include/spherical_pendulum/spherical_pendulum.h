@@ -70,7 +70,7 @@ int spherical_pendulum_inverse_dynamics(const double* q, const double* qd, const
 int spherical_pendulum_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                    double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [3]: bias forces, in units of tau.
    Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.2e-15 where it was measured).

@@ -68,7 +68,7 @@ int stanford_inverse_dynamics(const double* q, const double* qd, const double* q
  */
 int stanford_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
    Operations: 126 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).

@@ -73,7 +73,7 @@ struct Mechanism {
     return M;
   }
 
-  /// Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+  /// Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
   ///   tau = M(q) qdd + c(q, qd)
   static SpeedVector bias(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in = Inputs()) {
     SpeedVector c;

@@ -68,7 +68,7 @@ int tori_mated_inverse_dynamics(const double* q, const double* qd, const double*
  */
 int tori_mated_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [5]: bias forces, in units of tau.
    Operations: 123 multiplications, 86 additions, 8 sin/cos/tan (reduced formulation; relative error 3.8e-16 where it was measured).

@@ -70,7 +70,7 @@ int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const d
 int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* M);
 
-/* Bias forces: Coriolis, centrifugal and gravity terms, less those of external wrenches.
+/* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [20]: bias forces, in units of tau.
    Operations: 888 multiplications, 867 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).

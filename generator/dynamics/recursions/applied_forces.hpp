@@ -1,0 +1,25 @@
+// Generalized forces of what acts besides gravity and external wrenches (see the implementation).
+#pragma once
+
+#include <vector>
+
+#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/speed_derivatives.hpp"
+#include "mechanism/model.hpp"
+#include "symbolic/expr.hpp"
+
+namespace alembert {
+
+struct AppliedForces {
+  std::vector<Expr> Q;  ///< nv; empty where the mechanism has no forces
+  Expr potential;       ///< energy of the forces that have a potential
+};
+
+/// Forces less those that act already: what actuators must add.
+std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& applied);
+
+/// Throws InputError where a force has no value at the initial state.
+AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
+                             const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+}  // namespace alembert

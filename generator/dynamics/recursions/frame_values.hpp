@@ -1,0 +1,27 @@
+// What symbols of frames stand for. In: the mechanism's FrameSymbols and its motions. Out: their expressions.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/speed_derivatives.hpp"
+#include "mechanism/model.hpp"
+#include "symbolic/expr.hpp"
+
+namespace alembert {
+
+/// Angular velocity of a frame and velocity of its origin, world axes, for a speed that is 1 (or for time).
+struct FrameTwist {
+  int speed;  ///< index of the speed, or Mechanism::nv for time
+  Vec3 angular, linear;
+};
+/// Of a pose, 12 expressions: rows of [R | p]. In ascending order of the speeds.
+std::vector<FrameTwist> frame_twists(const SpeedDerivatives& derivatives, std::span<const Expr> pose);
+
+/// What each symbol of Mechanism::frame_symbols and Mechanism::distances stands for.
+std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, const MotionTree& tree,
+                                                const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+}  // namespace alembert

@@ -1,0 +1,188 @@
+// Section `forces`: list of mappings in, forces out: along speeds, of potentials, of tensions along paths from
+// frame to frame, and wrenches on frames.
+#include "mechanism/force_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mechanism/names.hpp"
+#include "mechanism/section.hpp"
+
+namespace alembert {
+namespace {
+
+/// A key that says what kind of force it is, and the keys that go with it.
+struct KindKey {
+  std::string_view key;
+  ForceKind kind;
+  std::vector<std::string_view> others;
+};
+
+const std::vector<KindKey>& kind_keys() {
+  static const std::vector<KindKey> keys = {{"on", ForceKind::on_speed, {"value"}},
+                                            {"potential", ForceKind::potential, {}},
+                                            {"between", ForceKind::path, {"tension"}},
+                                            {"path", ForceKind::path, {"tension"}},
+                                            {"at", ForceKind::wrench, {"axes", "force", "torque"}}};
+  return keys;
+}
+
+class ForceReader {
+ public:
+  ForceReader(Loading& loading, const YamlNode& item)
+      : loading_(loading),
+        document_(loading.document),
+        section_(loading.document, item, "a force",
+                 {"name", "on", "value", "potential", "between", "path", "tension", "at", "axes", "force",
+                  "torque"}) {}
+
+  Force read() {
+    const YamlNode& name = section_.require("name");
+    force_.name = expect_name(document_, name, "a force");
+    force_.where = document_.where(name);
+    const KindKey& key = kind_key();
+    force_.kind = key.kind;
+    switch (key.kind) {
+      case ForceKind::on_speed:
+        read_speed(section_.require("on"));
+        force_.value = read_expression("value", Allowed::force, "the value");
+        break;
+      case ForceKind::potential:
+        force_.value = read_expression("potential", Allowed::potential, "the potential");
+        break;
+      case ForceKind::path:
+        read_path(section_.require(key.key), key.key == "between");
+        break;
+      case ForceKind::wrench:
+        read_wrench();
+        break;
+    }
+    return std::move(force_);
+  }
+
+ private:
+  std::string of_force(std::string_view what) const {
+    return fmt::format("{} of force '{}'", what, force_.name);
+  }
+
+  const KindKey& kind_key() const {
+    const KindKey* found = nullptr;
+    for (const KindKey& key : kind_keys()) {
+      if (section_.find(key.key) == nullptr) continue;
+      if (found != nullptr)
+        throw InputError(
+            section_.where_key(key.key),
+            fmt::format("force '{}' has '{}' already; one force, one of them", force_.name, found->key));
+      found = &key;
+    }
+    if (found == nullptr)
+      throw InputError(force_.where, fmt::format("force '{}' does not say what it acts on", force_.name),
+                       "expected one of on, potential, between, path, at");
+    for (const KindKey& other : kind_keys())
+      for (const std::string_view key : other.others)
+        if (section_.find(key) != nullptr && std::ranges::find(found->others, key) == found->others.end())
+          throw InputError(section_.where_key(key),
+                           fmt::format("a force with '{}' takes no '{}'", found->key, key));
+    return *found;
+  }
+
+  Expr read_expression(std::string_view key, Allowed allowed, std::string_view what) {
+    return loading_.reader.read(section_.require(key), allowed, of_force(what)).expr;
+  }
+
+  /// `on: q` or, of a quaternion, `on: base.x`.
+  void read_speed(const YamlNode& node) {
+    const std::string& text = expect_text(document_, node, of_force("the coordinate"));
+    const std::size_t point = text.find('.');
+    const std::string name = text.substr(0, point);
+    const std::string part = point == std::string::npos ? "" : text.substr(point + 1);
+    NameEntry* entry = loading_.scope.find(name);
+    if (entry == nullptr || entry->index < 0)
+      throw InputError(document_.where(node),
+                       entry != nullptr
+                           ? fmt::format("'{}' is {}; a force is on a coordinate", name, a_noun(entry->kind))
+                           : fmt::format("unknown coordinate '{}'{}", printable(name),
+                                         did_you_mean(name, loading_.scope.coordinate_names())));
+    entry->used = true;
+    const Coordinate& coordinate = loading_.mechanism.coordinates[static_cast<std::size_t>(entry->index)];
+    const bool real = coordinate.type == CoordinateType::real;
+    const std::size_t axis = std::string_view("xyz").find(part);
+    if (real ? point != std::string::npos : part.size() != 1 || axis == std::string::npos)
+      throw InputError(
+          document_.where(node, real ? point : 0),
+          real ? fmt::format("coordinate '{}' has one speed: on: {}", name, name)
+               : fmt::format("quaternion coordinate '{0}' has the speeds {0}.x, {0}.y and {0}.z", name));
+    force_.speed = coordinate.first_speed + (real ? 0 : static_cast<int>(axis));
+  }
+
+  void read_path(const YamlNode& node, bool two) {
+    const std::string what = of_force(two ? "the two frames" : "the path");
+    const auto& items = expect_list(document_, node, what, two ? 2 : -1);
+    if (items.size() < 2)
+      throw InputError(document_.where(node), fmt::format("{} has {} frame{}; expected two or more", what,
+                                                          items.size(), items.size() == 1 ? "" : "s"));
+    std::vector<int> frames;
+    for (const YamlNode* item : items) {
+      frames.push_back(loading_.reader.expect_frame(*item, what));
+      if (frames.size() > 1 && frames.back() == frames[frames.size() - 2])
+        throw InputError(document_.where(*item),
+                         fmt::format("{} goes from frame '{}' to itself", what, item->text));
+    }
+    force_.length = loading_.graph.zero();
+    for (std::size_t i = 1; i < frames.size(); ++i)
+      force_.length += loading_.reader.distance(frames[i - 1], frames[i]);
+    force_.rate = loading_.graph.symbol(fmt::format("rate({})", force_.name));
+    constexpr Dependence moving = Dependence::coordinate | Dependence::speed;
+    force_.value =
+        loading_.reader
+            .read_with(section_.require("tension"),
+                       {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, moving}},
+                       Allowed::force, of_force("the tension"))
+            .expr;
+    loading_.reader.declare_path(force_.name, force_.length, force_.rate);
+  }
+
+  void read_wrench() {
+    force_.frame = loading_.reader.expect_frame(section_.require("at"), of_force("the place"));
+    if (const YamlNode* axes = section_.find("axes")) {
+      const std::string& text =
+          expect_text(document_, *axes, "'frame' or 'world' as " + of_force("the axes"));
+      force_.frame_axes = text == "frame";
+      if (!force_.frame_axes && text != "world")
+        throw InputError(document_.where(*axes), fmt::format("expected 'frame' or 'world' as {}, found '{}'",
+                                                             of_force("the axes"), printable(text)));
+    }
+    if (section_.find("force") == nullptr && section_.find("torque") == nullptr)
+      throw InputError(force_.where, fmt::format("force '{}' has neither 'force' nor 'torque'", force_.name));
+    force_.force = force_.torque = zeros<3, 1>(loading_.graph);
+    if (const YamlNode* node = section_.find("force"))
+      force_.force = loading_.reader.read_vector(*node, Allowed::force, of_force("the force"));
+    if (const YamlNode* node = section_.find("torque"))
+      force_.torque = loading_.reader.read_vector(*node, Allowed::force, of_force("the torque"));
+  }
+
+  Loading& loading_;
+  const Document& document_;
+  Section section_;
+  Force force_;
+};
+
+}  // namespace
+
+void read_forces(Loading& loading, const YamlNode& list) {
+  std::map<std::string, int, std::less<>> lines;
+  for (const YamlNode* item : expect_list(loading.document, list, "the forces")) {
+    Force force = ForceReader(loading, *item).read();
+    const auto [earlier, inserted] = lines.emplace(force.name, force.where.line);
+    if (!inserted)
+      throw InputError(force.where,
+                       fmt::format("'{}' is already a force (line {})", force.name, earlier->second));
+    loading.mechanism.forces.push_back(std::move(force));
+  }
+}
+
+}  // namespace alembert
