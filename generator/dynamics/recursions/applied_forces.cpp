@@ -10,11 +10,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <span>
 #include <utility>
 
 #include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/tree/state_values.hpp"
+#include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
@@ -22,11 +25,19 @@
 namespace alembert {
 namespace {
 
+/// Force at the origin of a frame and torque on it, in its axes or the world's.
+struct AppliedWrench {
+  int frame;
+  bool frame_axes;
+  Vec3 force, torque;
+};
+
 class AppliedForcesBuilder {
  public:
   AppliedForcesBuilder(const Mechanism& mechanism, const MotionTree& tree,
                        const SpeedDerivatives& derivatives, ExprGraph& graph)
       : mechanism_(mechanism),
+        tree_(tree),
         derivatives_(derivatives),
         graph_(graph),
         poses_(frame_poses(mechanism, tree, graph)),
@@ -39,13 +50,15 @@ class AppliedForcesBuilder {
       add(force);
       check_values(force);
     }
-    return {value_number(Q_), potential_};
+    return {shortest(), potential_};
   }
 
  private:
   std::vector<Expr> inserted(std::vector<Expr> values) const {
     return replacements_.empty() ? values : substitute(values, replacements_);
   }
+
+  Expr inserted(const Expr& given) const { return inserted(std::vector<Expr>{given}).front(); }
 
   void add(int speed, const Expr& value) {
     if (speed != derivatives_.time_index()) Q_[static_cast<std::size_t>(speed)] += value;
@@ -54,20 +67,20 @@ class AppliedForcesBuilder {
   void add(const Force& force) {
     switch (force.kind) {
       case ForceKind::on_speed:
-        add(force.speed, inserted({force.value}).front());
+        add(force.speed, inserted(force.value));
         break;
       case ForceKind::potential: {
-        const Expr energy = inserted({force.value}).front();
+        const Expr energy = inserted(force.value);
         potential_ += energy;
         for (const SpeedPartial& partial : derivatives_.partials(std::span(&energy, 1)))
           add(partial.speed, -partial.values.front());
         break;
       }
       case ForceKind::path: {
-        const Expr length = inserted({force.length}).front();
+        const Expr length = inserted(force.length);
         const std::vector<SpeedPartial> levers = derivatives_.partials(std::span(&length, 1));
         replacements_.emplace_back(force.rate, derivatives_.first_rate(levers, 1).front());
-        const Expr tension = inserted({force.value}).front();
+        const Expr tension = inserted(force.value);
         for (const SpeedPartial& lever : levers) add(lever.speed, -(tension * lever.values.front()));
         break;
       }
@@ -77,25 +90,119 @@ class AppliedForcesBuilder {
     }
   }
 
+  Mat3 rotation(int frame) const {
+    const std::span<const Expr> pose = pose_of(frame);
+    return {{pose[0], pose[1], pose[2], pose[4], pose[5], pose[6], pose[8], pose[9], pose[10]}};
+  }
+  std::span<const Expr> pose_of(int frame) const {
+    return std::span(poses_).subspan(12 * static_cast<std::size_t>(frame), 12);
+  }
+  Vec3 inserted(const Vec3& given) const {
+    const std::vector<Expr> x = inserted(std::vector<Expr>(given.entries.begin(), given.entries.end()));
+    return {{x[0], x[1], x[2]}};
+  }
+
   void add_wrench(const Force& force) {
-    const std::span<const Expr> pose =
-        std::span(poses_).subspan(12 * static_cast<std::size_t>(force.frame), 12);
-    const auto in_world = [&](const Vec3& given) -> Vec3 {
-      const std::vector<Expr> x = inserted({given[0], given[1], given[2]});
-      const Vec3 vector{{x[0], x[1], x[2]}};
-      if (!force.frame_axes) return vector;
-      return Mat3{{pose[0], pose[1], pose[2], pose[4], pose[5], pose[6], pose[8], pose[9], pose[10]}} *
-             vector;
-    };
-    const Vec3 f = in_world(force.force), n = in_world(force.torque);
-    for (const FrameTwist& twist : frame_twists(derivatives_, pose)) {
+    const FramePlace place = frame_place(force.frame, mechanism_, tree_, graph_);
+    const AppliedWrench wrench{force.frame, force.frame_axes, inserted(force.force), inserted(force.torque)};
+    const bool moves = std::ranges::any_of(place.motions, [&](const Motion& motion) {
+      return derivatives_.moves(moved(identity_pose(graph_), motion).rotation.entries) ||
+             derivatives_.moves(moved(identity_pose(graph_), motion).origin.entries);
+    });
+    if (place.node < 0 || moves)
+      add_by_twists(wrench, Q_);
+    else
+      wrenches_.push_back(wrench);
+  }
+
+  /// Q_k = f . v_k + n . om_k in world axes.
+  void add_by_twists(const AppliedWrench& wrench, std::vector<Expr>& Q) const {
+    const auto in_world = [&](const Vec3& x) { return wrench.frame_axes ? rotation(wrench.frame) * x : x; };
+    const Vec3 f = in_world(wrench.force), n = in_world(wrench.torque);
+    for (const FrameTwist& twist : frame_twists(derivatives_, pose_of(wrench.frame))) {
+      if (twist.speed == derivatives_.time_index()) continue;
       const Expr power = dot(f, twist.linear);
-      add(twist.speed, power + dot(n, twist.angular));
+      Q[static_cast<std::size_t>(twist.speed)] += power + dot(n, twist.angular);
     }
   }
 
+  /// All at once, handed from node to node towards the world.
+  void add_inward(std::span<const AppliedWrench> wrenches, std::vector<Expr>& Q) const {
+    const std::size_t count = tree_.nodes.size();
+    std::vector<Vec3> force(count, zeros<3, 1>(graph_)), moment = force;
+    for (const AppliedWrench& wrench : wrenches) {
+      const FramePlace place = frame_place(wrench.frame, mechanism_, tree_, graph_);
+      const std::size_t i = static_cast<std::size_t>(place.node);
+      Vec3 f = wrench.force, n = wrench.torque;
+      if (!wrench.frame_axes) {
+        const Mat3 to_frame = transpose(rotation(wrench.frame));
+        f = to_frame * f;
+        n = to_frame * n;
+      }
+      for (std::size_t m = place.motions.size(); m-- > 0;) {
+        const Motion& motion = place.motions[m];
+        if (motion.kind == MotionKind::translation) {
+          n = n + cross(motion.offset, f);
+        } else {
+          f = motion.to_parent(f);
+          n = motion.to_parent(n);
+        }
+      }
+      force[i] = force[i] + f;
+      moment[i] = moment[i] + n;
+    }
+    for (std::size_t i = count; i-- > 0;) {
+      const MotionNode& node = tree_.nodes[i];
+      const bool linear = node.motion.kind == MotionKind::translation;
+      for (const TwistPartial& partial : node.partials) {
+        if (partial.speed == derivatives_.time_index()) continue;
+        Q[static_cast<std::size_t>(partial.speed)] += dot(partial.direction, linear ? force[i] : moment[i]);
+      }
+      if (node.parent < 0) continue;
+      const std::size_t p = static_cast<std::size_t>(node.parent);
+      if (linear) {
+        force[p] = force[p] + force[i];
+        moment[p] = moment[p] + (moment[i] + cross(node.motion.offset, force[i]));
+      } else {
+        force[p] = force[p] + node.motion.to_parent(force[i]);
+        moment[p] = moment[p] + node.motion.to_parent(moment[i]);
+      }
+    }
+  }
+
+  /// Wrenches by twists, or inward, or those in axes of the world by twists: whichever takes the fewest
+  /// operations.
+  std::vector<Expr> shortest() const {
+    if (wrenches_.empty()) return value_number(Q_);
+    std::vector<AppliedWrench> in_frames, in_world;
+    for (const AppliedWrench& wrench : wrenches_)
+      (wrench.frame_axes ? in_frames : in_world).push_back(wrench);
+    std::vector<Expr> best;
+    std::size_t least = 0;
+    const auto offer = [&](std::span<const AppliedWrench> inward,
+                           std::initializer_list<const std::vector<AppliedWrench>*> by_twists) {
+      std::vector<Expr> Q = Q_;
+      if (!inward.empty()) add_inward(inward, Q);
+      for (const std::vector<AppliedWrench>* some : by_twists)
+        for (const AppliedWrench& wrench : *some) add_by_twists(wrench, Q);
+      Q = value_number(Q);
+      const std::size_t operations = count_operations(Q).total();
+      if (!best.empty() && operations >= least) return;
+      least = operations;
+      best = std::move(Q);
+    };
+    offer(wrenches_, {});
+    offer({}, {&in_frames, &in_world});
+    if (!in_frames.empty() && !in_world.empty()) offer(in_frames, {&in_world});
+    return best;
+  }
+
   void check_values(const Force& force) const {
-    const std::vector<double> values = evaluate(Q_, state_values(mechanism_, graph_, 0));
+    std::vector<Expr> all = Q_;
+    for (const AppliedWrench& wrench : wrenches_)
+      for (const Vec3* vector : {&wrench.force, &wrench.torque})
+        all.insert(all.end(), vector->entries.begin(), vector->entries.end());
+    const std::vector<double> values = evaluate(all, state_values(mechanism_, graph_, 0));
     if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
     throw InputError(
         force.where,
@@ -105,11 +212,13 @@ class AppliedForcesBuilder {
   }
 
   const Mechanism& mechanism_;
+  const MotionTree& tree_;
   const SpeedDerivatives& derivatives_;
   ExprGraph& graph_;
   std::vector<Expr> poses_;
   std::vector<std::pair<Expr, Expr>> replacements_;
-  std::vector<Expr> Q_;
+  std::vector<Expr> Q_;                  ///< of all but ...
+  std::vector<AppliedWrench> wrenches_;  ///< ... those on frames that are fixed to nodes
   Expr potential_;
 };
 

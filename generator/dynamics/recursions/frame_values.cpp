@@ -5,24 +5,6 @@
 namespace alembert {
 namespace {
 
-/// Where a frame is fixed: a node, or -1 for the world, and the motions from there to the frame.
-struct FramePlace {
-  int node = -1;
-  std::vector<Motion> motions;
-};
-
-FramePlace place_of(int frame, const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
-  const Frame& given = mechanism.frames[static_cast<std::size_t>(frame)];
-  FramePlace place;
-  if (given.body >= 0) {
-    const BodyPlace& body = tree.places[static_cast<std::size_t>(given.body)];
-    place = {body.node, body.tail};
-  }
-  for (const Motion& motion : elementary_motions(given.transform, mechanism, graph))
-    place.motions.push_back(motion);
-  return place;
-}
-
 /// The nearest node that is above both or one of them; -1 for the world.
 int common_node(int a, int b, const MotionTree& tree) {
   while (a != b) {  // parents come first
@@ -47,14 +29,26 @@ Vec3 origin_seen_from(int above, const FramePlace& place, const MotionTree& tree
 /// From the nearest part that both frames move with: what moves them alike does not change the distance.
 Expr distance_between(const FrameDistance& distance, const Mechanism& mechanism, const MotionTree& tree,
                       ExprGraph& graph) {
-  const FramePlace from = place_of(distance.from, mechanism, tree, graph);
-  const FramePlace to = place_of(distance.to, mechanism, tree, graph);
+  const FramePlace from = frame_place(distance.from, mechanism, tree, graph);
+  const FramePlace to = frame_place(distance.to, mechanism, tree, graph);
   const int above = common_node(from.node, to.node, tree);
   const Vec3 apart = origin_seen_from(above, to, tree, graph) - origin_seen_from(above, from, tree, graph);
   return sqrt(dot(apart, apart));
 }
 
 }  // namespace
+
+FramePlace frame_place(int frame, const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
+  const Frame& given = mechanism.frames[static_cast<std::size_t>(frame)];
+  FramePlace place;
+  if (given.body >= 0) {
+    const BodyPlace& body = tree.places[static_cast<std::size_t>(given.body)];
+    place = {body.node, body.tail};
+  }
+  for (const Motion& motion : elementary_motions(given.transform, mechanism, graph))
+    place.motions.push_back(motion);
+  return place;
+}
 
 std::vector<FrameTwist> frame_twists(const SpeedDerivatives& derivatives, std::span<const Expr> pose) {
   std::vector<FrameTwist> twists;

@@ -12,6 +12,14 @@
 
 namespace alembert {
 
+/// Where a frame is fixed: a node, or -1 for the world, and the motions from there to the frame, which may
+/// depend on coordinates.
+struct FramePlace {
+  int node = -1;
+  std::vector<Motion> motions;
+};
+FramePlace frame_place(int frame, const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+
 /// Angular velocity of a frame and velocity of its origin, world axes, for a speed that is 1 (or for time).
 struct FrameTwist {
   int speed;  ///< index of the speed, or Mechanism::nv for time
