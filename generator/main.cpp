@@ -327,6 +327,8 @@ int run(int argc, char** argv) {
           "kg), "
           "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
       ->default_str("keep");
+  command->add_flag("!--no-friction", import.describe.resistance,
+                    "leave damping and friction of joints out of the description");
   command->callback([&] { result = run_import(common, import); });
   for (CLI::App* each : app.get_subcommands({}))
     each->add_flag("--strict", common.strict, "make warnings errors");

@@ -19,6 +19,7 @@ struct DescribeOptions {
   double snap_angles = 1e-10;  ///< angles of origins so near to a multiple of pi/12 are that multiple, rad
   Massless massless = Massless::keep;  ///< what becomes of joints that move no mass
   double armature = 1e-4;              ///< kg m^2 or kg, of their coordinates, if they get one
+  bool resistance = true;              ///< damping and friction of joints act
 };
 
 struct DescribedRobot {

@@ -17,6 +17,9 @@
 namespace alembert {
 namespace {
 
+/// Where friction is tanh 1 of its largest, rad/s or m/s: URDF has no such width.
+constexpr double kFrictionVelocity = 0.01;
+
 class Describer {
  public:
   Describer(const UrdfRobot& robot, const DescribeOptions& options)
@@ -43,6 +46,9 @@ class Describer {
     if (!definitions.items.empty()) nodes_.put(root, "definitions", definitions);
     nodes_.put(root, "bodies", bodies);
     if (!frames.items.empty()) nodes_.put(root, "frames", frames);
+    YamlNode& forces = nodes_.sequence(top);
+    add_forces(forces);
+    if (!forces.items.empty()) nodes_.put(root, "forces", forces);
     warn();
     return {Document(std::move(source), nodes_.take(), root), std::move(warnings_)};
   }
@@ -72,22 +78,43 @@ class Describer {
   }
 
   void add_coordinate(YamlNode& list, const std::string& name, const SourceLocation& where, bool massless,
-                      const std::optional<std::array<double, 2>>& limits = {}, const char* type = nullptr) {
-    const bool armature = massless && options_.massless == Massless::armature;
-    if (!limits && !armature && type == nullptr) {
+                      const UrdfJoint* joint = nullptr, const char* type = nullptr) {
+    const std::array<double, 2>* limits = joint != nullptr && joint->limits ? &*joint->limits : nullptr;
+    std::vector<std::pair<const char*, double>> numbers;
+    if (joint != nullptr && rotor(*joint) > 0)
+      numbers.emplace_back("armature", rotor(*joint));
+    else if (massless && options_.massless == Massless::armature)
+      numbers.emplace_back("armature", options_.armature);
+    const bool rubbed = joint != nullptr && options_.resistance && joint->friction != 0;
+    if (joint != nullptr) {
+      if (options_.resistance && joint->damping != 0) numbers.emplace_back("damping", joint->damping);
+      if (joint->effort) numbers.emplace_back("effort", *joint->effort);
+      if (joint->velocity) numbers.emplace_back("speed", *joint->velocity);
+    }
+    if (limits == nullptr && numbers.empty() && !rubbed && type == nullptr) {
       list.items.push_back(&nodes_.text(name, where));
       return;
     }
     YamlNode& node = nodes_.mapping(where);
     nodes_.put(node, "name", nodes_.text(name, where));
     if (type != nullptr) nodes_.put(node, "type", nodes_.text(type, where));
-    if (limits) {
+    if (limits != nullptr) {
       const double initial = std::clamp(0.0, (*limits)[0], (*limits)[1]);
       if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), where));
       nodes_.put(node, "limits", nodes_.list({number_text((*limits)[0]), number_text((*limits)[1])}, where));
     }
-    if (armature) nodes_.put(node, "armature", nodes_.text(number_text(options_.armature), where));
+    for (const auto& [key, value] : numbers) nodes_.put(node, key, nodes_.text(number_text(value), where));
+    if (rubbed) {
+      YamlNode& friction = nodes_.mapping(where);
+      nodes_.put(friction, "force", nodes_.text(number_text(joint->friction), where));
+      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
+      nodes_.put(node, "friction", friction);
+    }
     list.items.push_back(&node);
+  }
+  /// Inertia that the rotor of the joint's drive has for the joint.
+  static double rotor(const UrdfJoint& joint) {
+    return joint.reduction * joint.reduction * joint.rotor_inertia;
   }
   /// Position and rotation of what moves freely; their names.
   std::vector<std::string> add_free(YamlNode& list, const std::string& name, const SourceLocation& where,
@@ -96,7 +123,7 @@ class Describer {
     for (const char* suffix : {"_x", "_y", "_z", "_rotation"})
       names.push_back(names_.add(name, where, suffix));
     for (std::size_t i = 0; i < 3; ++i) add_coordinate(list, names[i], where, massless);
-    add_coordinate(list, names[3], where, massless, {}, "quaternion");
+    add_coordinate(list, names[3], where, massless, nullptr, "quaternion");
     return names;
   }
 
@@ -124,7 +151,7 @@ class Describer {
         case UrdfJointType::continuous:
         case UrdfJointType::prismatic:
           names.push_back(names_.add(joint.name, joint.where));
-          if (!joint.mimic) add_coordinate(list, names.back(), joint.where, massless_[j], joint.limits);
+          if (!joint.mimic) add_coordinate(list, names.back(), joint.where, massless_[j], &joint);
           break;
       }
     }
@@ -156,6 +183,35 @@ class Describer {
     if (mimic.offset != 0)
       value += fmt::format(" {} {}", mimic.offset < 0 ? '-' : '+', number_text(std::abs(mimic.offset)));
     return value;
+  }
+
+  /// Damping and friction of joints that mimic others act on those.
+  void add_forces(YamlNode& out) {
+    if (!options_.resistance) return;
+    for (const UrdfJoint& joint : robot_.joints) {
+      if (!joint.mimic || (joint.damping == 0 && joint.friction == 0)) continue;
+      double multiplier = 1;
+      const UrdfJoint* of = &joint;
+      for (; of->mimic && of->mimic->of; of = &robot_.joints[*of->mimic->of])
+        multiplier *= of->mimic->multiplier;
+      if (of->mimic) continue;  // stands still
+      const std::string coordinate = joint_names_[static_cast<std::size_t>(of - robot_.joints.data())][0];
+      const auto add = [&](const char* what, const std::string& value) {
+        YamlNode& force = nodes_.mapping(joint.where);
+        const std::string name = fmt::format(
+            "{}_{}", joint_names_[static_cast<std::size_t>(&joint - robot_.joints.data())][0], what);
+        nodes_.put(force, "name", nodes_.text(name, joint.where));
+        nodes_.put(force, "on", nodes_.text(coordinate, joint.where));
+        nodes_.put(force, "value", nodes_.text(value, joint.where));
+        out.items.push_back(&force);
+      };
+      if (joint.damping != 0)
+        add("damping",
+            fmt::format("{}*d({})", number_text(-multiplier * multiplier * joint.damping), coordinate));
+      if (joint.friction != 0)
+        add("friction", fmt::format("{}*tanh({}*d({}))", number_text(-multiplier * joint.friction),
+                                    number_text(multiplier / kFrictionVelocity), coordinate));
+    }
   }
 
   [[noreturn]] void fail_without_coordinates() const {
@@ -207,11 +263,6 @@ class Describer {
                "{} angle{} nearly a right angle but not one, as here: such axes are not parallel, and the "
                "code is longer; --snap-angles 1e-3 takes them for right angles",
                nearly_right_, nearly_right_ == 1 ? " is" : "s are")});
-    const auto resists = std::ranges::find(robot_.joints, true, &UrdfJoint::resists);
-    if (resists != robot_.joints.end())
-      warnings_.push_back(
-          {resists->where,
-           "damping and friction are no part of the equations: subtract them from the forces"});
     if (options_.massless == Massless::keep) warn_of_massless();
   }
 

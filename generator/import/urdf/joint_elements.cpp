@@ -99,6 +99,19 @@ void read_limits(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, c
   }
 }
 
+/// What says nothing where it is not positive.
+void read_drive(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, const std::string& what) {
+  const pugi::xml_node limit = element.child("limit");
+  const auto read = [&](const char* name, std::optional<double>& largest) {
+    const pugi::xml_attribute given = limit.attribute(name);
+    if (!given) return;
+    const double value = xml.number(given, fmt::format("the {} of {}", name, what));
+    if (value > 0) largest = value;
+  };
+  xml.tolerate("it is left out", [&] { read("effort", joint.effort); });
+  xml.tolerate("it is left out", [&] { read("velocity", joint.velocity); });
+}
+
 void read_mimic(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, const std::string& what) {
   const pugi::xml_node mimic = xml.find(element, "mimic", what);
   if (!mimic) return;
@@ -131,9 +144,14 @@ void read_mimic(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, co
 void read_resistance(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, const std::string& what) {
   const pugi::xml_node dynamics = element.child("dynamics");
   xml.check_spelling(dynamics, "the dynamics of " + what, {}, {"damping", "friction"});
-  for (const char* name : {"damping", "friction"})
+  for (const auto& [name, to] : {std::pair("damping", &joint.damping), {"friction", &joint.friction}})
     if (const pugi::xml_attribute value = dynamics.attribute(name))
-      joint.resists |= xml.number(value, fmt::format("the {} of {}", name, what)) != 0;
+      *to = xml.number(value, fmt::format("the {} of {}", name, what));
+  if (has_position(joint) || joint.type == UrdfJointType::fixed) return;
+  if (joint.damping != 0 || joint.friction != 0)
+    xml.warn({xml.where(dynamics),
+              fmt::format("{} has no single position; its damping and friction are left out", what)});
+  joint.damping = joint.friction = 0;
 }
 
 }  // namespace
@@ -147,6 +165,24 @@ std::vector<std::string> keys(const Indices& indices) {
 bool has_position(const UrdfJoint& joint) {
   return joint.type == UrdfJointType::revolute || joint.type == UrdfJointType::continuous ||
          joint.type == UrdfJointType::prismatic;
+}
+
+void read_transmission(pugi::xml_node element, std::vector<UrdfJoint>& joints, const Indices& names) {
+  const pugi::xml_node drive = element.child("actuator");
+  for (const pugi::xml_node of : element.children("joint")) {
+    const auto found = names.find(of.attribute("name").value());
+    if (found == names.end()) continue;
+    UrdfJoint& joint = joints[found->second];
+    const auto read = [&](const pugi::xml_node& node, double& to) {
+      const pugi::xml_attribute attribute = node.attribute("value");
+      const double value = attribute ? attribute.as_double() : node.text().as_double();
+      if (value > 0 && std::isfinite(value)) to = value;
+    };
+    read(drive.child("mechanicalReduction"), joint.reduction);
+    read(of.child("mechanicalReduction"), joint.reduction);
+    read(drive.child("drake:gear_ratio"), joint.reduction);
+    read(drive.child("drake:rotor_inertia"), joint.rotor_inertia);
+  }
 }
 
 UrdfJoint read_joint(const XmlText& xml, pugi::xml_node element, const Indices& links) {
@@ -171,7 +207,8 @@ UrdfJoint read_joint(const XmlText& xml, pugi::xml_node element, const Indices& 
   const bool limited = joint.type == UrdfJointType::revolute || joint.type == UrdfJointType::prismatic;
   if (limited && (!joint.mimic || element.child("limit")))
     xml.tolerate("they are left out", [&] { read_limits(xml, element, joint, what); });
-  xml.tolerate("it is no part of the equations", [&] { read_resistance(xml, element, joint, what); });
+  if (has_position(joint)) read_drive(xml, element, joint, what);
+  xml.tolerate("it is left out", [&] { read_resistance(xml, element, joint, what); });
   return joint;
 }
 

@@ -16,6 +16,10 @@ using Indices = std::map<std::string, std::size_t, std::less<>>;  // of links or
 /// The same; the joint that one mimics is found later. Throws at links that are none of `links`.
 UrdfJoint read_joint(const XmlText& xml, pugi::xml_node element, const Indices& links);
 
+/// A <transmission>: the reduction between the drive and the joints that it names, and the inertia of its
+/// rotor, of which only Drake's dialect knows. What is no positive number says nothing.
+void read_transmission(pugi::xml_node element, std::vector<UrdfJoint>& joints, const Indices& names);
+
 /// The names, for messages.
 std::vector<std::string> keys(const Indices& indices);
 

@@ -50,6 +50,8 @@ class RobotReader {
       if (!last.name.empty() && !joints_.emplace(last.name, robot_.joints.size() - 1).second)
         throw InputError(last.where, fmt::format("a second joint '{}'", printable(last.name)));
     }
+    for (const pugi::xml_node transmission : root.children("transmission"))
+      read_transmission(transmission, robot_.joints, joints_);
     check_tree();
     find_mimicked();
     return std::move(robot_);

@@ -60,7 +60,9 @@ struct UrdfJoint {
   std::array<double, 3> axis{1, 0, 0};
   std::optional<std::array<double, 2>> limits;
   std::optional<UrdfMimic> mimic;
-  bool resists = false;  ///< has damping or friction
+  double damping = 0, friction = 0;         ///< N m s or N s/m, N m or N
+  std::optional<double> effort, velocity;   ///< of its drive
+  double rotor_inertia = 0, reduction = 1;  ///< of its transmission: the rotor's, kg m^2, and turns to one
   SourceLocation where, type_where;
 };
 

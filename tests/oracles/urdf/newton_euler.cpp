@@ -191,6 +191,13 @@ std::vector<S> newton_euler(const UrdfTree& tree, const StateOf<S>& state, doubl
       S& entry = at[m.along.size() + k];
       entry = entry + factor * dot(m.about[k], m.moment);
     }
+    if (linkage.damping != 0 || linkage.friction != 0) {
+      using std::tanh;
+      constexpr double kWidth = 0.01;  // of the friction, as importers take it
+      const S rate = factor * state.speeds[places.speed[*i]];
+      at[0] = at[0] + factor * (On<S>::scalar(linkage.damping) * rate +
+                                On<S>::scalar(linkage.friction) * tanh(rate / S(kWidth)));
+    }
     if (linkage.parent < 0) continue;
     Moving<S>& parent = bodies[static_cast<std::size_t>(linkage.parent)];
     const Vector3<S> arm = m.pose.translation + S(-1.0) * parent.pose.translation;

@@ -113,8 +113,12 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
     if (linkage.motion != UrdfMotion::fixed) linkage.axis = normalized(linkage.axis);
     is_child[static_cast<std::size_t>(linkage.child)] = true;
     linkages[linkage.name] = static_cast<int>(tree.linkages.size());
-    tree.linkages.push_back(linkage);
     const bool single = linkage.motion == UrdfMotion::turn || linkage.motion == UrdfMotion::shift;
+    if (single) {
+      linkage.damping = joint.child("dynamics").attribute("damping").as_double();
+      linkage.friction = joint.child("dynamics").attribute("friction").as_double();
+    }
+    tree.linkages.push_back(linkage);
     if (joint.child("mimic") && single) mimics.emplace_back(linkage.name, joint.child("mimic"));
   }
   for (std::size_t i = 0; i < is_child.size(); ++i) {

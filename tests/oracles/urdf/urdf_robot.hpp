@@ -28,6 +28,7 @@ struct UrdfLinkage {
   WideVector axis{1.0L, 0.0L, 0.0L};  ///< of length 1
   int follows = -1;                   ///< the linkage whose position it follows, itself without follower
   long double multiplier = 1, offset = 0;
+  long double damping = 0, friction = 0;  ///< of a turn or a shift
 };
 
 struct UrdfTree {
