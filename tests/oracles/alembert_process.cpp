@@ -69,6 +69,7 @@ nlohmann::json json_state(const State& state) {
   nlohmann::json line = {{"q", state.q}, {"qd", state.speeds}, {"qdd", state.rates}, {"t", state.time}};
   if (!state.wrenches.empty()) line["wrenches"] = state.wrenches;
   if (!state.parameters.empty()) line["parameters"] = state.parameters;
+  if (!state.inputs.empty()) line["inputs"] = state.inputs;
   return line;
 }
 

@@ -233,17 +233,6 @@ TEST(Frames, OfATorus) {
   EXPECT_NEAR(pose.column[2][2].value, std::sin(v), 1e-15);
 }
 
-/// Jets of a function against its derivatives by hand, at x with x' = 2, x'' = -3.
-void expect_derivatives(const char* text, double x, double f, double f1, double f2) {
-  auto symbol = std::make_shared<ExpressionNode>();
-  symbol->operation = Operation::coordinate;
-  const Expression e = parse(text, [&](const std::string& name) { return name == "x" ? symbol : nullptr; });
-  const Jet<double> y = evaluate<Jet<double>>(e, {Jet<double>(x, 2, -3)}, Jet<double>(0.0));
-  EXPECT_NEAR(y.value, f, 1e-14) << text;
-  EXPECT_NEAR(y.first, 2 * f1, 1e-13) << text;
-  EXPECT_NEAR(y.second, 4 * f2 - 3 * f1, 1e-13) << text;
-}
-
 /// A point mass at the end of a slide that hangs from a link `world`, which the file may declare or not.
 TEST(ClosedForm, UndeclaredWorldOfUrdf) {
   const std::string file = ::testing::TempDir() + "alembert_undeclared_world.urdf";
@@ -259,34 +248,6 @@ TEST(ClosedForm, UndeclaredWorldOfUrdf) {
     EXPECT_NEAR(found.mass_matrix(0, 0), 2, kTolerance);
     EXPECT_NEAR(found.tau[0], 2 * (kG + 0.5), 2 * kG * kTolerance);
   }
-}
-
-TEST(Jet, Derivatives) {
-  using std::cos, std::exp, std::log, std::sin, std::sqrt, std::cosh, std::sinh, std::tanh, std::tan;
-  const double x = 0.7, s = sin(x), c = cos(x);
-  expect_derivatives("sin(x)", x, s, c, -s);
-  expect_derivatives("cos(x)", x, c, -s, -c);
-  expect_derivatives("tan(x)", x, tan(x), 1 / (c * c), 2 * s / (c * c * c));
-  expect_derivatives("asin(x)", x, std::asin(x), 1 / sqrt(1 - x * x), x / std::pow(1 - x * x, 1.5));
-  expect_derivatives("acos(x)", x, std::acos(x), -1 / sqrt(1 - x * x), -x / std::pow(1 - x * x, 1.5));
-  expect_derivatives("atan(x)", x, std::atan(x), 1 / (1 + x * x), -2 * x / ((1 + x * x) * (1 + x * x)));
-  expect_derivatives("atan2(x, 1)", x, std::atan(x), 1 / (1 + x * x), -2 * x / ((1 + x * x) * (1 + x * x)));
-  expect_derivatives("atan2(sin(x), cos(x))", 2.9, 2.9, 1, 0);
-  expect_derivatives("sqrt(x)", x, sqrt(x), 0.5 / sqrt(x), -0.25 / (x * sqrt(x)));
-  expect_derivatives("exp(x)", x, exp(x), exp(x), exp(x));
-  expect_derivatives("log(x)", x, log(x), 1 / x, -1 / (x * x));
-  expect_derivatives("abs(x)", -x, x, -1, 0);
-  expect_derivatives("sinh(x)", x, sinh(x), cosh(x), sinh(x));
-  expect_derivatives("cosh(x)", x, cosh(x), sinh(x), cosh(x));
-  const double th = tanh(x);
-  expect_derivatives("tanh(x)", x, th, 1 - th * th, -2 * th * (1 - th * th));
-  expect_derivatives("x^3", -x, -x * x * x, 3 * x * x, -6 * x);
-  expect_derivatives("x^1.5", x, std::pow(x, 1.5), 1.5 * sqrt(x), 0.75 / sqrt(x));
-  expect_derivatives("2^x", x, std::pow(2, x), log(2) * std::pow(2, x), log(2) * log(2) * std::pow(2, x));
-  expect_derivatives("1/x - -x*(x + 2)", x, 1 / x + x * (x + 2), -1 / (x * x) + 2 * x + 2,
-                     2 / (x * x * x) + 2);
-  expect_derivatives("-x^2", x, -x * x, -2 * x, -2);
-  expect_derivatives("2^3^2 + 6/2/3 - 4 - 3", x, 506, 0, 0);
 }
 
 }  // namespace

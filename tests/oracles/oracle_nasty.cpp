@@ -1,6 +1,7 @@
 // oracle_nasty EXECUTABLE [COUNT] [SEED]: mechanisms that are hard on numbers, every function of each at six
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
-// line for each kind and each function; exit 1. With --quiet before EXECUTABLE, descriptions are left out.
+// line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, and --forces puts
+// random forces of every kind on such mechanisms and on random trees.
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,13 +12,60 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "oracles/nasty_mechanism.hpp"
+#include "oracles/random_forces.hpp"
+#include "oracles/random_mechanism.hpp"
 #include "oracles/reference.hpp"
 
 namespace {
 
-constexpr int kStates = 6;
+using namespace alembert::oracles;
+
+constexpr int kStates = 6, kForcedStates = 3;
+/// Of so many with forces one is hard on numbers, and one is compared in each formulation too.
+constexpr std::uint64_t kForcedKinds = 5;
+
+struct Case {
+  std::string text, kind;
+  std::map<std::string, double> parameters;
+  Description description;
+  std::vector<State> states;
+};
+
+Case nasty_case(std::uint64_t seed) {
+  const NastyMechanism mechanism = nasty_mechanism(seed);
+  Case result{mechanism.text,
+              mechanism.kind,
+              mechanism.parameters,
+              parse_description(mechanism.text, mechanism.parameters),
+              {}};
+  result.states = nasty_states(mechanism, result.description, seed, kStates);
+  return result;
+}
+
+/// Runtime parameters are off their defaults.
+Case forced_case(std::uint64_t seed) {
+  const bool nasty = seed % kForcedKinds == 0;
+  const std::uint64_t kind = seed / kForcedKinds;  // they come in turn
+  NastyMechanism mechanism;
+  if (nasty)
+    mechanism = nasty_mechanism(kind);
+  else
+    mechanism.text = random_mechanism(seed);
+  Case result{with_random_forces(mechanism.text, seed),
+              nasty ? "forces, " + mechanism.kind : "forces on trees",
+              {},
+              {},
+              {}};
+  result.parameters = random_parameters(parse_description(result.text), seed);
+  for (const auto& [name, value] : mechanism.parameters) result.parameters[name] = value;
+  result.description = parse_description(result.text, result.parameters);
+  result.states = nasty ? nasty_states(mechanism, result.description, kind, kForcedStates)
+                        : comparable_states(result.description, kForcedStates, seed);
+  return result;
+}
 
 struct Summary {
   int compared = 0, failed = 0;
@@ -30,11 +78,13 @@ struct Summary {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace alembert::oracles;
-  const bool quiet = argc > 1 && std::strcmp(argv[1], "--quiet") == 0;
-  if (quiet) ++argv, --argc;
+  bool quiet = false, forces = false;
+  for (; argc > 1 && std::strncmp(argv[1], "--", 2) == 0; ++argv, --argc) {
+    quiet = quiet || std::strcmp(argv[1], "--quiet") == 0;
+    forces = forces || std::strcmp(argv[1], "--forces") == 0;
+  }
   if (argc < 2) {
-    std::fprintf(stderr, "usage: oracle_nasty [--quiet] EXECUTABLE [COUNT] [SEED]\n");
+    std::fprintf(stderr, "usage: oracle_nasty [--quiet] [--forces] EXECUTABLE [COUNT] [SEED]\n");
     return 2;
   }
   const std::string executable = argv[1];
@@ -46,15 +96,19 @@ int main(int argc, char** argv) {
   int failed = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t here = seed + static_cast<std::uint64_t>(i);
-    const NastyMechanism mechanism = nasty_mechanism(here);
-    const Description description = parse_description(mechanism.text, mechanism.parameters);
+    const Case mechanism = forces ? forced_case(here) : nasty_case(here);
     std::ofstream(file) << mechanism.text;
+    std::vector<Comparison> lines =
+        compare_functions(executable, file.string(), mechanism.description, mechanism.states,
+                          comparable_functions(mechanism.description));
+    if (forces && here % kForcedKinds == 1) {
+      for (const Comparison& line : compare(executable, file.string(), 2, here, "", mechanism.parameters))
+        lines.push_back(line);
+    }
     std::vector<Comparison> bad;
     Summary& kind = kinds["kind " + mechanism.kind];
     ++kind.compared;
-    for (const Comparison& line : compare_functions(executable, file.string(), description,
-                                                    nasty_states(mechanism, description, here, kStates),
-                                                    comparable_functions(description))) {
+    for (const Comparison& line : lines) {
       const bool fails = line.verdict == Comparison::Verdict::fail;
       if (fails) bad.push_back(line);
       for (Summary* summary : {&functions[line.function], &kind})
@@ -73,7 +127,7 @@ int main(int argc, char** argv) {
   std::filesystem::remove(file);
   for (const auto& [name, summary] : functions) summary.print(name);
   for (const auto& [name, summary] : kinds) summary.print(name);
-  std::printf("%d nasty mechanisms from seed %llu, %d of them wrong: %s\n", count,
+  std::printf("%d mechanisms from seed %llu, %d of them wrong: %s\n", count,
               static_cast<unsigned long long>(seed), failed, failed == 0 ? "PASS" : "FAIL");
   return failed == 0 ? 0 : 1;
 }

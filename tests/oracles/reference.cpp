@@ -160,7 +160,7 @@ long double scaled_condition(const MatrixOf<long double>& M) {
 }
 
 std::set<std::string> comparable_functions(const Description& description) {
-  std::set<std::string> all = numeric_function_names();
+  std::set<std::string> all = numeric_function_names(description);
   for (auto name = all.begin(); name != all.end();) {
     const bool has_none = (name->rfind("frame_", 0) == 0 && description.frames.empty()) ||
                           (*name == "constraints" && description.constraints.empty());

@@ -46,6 +46,10 @@ State random_state(const Description& description, std::mt19937_64& random) {
     for (double& entry : state.wrenches[body.name]) entry = uniform(random, -5, 5);
   }
   state.parameters = description.runtime_parameters;
+  for (const Input& input : description.inputs) {
+    const auto [low, high] = input.limits.value_or(std::pair(input.initial - 1, input.initial + 1));
+    state.inputs[input.name] = uniform(random, low, high);
+  }
   return state;
 }
 

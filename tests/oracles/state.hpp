@@ -18,6 +18,7 @@ struct State {
   double time = 0;
   std::map<std::string, double> parameters = {};  ///< runtime parameters
   std::map<std::string, Wrench> wrenches = {};    ///< by body, of those with external_wrench
+  std::map<std::string, double> inputs = {};      ///< others have their initial values
 };
 
 template <class R>
@@ -35,7 +36,8 @@ struct DynamicsOf {
 using Dynamics = DynamicsOf<double>;
 
 /// A random state: coordinates within their limits (or 1.5 about their initial value), speeds and rates
-/// within 2, time within 2 s, wrenches within 5 N and 5 N m.
+/// within 2, time within 2 s, wrenches within 5 N and 5 N m, inputs within their limits (or 1 about their initial
+/// value).
 State random_state(const Description& description, std::mt19937_64& random);
 
 /// For each runtime parameter a value up to a tenth off its default.

@@ -4,11 +4,14 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+
+#include "oracles/description/force_section.hpp"
 
 namespace alembert::oracles {
 
@@ -24,28 +27,19 @@ class Reader {
     read_parameters();
     if (root_["gravity"]) result_.gravity = constants(root_["gravity"]);
     for (const YAML::Node& node : root_["coordinates"]) read_coordinate(node);
+    declare_quantities(root_, names_, result_);
     for (const auto& definition : root_["definitions"]) {
       names_[definition.first.as<std::string>()] = expression(definition.second);
     }
     read_bodies();
     for (const YAML::Node& node : root_["frames"]) read_frame(node);
     for (const YAML::Node& node : root_["constraints"]) read_constraint(node);
+    read_forces(root_, names_, result_);
     return result_;
   }
 
  private:
-  static Expression variable(int index) {
-    auto symbol = std::make_shared<ExpressionNode>();
-    symbol->operation = Operation::coordinate;
-    symbol->coordinate = index;
-    return symbol;
-  }
-  Expression expression(const YAML::Node& node) {
-    return parse(node.as<std::string>(), [this](const std::string& name) -> Expression {
-      const auto found = names_.find(name);
-      return found == names_.end() ? nullptr : found->second;
-    });
-  }
+  Expression expression(const YAML::Node& node) const { return expression_of(node, names_); }
   double constant(const YAML::Node& node) { return constant_value(expression(node)); }
   Expression3 expressions(const YAML::Node& node) {
     return {expression(node[0]), expression(node[1]), expression(node[2])};
@@ -100,6 +94,7 @@ class Reader {
     if (node.IsMap() && node["limits"])
       c.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
     if (node.IsMap() && node["armature"]) c.armature = constant(node["armature"]);
+    if (node.IsMap()) read_coordinate_forces(node, names_, c);
     if (!c.quaternion) names_[c.name] = variable(c.first_q);
     coordinates_[c.name] = result_.coordinates.size();
     result_.nq += c.quaternion ? 4 : 1;
@@ -231,14 +226,11 @@ class Reader {
     return -1;
   }
 
-  /// Also gives the frame's position its place after coordinates and speeds.
   void read_frame(const YAML::Node& node) {
     Frame frame;
     frame.name = node["name"].as<std::string>();
     frame.body = body_index(node["body"].as<std::string>());
     frame.transform = transform(node["transform"]);
-    const int first = result_.nq + result_.nv + 3 * static_cast<int>(result_.frames.size());
-    for (int i = 0; i < 3; ++i) names_["position(" + frame.name + ")." + "xyz"[i]] = variable(first + i);
     result_.frames.push_back(std::move(frame));
   }
 
@@ -264,12 +256,6 @@ class Reader {
   }
 
   void read_constraint(const YAML::Node& node) {
-    for (const Coordinate& c : result_.coordinates) {
-      const std::string rate = "d(" + c.name + ")";
-      const int first = result_.nq + c.first_speed;
-      if (!c.quaternion) names_[rate] = variable(first);
-      for (int i = 0; c.quaternion && i < 3; ++i) names_[rate + "." + "xyz"[i]] = variable(first + i);
-    }
     Constraint constraint;
     constraint.name = node["name"].as<std::string>();
     const std::string type = node["type"].as<std::string>();
@@ -287,7 +273,7 @@ class Reader {
   YAML::Node root_;
   const std::map<std::string, double>& values_;  ///< of runtime parameters
   Description result_;
-  std::map<std::string, Expression> names_;
+  Names names_;
   std::map<std::string, std::size_t> coordinates_;
 };
 
@@ -303,6 +289,13 @@ std::size_t Description::constraint_rows() const {
   std::size_t rows = 0;
   for (const Constraint& constraint : constraints) rows += constraint.rows();
   return rows;
+}
+
+bool Description::has_forces() const {
+  const auto forced = [](const Coordinate& c) {
+    return c.damping != 0 || c.friction != 0 || c.stiffness != 0;
+  };
+  return !forces.empty() || std::any_of(coordinates.begin(), coordinates.end(), forced);
 }
 
 double Description::parameter(const std::string& wanted) const {

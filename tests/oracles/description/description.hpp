@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oracles/description/expression.hpp"
+#include "oracles/description/forces.hpp"
 
 namespace alembert::oracles {
 
@@ -21,7 +22,9 @@ struct Coordinate {
   int first_q = 0, first_speed = 0;
   std::vector<double> initial;
   std::optional<std::pair<double, double>> limits;
-  double armature = 0;  ///< inertia of its own to each of its speeds
+  double armature = 0;                                      ///< inertia of its own to each of its speeds
+  double damping = 0, friction = 0, friction_velocity = 1;  ///< of each of its speeds
+  double stiffness = 0, rest = 0;                           ///< of a real one
 };
 
 struct Factor;
@@ -98,10 +101,14 @@ struct Description {
   std::vector<Body> bodies;  ///< parents first
   std::vector<Frame> frames;
   std::vector<Constraint> constraints;
+  std::vector<Input> inputs;
+  std::vector<FramePath> paths;
+  std::vector<AppliedForce> forces;  ///< beside those of coordinates
   int nq = 0, nv = 0;
 
   std::vector<double> armatures() const;  ///< by speed
   std::size_t constraint_rows() const;
+  bool has_forces() const;                          ///< of any kind, also of coordinates
   double parameter(const std::string& name) const;  ///< throws if there is none
 };
 

@@ -37,20 +37,34 @@ enum class Operation {
   sinh,
   cosh,
   tanh,
-  spline,
+  min,
+  max,
+  clamp,
+  step,
+  smoothstep,
+  select,
+  sign,
+  table,
 };
 
 /// One node of an expression; shared, immutable.
 struct ExpressionNode;
 using Expression = std::shared_ptr<const ExpressionNode>;
 
-/// Natural cubic spline through (knot, value), straight on both sides.
-struct Spline {
-  std::vector<double> knots, values;
-  std::vector<double> bends;  ///< second derivatives at the knots, 0 at the first and the last
+/// How a table bends between its points.
+enum class Fit {
+  natural,   ///< a cubic spline without bend at both ends
+  straight,  ///< not at all
+  simm,  ///< a cubic spline whose third derivative at an end is that of the cubic through the four points there
+};
 
-  Spline() = default;
-  Spline(std::vector<double> knots, std::vector<double> values);
+/// Cubic pieces through (knot, value), straight on both sides.
+struct Table {
+  std::vector<double> knots, values;
+  std::vector<double> bends;  ///< second derivatives at the knots
+
+  Table() = default;
+  Table(std::vector<double> knots, std::vector<double> values, Fit fit);
 
   /// Between two knots the line through their values, and what the bends add to it.
   template <class S>
@@ -75,8 +89,8 @@ struct ExpressionNode {
   Operation operation = Operation::number;
   double number = 0;   ///< of a number
   int coordinate = 0;  ///< of a coordinate: index into q (of a constraint's: into all its variables)
-  std::array<Expression, 2> operand;
-  Spline spline;  ///< of a spline, of operand 0
+  std::array<Expression, 3> operand;
+  Table table;  ///< of a table, of operand 0
 };
 using Expression3 = std::array<Expression, 3>;
 
@@ -84,13 +98,24 @@ Expression number(double value);
 Expression negated(const Expression& of);
 Expression product(const Expression& a, const Expression& b);
 
-/// Parses `text`; `lookup` gives what a name stands for (null: unknown). Throws std::runtime_error.
+/// Parses `text`; `lookup` gives what a name stands for (null: unknown). What is asked of a frame, a path or a
+/// coordinate is one name without spaces: d(q), rotation(F).xy, distance(F,G). Throws std::runtime_error.
 Expression parse(const std::string& text, const std::function<Expression(const std::string&)>& lookup);
 
 /// True if neither a coordinate nor time is inside.
 bool is_constant(const Expression& expression);
 
-/// Value of `e` at coordinates `q` and time `t`.
+template <class S>
+S least(const S& a, const S& b) {
+  return leading(b) < leading(a) ? b : a;
+}
+template <class S>
+S clamped(const S& x, const S& low, const S& high) {
+  return leading(x) < leading(low) ? low : leading(x) > leading(high) ? high : x;
+}
+
+/// Value of `e` at coordinates `q` and time `t`. Where a function has branches, jets are those of the branch that is
+/// taken, and nothing else of a selection is looked at.
 template <class S>
 S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
@@ -145,8 +170,26 @@ S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
       return cosh(operand(0));
     case Operation::tanh:
       return tanh(operand(0));
-    case Operation::spline:
-      return e->spline.at(operand(0));
+    case Operation::min:
+      return least(operand(0), operand(1));
+    case Operation::max:
+      return -least(S(-operand(0)), S(-operand(1)));
+    case Operation::clamp:
+      return clamped(operand(0), operand(1), operand(2));
+    case Operation::step:
+      return S(leading(operand(0)) > 0 ? 1.0 : 0.0);
+    case Operation::smoothstep: {
+      const S c = clamped(operand(0), S(0.0), S(1.0));
+      return c * c * (S(3.0) - S(2.0) * c);
+    }
+    case Operation::select:
+      return leading(operand(0)) > 0 ? operand(1) : operand(2);
+    case Operation::sign: {
+      const double x = leading(operand(0));
+      return S(x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0);
+    }
+    case Operation::table:
+      return e->table.at(operand(0));
   }
   return S(0.0);
 }

@@ -121,6 +121,7 @@ int first_speed_of(const Description& description, int first_q) {
 JointTree::JointTree(const Description& from) : description(from) {
   for (const Coordinate& c : from.coordinates)
     if (c.armature != 0) throw NotExpressible("an armature");
+  if (from.has_forces()) throw NotExpressible("forces");
   gravity = {from.gravity[0], from.gravity[1], from.gravity[2]};
   std::vector<Path> open(from.bodies.size());        // of a massless body: from the link before it
   std::vector<int> link_of(from.bodies.size(), -1);  // link a body is, or hangs on

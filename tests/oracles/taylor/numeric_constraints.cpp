@@ -23,12 +23,8 @@ std::vector<Jet<R>> variables(const Description& description, const std::vector<
                               const std::vector<Jet<R>>& u, const Jet<R>& t) {
   std::vector<Jet<R>> all = q;
   all.insert(all.end(), u.begin(), u.end());
-  const auto poses = world_poses(description, q, t);
-  for (const Frame& frame : description.frames) {
-    RigidMotion<Jet<R>> pose = product_of(frame.transform, q, t);
-    if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
-    all.insert(all.end(), pose.translation.begin(), pose.translation.end());
-  }
+  for (const RigidMotion<Jet<R>>& frame : frame_poses(description, q, t))
+    all.insert(all.end(), frame.translation.begin(), frame.translation.end());
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "oracles/taylor/applied_forces.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 #include "oracles/taylor/poses.hpp"
@@ -24,18 +25,13 @@ Motion motion_at(const RigidMotion<Jet<R>>& pose, const std::array<double, 3>& p
   using T = Jet<R>;
   const Vector3<T> at = rotated(pose, Vector3<T>{T(point[0]), T(point[1]), T(point[2])}) + pose.translation;
   Motion motion;
-  // skew(angular velocity in world axes) = R' R^T
-  const auto spin = [&](std::size_t row, std::size_t column) {
-    R sum(0.0);
-    for (const Vector3<T>& axis : pose.column) sum += axis[row].first * axis[column].value;
-    return static_cast<double>(sum);
-  };
-  motion.velocity.head<3>() << spin(2, 1), spin(0, 2), spin(1, 0);
+  const Vector3<R> omega = angular_velocity(pose);
   for (Eigen::Index r = 0; r < 3; ++r) {
     const auto row = static_cast<std::size_t>(r);
     for (std::size_t c = 0; c < 3; ++c)
       motion.pose(r, static_cast<Eigen::Index>(c)) = static_cast<double>(pose.column[c][row].value);
     motion.pose(r, 3) = static_cast<double>(pose.translation[row].value);
+    motion.velocity[r] = static_cast<double>(omega[row]);
     motion.velocity[3 + r] = static_cast<double>(at[row].first);
   }
   return motion;
@@ -51,11 +47,8 @@ Motions motions(const Description& description, const std::vector<Jet<R>>& q, co
   Motions result;
   for (std::size_t i = 0; i < poses.size(); ++i)
     result.bodies.push_back(motion_at(poses[i], description.bodies[i].com));
-  for (const Frame& frame : description.frames) {
-    RigidMotion<Jet<R>> pose = product_of(frame.transform, q, t);
-    if (frame.body >= 0) pose = poses[static_cast<std::size_t>(frame.body)] * pose;
-    result.frames.push_back(motion_at(pose, {}));
-  }
+  for (const RigidMotion<Jet<R>>& frame : frame_poses(description, q, t))
+    result.frames.push_back(motion_at(frame, {}));
   return result;
 }
 
@@ -170,6 +163,14 @@ const Builders<R>& builders() {
        [](From x) {
          return Arrays{{"g", x.gravity()}};
        }},
+      {"applied_forces",
+       [](From x) {
+         Eigen::VectorXd Q(x.description.nv);
+         Eigen::Index k = 0;
+         for (const R& force : applied_forces(x.description, lifted<R>(x.state)))
+           Q[k++] = static_cast<double>(force);
+         return Arrays{{"Q", Q}};
+       }},
       {"forward_dynamics",
        [](From x) {
          return Arrays{{"qdd", column(x.state.rates)}};
@@ -219,9 +220,10 @@ const Builders<R>& builders() {
 
 }  // namespace
 
-std::set<std::string> numeric_function_names() {
+std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);
+  if (!description.has_forces()) names.erase("applied_forces");
   return names;
 }
 
@@ -229,9 +231,10 @@ template <class R>
 std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state,
                                                 const std::set<std::string>& wanted) {
   const Quantities<R> quantities(description, state);
+  const std::set<std::string> names = wanted.empty() ? numeric_function_names(description) : wanted;
   std::map<std::string, Arrays> all;
   for (const auto& [name, build] : builders<R>())
-    if (wanted.empty() || wanted.count(name) != 0) all[name] = build(quantities);
+    if (names.count(name) != 0) all[name] = build(quantities);
   return all;
 }
 

@@ -14,8 +14,8 @@ namespace alembert::oracles {
 /// centre of mass, xx yy zz xy xz yz), one a body or frame; Jacobians have six rows each.
 using Arrays = std::map<std::string, Eigen::MatrixXd>;
 
-/// All functions that have a reference.
-std::set<std::string> numeric_function_names();
+/// All functions that have a reference; applied forces only where there are any.
+std::set<std::string> numeric_function_names(const Description& description);
 
 /// By function, all or those that are wanted. Forces of forward dynamics are those that give the state's
 /// rates. R is what they are evaluated in, double or long double (constraints always in double).

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include "oracles/taylor/applied_forces.hpp"
+
 namespace alembert::oracles {
 
 namespace {
@@ -141,6 +143,9 @@ DynamicsOf<R> numeric_lagrangian(const Description& description, const State& gi
     }
   }
   const std::vector<double> armatures = description.armatures();
+  const VectorOf<R> applied = forces(applied_forces(description, state));
+  result.tau -= applied;
+  result.bias -= applied;
   for (int k = 0; k < description.nv; ++k) {
     const double a = armatures[static_cast<std::size_t>(k)];
     result.tau[k] += a * state.rates[static_cast<std::size_t>(k)];
@@ -155,7 +160,9 @@ std::vector<R> numeric_forces(const Description& description, const StateOf<R>& 
   std::vector<R> forces =
       forces_of(description, state, state.rates, partial_velocities(description, state), wrenches);
   const std::vector<double> armatures = description.armatures();
-  for (std::size_t k = 0; k < forces.size(); ++k) forces[k] = forces[k] + R(armatures[k]) * state.rates[k];
+  const std::vector<R> applied = applied_forces(description, state);
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    forces[k] = forces[k] + R(armatures[k]) * state.rates[k] - applied[k];
   return forces;
 }
 
@@ -176,6 +183,7 @@ std::pair<R, R> energy(const Description& description, const State& given) {
   const std::vector<double> armatures = description.armatures();
   for (std::size_t k = 0; k < armatures.size(); ++k)
     result.first += 0.5 * armatures[k] * state.speeds[k] * state.speeds[k];
+  result.second += potential_of_forces(description, state);
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace alembert::oracles {
 
 /// tau_k = sum over bodies of  (m (a - g) - f) . dv/du_k + (I al + om x I om - R^T tau_ext) . dom/du_k;
 /// M_kl = sum of  m dv/du_k . dv/du_l + dom/du_k . I dom/du_l;  c = tau at zero rates. An armature a adds a
-/// du_k/dt to tau_k and a to M_kk, and a u_k^2/2 to the kinetic energy.
+/// du_k/dt to tau_k and a to M_kk, and a u_k^2/2 to the kinetic energy; applied forces are taken off tau and c.
 /// R is double, or long double for a reference that has digits to spare.
 template <class R = double>
 DynamicsOf<R> numeric_lagrangian(const Description& description, const State& state);
@@ -20,7 +20,7 @@ template <class R>
 std::vector<R> numeric_forces(const Description& description, const StateOf<R>& state,
                               const std::map<std::string, Wrench>& wrenches);
 
-/// Kinetic and potential energy (potential zero at the world's origin).
+/// Kinetic and potential energy: of gravity, zero at the world's origin, and of applied forces.
 template <class R = double>
 std::pair<R, R> energy(const Description& description, const State& state);
 

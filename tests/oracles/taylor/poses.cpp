@@ -119,6 +119,29 @@ std::vector<RigidMotion<Jet<R>>> world_poses(const Description& description, con
   return poses;
 }
 
+template <class R>
+std::vector<RigidMotion<Jet<R>>> frame_poses(const Description& description, const std::vector<Jet<R>>& q,
+                                             const Jet<R>& t) {
+  const auto bodies = world_poses(description, q, t);
+  std::vector<RigidMotion<Jet<R>>> poses;
+  for (const Frame& frame : description.frames) {
+    const RigidMotion<Jet<R>> relative = product_of(frame.transform, q, t);
+    poses.push_back(frame.body < 0 ? relative : bodies[static_cast<std::size_t>(frame.body)] * relative);
+  }
+  return poses;
+}
+
+// skew(angular velocity) = R' R^T
+template <class R>
+Vector3<R> angular_velocity(const RigidMotion<Jet<R>>& pose) {
+  const auto spin = [&](std::size_t row, std::size_t column) {
+    R sum(0.0);
+    for (const Vector3<Jet<R>>& axis : pose.column) sum = sum + axis[row].first * axis[column].value;
+    return sum;
+  };
+  return {spin(2, 1), spin(0, 2), spin(1, 0)};
+}
+
 // Its rates are N(q) u, and N(q') u + N(q) u' (N is linear).
 template <class R>
 std::vector<Jet<R>> trajectory(const Description& description, const StateOf<R>& state,
@@ -152,6 +175,9 @@ std::vector<Jet<R>> unit_motion(const Description& description, const StateOf<R>
                                           const Jet<R>&);                                                \
   template std::vector<RigidMotion<Jet<R>>> world_poses(const Description&, const std::vector<Jet<R>>&,  \
                                                         const Jet<R>&);                                  \
+  template std::vector<RigidMotion<Jet<R>>> frame_poses(const Description&, const std::vector<Jet<R>>&,  \
+                                                        const Jet<R>&);                                  \
+  template Vector3<R> angular_velocity(const RigidMotion<Jet<R>>&);                                      \
   template std::vector<Jet<R>> trajectory(const Description&, const StateOf<R>&, const std::vector<R>&); \
   template std::vector<Jet<R>> unit_motion(const Description&, const StateOf<R>&, int);
 ALEMBERT_POSES(double)

@@ -2,6 +2,8 @@
 // time. R is what the jets are of: double, long double, or jets of these along a parameter of one's own.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "oracles/state.hpp"
@@ -14,10 +16,12 @@ template <class R>
 struct StateOf {
   std::vector<R> q, speeds, rates;
   R time;
+  std::map<std::string, R> inputs = {};
 };
 template <class R>
 StateOf<R> lifted(const State& state) {
   StateOf<R> result{{}, {}, {}, R(state.time)};
+  for (const auto& [name, value] : state.inputs) result.inputs.emplace(name, R(value));
   for (const double x : state.q) result.q.emplace_back(x);
   for (const double x : state.speeds) result.speeds.emplace_back(x);
   for (const double x : state.rates) result.rates.emplace_back(x);
@@ -37,6 +41,15 @@ RigidMotion<Jet<R>> product_of(const std::vector<Factor>& factors, const std::ve
 template <class R>
 std::vector<RigidMotion<Jet<R>>> world_poses(const Description& description, const std::vector<Jet<R>>& q,
                                              const Jet<R>& t);
+
+/// The same of all frames.
+template <class R>
+std::vector<RigidMotion<Jet<R>>> frame_poses(const Description& description, const std::vector<Jet<R>>& q,
+                                             const Jet<R>& t);
+
+/// Angular velocity in world axes, along whatever the pose moves along.
+template <class R>
+Vector3<R> angular_velocity(const RigidMotion<Jet<R>>& pose);
 
 /// q along the motion with the state's speeds, whose rates are given.
 template <class R>

@@ -1,0 +1,28 @@
+// The sections `inputs` and `forces`, and the forces of coordinates: YAML in, their part of a Description out.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <string>
+
+#include "oracles/description/description.hpp"
+
+namespace alembert::oracles {
+
+using Names = std::map<std::string, Expression>;
+
+Expression variable(int index);
+Expression expression_of(const YAML::Node& node, const Names& names);
+
+/// Gives speeds, inputs, and what is known of frames and paths their names. The coordinates are read before, nothing
+/// else needs to be.
+void declare_quantities(const YAML::Node& root, Names& names, Description& result);
+
+/// Damping, friction and stiffness of a coordinate, which is a map.
+void read_coordinate_forces(const YAML::Node& node, const Names& names, Coordinate& coordinate);
+
+/// After the frames.
+void read_forces(const YAML::Node& root, const Names& names, Description& result);
+
+}  // namespace alembert::oracles

@@ -1,0 +1,44 @@
+// What acts on a mechanism beside gravity and wrenches, as a description says it. Expressions here are over a longer
+// list of variables than others: coordinates, speeds, the position of each frame, inputs, then of each frame its
+// velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length and rate.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "oracles/description/expression.hpp"
+
+namespace alembert::oracles {
+
+/// A number that a state gives, or does not.
+struct Input {
+  std::string name;
+  double initial = 0;
+  std::optional<std::pair<double, double>> limits;
+};
+
+/// Between the origins of frames, from one to the next; indices.
+using FramePath = std::vector<std::size_t>;
+
+struct SpeedForce {
+  int speed;  ///< index
+  Expression value;
+};
+struct Potential {
+  Expression value;  ///< of no speeds
+};
+struct Tension {
+  std::size_t path;    ///< index
+  Expression tension;  ///< positive: shortens the path
+};
+struct FrameForce {
+  std::size_t frame;        ///< index; at its origin, and on its turn
+  bool world_axes = false;  ///< or along the frame's axes
+  Expression3 force, torque;
+};
+using AppliedForce = std::variant<SpeedForce, Potential, Tension, FrameForce>;
+
+}  // namespace alembert::oracles

@@ -1,0 +1,365 @@
+// Draws forces (see the header).
+#include "oracles/random_forces.hpp"
+
+#include <map>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "oracles/description/description.hpp"
+#include "oracles/random_expressions.hpp"
+
+namespace alembert::oracles {
+
+namespace {
+
+/// Puts lines into a section; where there is none, begins it before `before`, or at the end.
+void add_lines(std::string& text, const std::string& section, const std::string& lines,
+               const std::string& before = "") {
+  if (lines.empty()) return;
+  const std::string header = section + ":\n";
+  const std::size_t found = ("\n" + text).find("\n" + header);
+  if (found != std::string::npos) {
+    text.insert(found + header.size(), lines);
+  } else if (before.empty()) {
+    text += header + lines;
+  } else {
+    text.insert(("\n" + text).find("\n" + before), header + lines);
+  }
+}
+
+class ForceWriter {
+ public:
+  ForceWriter(const std::string& yaml, std::uint64_t seed)
+      : draw_(seed), text_(yaml), given_(parse_description(yaml)) {
+    for (const Coordinate& c : given_.coordinates) (c.quaternion ? quaternions_ : reals_).push_back(c.name);
+  }
+
+  std::string write() {
+    const int inputs = 1 + draw_.below(3);
+    for (int i = 0; i < inputs; ++i) add_input(i);
+    const int definitions = draw_.below(3);
+    for (int i = 0; i < definitions; ++i) add_definition(i);
+    const int frames = 3 + draw_.below(3);
+    for (int i = 0; i < frames; ++i) add_frame(i);
+    paths_ = 2 + draw_.below(2);
+    for (int i = 0; i < kKinds; ++i) add_force(i);
+    const int more = draw_.below(3);
+    for (int i = 0; i < more; ++i) add_force(draw_.below(kKinds));
+    for (; path_ < paths_;) add_force(kPath);
+    add_forces_of_coordinates();
+    add_lines(text_, "frames", frame_lines_);
+    add_lines(text_, "inputs", input_lines_);
+    add_lines(text_, "forces", forces_);
+    add_lines(text_, "definitions", used(definitions_), "bodies:");
+    add_lines(text_, "parameters", used(parameters_), "gravity:");
+    return text_;
+  }
+
+ private:
+  static constexpr int kKinds = 7, kPath = 3;
+
+  const std::string& one_of(const std::vector<std::string>& names) {
+    return names[static_cast<std::size_t>(draw_.below(static_cast<int>(names.size())))];
+  }
+  /// A number, or a new parameter.
+  std::string constant(double low, double high) {
+    const std::string value = decimal(draw_.between(low, high));
+    if (!draw_.chance(0.3)) return value;
+    const std::string name = "k" + std::to_string(parameter_count_++);
+    parameters_[name] = draw_.chance(0.6) ? "{value: " + value + ", runtime: true}" : value;
+    return name;
+  }
+  /// Those that the text mentions.
+  std::string used(const std::map<std::string, std::string>& declarations) const {
+    std::string lines;
+    for (const auto& [name, value] : declarations)
+      if (std::regex_search(text_, std::regex("\\b" + name + "\\b")))
+        lines += "  " + name + ": " + value + "\n";
+    return lines;
+  }
+  std::string coordinate() { return reals_.empty() ? decimal(draw_.between(0.1, 1)) : one_of(reals_); }
+  std::string component() { return std::string(".") + "xyz"[draw_.below(3)]; }
+
+  void add_input(int i) {
+    const std::string name = "in" + std::to_string(i), initial = decimal(draw_.between(-0.5, 0.5));
+    const bool limits = draw_.chance(0.5);
+    input_lines_ += i == 0 && !limits ? "  - " + name + "\n"
+                                      : "  - {name: " + name + ", initial: " + initial +
+                                            (limits ? ", limits: [-0.7, 1.3]" : "") + "}\n";
+    inputs_.push_back(name);
+  }
+  void add_definition(int i) {
+    const std::string name = "w" + std::to_string(i), size = constant(0.5, 2);
+    const std::string x = coordinate(), in = one_of(inputs_);
+    definitions_[name] = "\"" + size + "*" + in + " + sin(" + x + " + t)\"";
+    defined_.push_back(name);
+  }
+
+  /// On a body or in the world; some move there.
+  void add_frame(int i) {
+    const std::string name = "g" + std::to_string(i);
+    const int body = draw_.below(static_cast<int>(given_.bodies.size()) + 1) - 1;
+    const std::string x = constant(-0.6, 0.6), y = constant(-0.6, 0.6), z = constant(0.1, 0.8);
+    frame_lines_ += "  - {name: " + name +
+                    ", body: " + (body < 0 ? "world" : given_.bodies[static_cast<std::size_t>(body)].name) +
+                    ", transform: [{translate: " + list({x, y, z}) + "}";
+    if (draw_.chance(0.6)) {
+      const std::string about = draw_.axis(), angle = constant(-1.5, 1.5);
+      frame_lines_ += ", {rotate: {axis: " + about + ", angle: " + angle + "}}";
+    }
+    if (draw_.chance(0.4)) frame_lines_ += ", " + moving_factor();
+    frame_lines_ += "]}\n";
+    frames_.push_back(name);
+  }
+  std::string moving_factor() {
+    const std::string q = coordinate();
+    switch (draw_.below(quaternions_.empty() ? 3 : 4)) {
+      case 0:
+        return "{translate: " + list({"0.3*sin(" + q + ")", "0.1", "0.2*t"}) + "}";
+      case 1: {
+        const std::string about = draw_.axis();
+        return "{rotate: {axis: " + about + ", angle: \"0.5*" + q + " + 0.3*sin(t)\"}}";
+      }
+      case 2: {
+        const std::string other = coordinate();
+        return "{translate: " + list({"0.2*" + q, "0.1*cos(" + other + ")", "0.1"}) +
+               "}, {rotate: {axis: y, angle: \"" + other + "/2\"}}";
+      }
+      default:
+        return "{rotate: {quaternion: " + one_of(quaternions_) + "}}";
+    }
+  }
+
+  std::string any_speed() {
+    const std::size_t reals = reals_.size();
+    const auto which = static_cast<std::size_t>(draw_.below(static_cast<int>(reals + quaternions_.size())));
+    if (which < reals) return "d(" + reals_[which] + ")";
+    return "d(" + quaternions_[which - reals] + ")" + component();
+  }
+  std::string two_frames(const std::string& between) {
+    const int first = draw_.below(static_cast<int>(frames_.size()) - 1);
+    const int second = first + 1 + draw_.below(static_cast<int>(frames_.size()) - 1 - first);
+    return frames_[static_cast<std::size_t>(first)] + between + frames_[static_cast<std::size_t>(second)];
+  }
+  std::string quantity() {
+    switch (draw_.below(with_speeds_ ? 13 : 9)) {
+      case 0:
+      case 1:
+        return coordinate();
+      case 2:
+        return "sin(" + decimal(draw_.between(0.5, 3)) + "*t)";
+      case 3:
+        return one_of(inputs_);
+      case 4:
+        return defined_.empty() ? one_of(inputs_) : one_of(defined_);
+      case 5: {
+        const std::string frame = one_of(frames_);
+        return "position(" + frame + ")" + component();
+      }
+      case 6: {
+        const std::string frame = one_of(frames_), row = component();
+        return "rotation(" + frame + ")" + row + component()[1];
+      }
+      case 7:
+        return "distance(" + two_frames(", ") + ")";
+      case 8:
+        return "length(path" + std::to_string(draw_.below(paths_)) + ")";
+      case 9:
+        return any_speed();
+      case 10: {
+        const std::string frame = one_of(frames_);
+        return "velocity(" + frame + ")" + component();
+      }
+      case 11: {
+        const std::string frame = one_of(frames_);
+        return "angular_velocity(" + frame + ")" + component();
+      }
+      default:
+        return "rate(path" + std::to_string(draw_.below(paths_)) + ")";
+    }
+  }
+
+  std::string table(const std::string& function, const std::string& x) {
+    const int knots = 2 + draw_.below(4);
+    std::string at, through;
+    double knot = draw_.between(-2, -1);
+    for (int i = 0; i < knots; ++i) {
+      at += (i > 0 ? ", " : "") + decimal(knot);
+      through += (i > 0 ? ", " : "") + decimal(draw_.between(-2, 2));
+      knot += draw_.between(0.3, 1.2);
+    }
+    const bool brackets = draw_.chance(0.7);
+    return function + "(" + x + "; " +
+           (brackets ? "[" + at + "]; [" + through + "])" : at + "; " + through + ")");
+  }
+
+  /// A function of one or two quantities, or once of such functions. What jumps does so away from 0, which a quantity
+  /// may be at all states but for rounding.
+  std::string value(int depth = 1) {
+    const auto argument = [&] {
+      return depth > 0 && draw_.chance(0.35) ? "(" + value(depth - 1) + ")" : quantity();
+    };
+    const std::string x = argument(), a = constant(0.4, 3), c = decimal(draw_.between(0.05, 0.6));
+    switch (draw_.below(17)) {
+      case 0:
+        return a + "*" + x + " + " + c;
+      case 1:
+        return a + "*tanh(" + x + ")";
+      case 2:
+        return a + "*sin(" + x + " + " + c + ")";
+      case 3:
+        return a + "*" + x + "*abs(" + x + ")";
+      case 4:
+        return a + "*min(" + x + ", " + argument() + ")";
+      case 5:
+        return a + "*max(" + c + ", " + x + ")^2";
+      case 6:
+        return "clamp(" + a + "*" + x + ", -0.7, 0.9)";
+      case 7:
+        return a + "*step(" + x + " - " + c + ")*" + argument();
+      case 8:
+        return a + "*smoothstep(" + x + " + 0.5)";
+      case 9: {
+        const std::string y = argument();
+        return "select(" + x + " - " + c + ", " + a + "*" + y + ", " + argument() + ")";
+      }
+      case 10:
+        return a + "*select(" + x + " + " + c + ", sqrt(" + x + " + " + c + "), 0)";
+      case 11:
+        return a + "*sign(" + x + " - " + c + ")*" + argument();
+      case 12:
+        return table("spline", x);
+      case 13:
+        return table("linear", x);
+      case 14:
+        return table("simm_spline", x);
+      case 15:
+        return a + "*max(" + x + ", " + argument() + ")";
+      default:
+        return a + "*exp(-" + x + "^2)";
+    }
+  }
+  std::string three_values() {
+    std::vector<std::string> entries;
+    for (int i = 0; i < 3; ++i)
+      entries.push_back(draw_.chance(0.3) ? decimal(draw_.between(-2, 2)) : value());
+    return list(entries);
+  }
+
+  std::string tension() {
+    switch (draw_.below(3)) {
+      case 0: {
+        const std::string stiff = constant(3, 20), rest = constant(0.1, 1), damp = constant(0.1, 0.5);
+        return stiff + "*max(0, length - " + rest + ") + " + damp + "*rate";
+      }
+      case 1: {
+        const std::string in = one_of(inputs_);
+        return "(" + in + " + 1)*exp(-(length - 0.8)^2)*smoothstep(0.5 - rate/4)";
+      }
+      default:
+        return value() + " + 0.5*length";
+    }
+  }
+
+  void add_force(int kind) {
+    const auto add = [this](const std::string& rest) {
+      forces_ += "  - {name: force" + std::to_string(force_count_++) + ", " + rest + "}\n";
+    };
+    switch (kind) {
+      case 0: {
+        if (reals_.empty()) return;
+        const std::string on = one_of(reals_);
+        return add("on: " + on + ", value: \"" + value() + "\"");
+      }
+      case 1: {
+        if (quaternions_.empty()) return;
+        const std::string on = one_of(quaternions_) + component();
+        return add("on: " + on + ", value: \"" + value() + "\"");
+      }
+      case 2: {
+        with_speeds_ = false;
+        const std::string place = draw_.chance(0.3)   ? coordinate()
+                                  : draw_.chance(0.5) ? "position(" + one_of(frames_) + ").z"
+                                                      : "distance(" + two_frames(", ") + ")";
+        add("potential: \"" + value() + " + 0.7*" + place + "^2\"");
+        with_speeds_ = true;
+        return;
+      }
+      case kPath: {
+        if (path_ == paths_) return;
+        std::string frames = two_frames(", ");
+        if (path_ % 2 == 1) {
+          // Over a third frame, and perhaps back to the first.
+          const std::string first = frames.substr(0, frames.find(','));
+          for (const std::string& frame : frames_) {
+            if (frames.find(frame) != std::string::npos) continue;
+            frames += ", " + frame;
+            break;
+          }
+          if (draw_.chance(0.3)) frames += ", " + first;
+        }
+        forces_ += "  - {name: path" + std::to_string(path_) +
+                   (path_ % 2 == 1 ? ", path: [" : ", between: [") + frames + "], tension: \"" + tension() +
+                   "\"}\n";
+        ++path_;
+        return;
+      }
+      case 4: {
+        const std::string at = one_of(frames_), force = three_values();
+        return add("at: " + at + ", force: " + force);
+      }
+      case 5: {
+        const std::string at = one_of(frames_), force = three_values(), torque = three_values();
+        return add("at: " + at + ", axes: world, force: " + force + ", torque: " + torque);
+      }
+      default: {
+        const std::string at = one_of(frames_), torque = three_values();
+        return add("at: " + at + ", axes: frame, torque: " + torque);
+      }
+    }
+  }
+
+  /// Into the line of each coordinate.
+  void add_forces_of_coordinates() {
+    std::istringstream lines(text_);
+    std::string result, line;
+    bool inside = false;
+    while (std::getline(lines, line)) {
+      if (line[0] != ' ') inside = line == "coordinates:";
+      if (inside && line.back() == '}') {
+        line.pop_back();
+        if (draw_.chance(0.4)) line += ", damping: " + constant(0.1, 1);
+        if (draw_.chance(0.3)) {
+          const std::string force = constant(0.2, 1), velocity = constant(0.05, 0.5);
+          line += ", friction: {force: " + force + ", velocity: " + velocity + "}";
+        }
+        if (draw_.chance(0.4) && line.find("quaternion") == std::string::npos) {
+          line += ", stiffness: " + constant(1, 8);
+          if (draw_.chance(0.6)) line += ", rest: " + constant(-0.5, 0.5);
+        }
+        if (draw_.chance(0.2)) line += ", effort: 20, speed: 3";
+        line += "}";
+      }
+      result += line + "\n";
+    }
+    text_ = result;
+  }
+
+  RandomExpressions draw_;
+  std::string text_;
+  Description given_;
+  std::vector<std::string> reals_, quaternions_, inputs_, defined_, frames_;
+  std::map<std::string, std::string> parameters_, definitions_;
+  std::string frame_lines_, input_lines_, forces_;
+  int parameter_count_ = 0, force_count_ = 0, path_ = 0, paths_ = 0;
+  bool with_speeds_ = true;
+};
+
+}  // namespace
+
+std::string with_random_forces(const std::string& yaml, std::uint64_t seed) {
+  return ForceWriter(yaml, seed).write();
+}
+
+}  // namespace alembert::oracles

@@ -1,0 +1,14 @@
+// Forces on a description that is written already.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace alembert::oracles {
+
+/// The description, in the layout of random_mechanism and nasty_mechanism, with inputs, parameters, frames that may
+/// move, forces of every kind and forces of its coordinates. Their expressions use everything that forces may use. The
+/// same seed gives the same text everywhere.
+std::string with_random_forces(const std::string& yaml, std::uint64_t seed);
+
+}  // namespace alembert::oracles

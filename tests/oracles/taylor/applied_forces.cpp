@@ -1,0 +1,218 @@
+// Virtual work (see the header).
+#include "oracles/taylor/applied_forces.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace alembert::oracles {
+
+namespace {
+
+/// Frames, and the lengths of paths between them, as jets along a motion.
+template <class R>
+struct Layout {
+  std::vector<RigidMotion<Jet<R>>> frames;
+  std::vector<Jet<R>> lengths;
+
+  Layout(const Description& description, const std::vector<Jet<R>>& q, const Jet<R>& t)
+      : frames(frame_poses(description, q, t)) {
+    for (const FramePath& path : description.paths) {
+      Jet<R> length(0.0);
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const Vector3<Jet<R>> step =
+            frames[path[i + 1]].translation + Jet<R>(-1.0) * frames[path[i]].translation;
+        length = length + sqrt(dot(step, step));
+      }
+      lengths.push_back(length);
+    }
+  }
+};
+
+/// Values of variables, in the order of description/forces.hpp.
+template <class S>
+struct VariableList {
+  std::vector<S> values;
+  void add(const S& value) { values.push_back(value); }
+  void add(const std::vector<S>& several) { values.insert(values.end(), several.begin(), several.end()); }
+  void add(const Vector3<S>& three) { values.insert(values.end(), three.begin(), three.end()); }
+};
+
+template <class R>
+R input_of(const Input& input, const StateOf<R>& state) {
+  const auto found = state.inputs.find(input.name);
+  return found == state.inputs.end() ? R(input.initial) : found->second;
+}
+
+/// Row by row, each entry by `of`.
+template <class S, class R, class Of>
+void add_rotation(VariableList<S>& list, const RigidMotion<Jet<R>>& pose, Of of) {
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) list.add(of(pose.column[column][row]));
+}
+
+/// At the state itself; `moving` is along its motion in time.
+template <class R>
+std::vector<R> variables_at(const Description& description, const StateOf<R>& state,
+                            const Layout<R>& moving) {
+  const auto value = [](const Jet<R>& x) { return x.value; };
+  const auto rate = [](const Jet<R>& x) { return x.first; };
+  const auto each = [](const Vector3<Jet<R>>& v, auto of) {
+    return Vector3<R>{of(v[0]), of(v[1]), of(v[2])};
+  };
+  VariableList<R> list;
+  list.add(state.q);
+  list.add(state.speeds);
+  for (const auto& frame : moving.frames) list.add(each(frame.translation, value));
+  for (const Input& input : description.inputs) list.add(input_of(input, state));
+  for (const auto& frame : moving.frames) {
+    list.add(each(frame.translation, rate));
+    add_rotation(list, frame, value);
+    list.add(angular_velocity(frame));
+  }
+  for (const Jet<R>& length : moving.lengths) {
+    list.add(length.value);
+    list.add(length.first);
+  }
+  return list.values;
+}
+
+/// Along one speed: what a potential is a function of. It is none of speeds, which are no numbers here.
+template <class R>
+std::vector<Jet<R>> variables_along(const Description& description, const StateOf<R>& state,
+                                    const std::vector<Jet<R>>& q, const Layout<R>& along) {
+  const Jet<R> none(std::numeric_limits<double>::quiet_NaN());
+  VariableList<Jet<R>> list;
+  list.add(q);
+  list.add(std::vector<Jet<R>>(state.speeds.size(), none));
+  for (const auto& frame : along.frames) list.add(frame.translation);
+  for (const Input& input : description.inputs) list.add(Jet<R>(input_of(input, state), R(0.0), R(0.0)));
+  for (const auto& frame : along.frames) {
+    list.add(Vector3<Jet<R>>{none, none, none});
+    add_rotation(list, frame, [](const Jet<R>& x) { return x; });
+    list.add(Vector3<Jet<R>>{none, none, none});
+  }
+  for (const Jet<R>& length : along.lengths) {
+    list.add(length);
+    list.add(none);
+  }
+  return list.values;
+}
+
+/// How strong a force is, at a state: a number, or force and torque in world axes.
+template <class R>
+struct Strength {
+  const std::vector<R>& variables;
+  const R& t;
+  const Layout<R>& layout;
+  using Result = std::array<Vector3<R>, 2>;
+
+  R value(const Expression& e) const { return evaluate(e, variables, t); }
+  Vector3<R> in_world(const FrameForce& f, const Expression3& e) const {
+    const Vector3<R> v{value(e[0]), value(e[1]), value(e[2])};
+    if (f.world_axes) return v;
+    Vector3<R> turned{R(0.0), R(0.0), R(0.0)};
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t i = 0; i < 3; ++i)
+        turned[row] = turned[row] + layout.frames[f.frame].column[i][row].value * v[i];
+    return turned;
+  }
+  static Result scalar(const R& x) { return {Vector3<R>{x, R(0.0), R(0.0)}, Vector3<R>{}}; }
+  Result operator()(const SpeedForce& f) const { return scalar(value(f.value)); }
+  Result operator()(const Potential&) const { return scalar(R(-1.0)); }
+  Result operator()(const Tension& f) const { return scalar(-value(f.tension)); }
+  Result operator()(const FrameForce& f) const { return {in_world(f, f.force), in_world(f, f.torque)}; }
+};
+
+/// What it works along a unit of speed k, by its strength.
+template <class R>
+struct WorkAlong {
+  int k;
+  const std::vector<Jet<R>>& variables;
+  const Jet<R>& t;
+  const Layout<R>& layout;
+  const typename Strength<R>::Result& strength;
+
+  R operator()(const SpeedForce& f) const { return f.speed == k ? strength[0][0] : R(0.0); }
+  R operator()(const Potential& f) const { return strength[0][0] * evaluate(f.value, variables, t).first; }
+  R operator()(const Tension& f) const { return strength[0][0] * layout.lengths[f.path].first; }
+  R operator()(const FrameForce& f) const {
+    const RigidMotion<Jet<R>>& frame = layout.frames[f.frame];
+    const Vector3<Jet<R>>& p = frame.translation;
+    return dot(strength[0], Vector3<R>{p[0].first, p[1].first, p[2].first}) +
+           dot(strength[1], angular_velocity(frame));
+  }
+};
+
+template <class R>
+std::vector<R> forces_of_coordinates(const Description& description, const StateOf<R>& state) {
+  using std::tanh;
+  std::vector<R> Q;
+  for (const Coordinate& c : description.coordinates) {
+    for (int i = 0; i < (c.quaternion ? 3 : 1); ++i) {
+      const R& u = state.speeds[static_cast<std::size_t>(c.first_speed + i)];
+      R force = R(-c.damping) * u;
+      if (c.friction != 0) force = force - R(c.friction) * tanh(u / R(c.friction_velocity));
+      if (c.stiffness != 0)
+        force = force - R(c.stiffness) * (state.q[static_cast<std::size_t>(c.first_q)] - R(c.rest));
+      Q.push_back(force);
+    }
+  }
+  return Q;
+}
+
+template <class R>
+Layout<R> moving_layout(const Description& description, const StateOf<R>& state) {
+  const std::vector<R> no_rates(state.speeds.size(), R(0.0));
+  return {description, trajectory(description, state, no_rates), Jet<R>(state.time, R(1.0), R(0.0))};
+}
+
+}  // namespace
+
+template <class R>
+std::vector<R> applied_forces(const Description& description, const StateOf<R>& state) {
+  std::vector<R> Q = forces_of_coordinates(description, state);
+  if (description.forces.empty()) return Q;
+  const Layout<R> moving = moving_layout(description, state);
+  const std::vector<R> variables = variables_at(description, state, moving);
+  std::vector<typename Strength<R>::Result> strengths;
+  for (const AppliedForce& force : description.forces)
+    strengths.push_back(std::visit(Strength<R>{variables, state.time, moving}, force));
+  const Jet<R> t(state.time, R(0.0), R(0.0));
+  for (int k = 0; k < description.nv; ++k) {
+    const std::vector<Jet<R>> q = unit_motion(description, state, k);
+    const Layout<R> layout(description, q, t);
+    const std::vector<Jet<R>> along = variables_along(description, state, q, layout);
+    R& sum = Q[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < strengths.size(); ++i)
+      sum = sum + std::visit(WorkAlong<R>{k, along, t, layout, strengths[i]}, description.forces[i]);
+  }
+  return Q;
+}
+
+template <class R>
+R potential_of_forces(const Description& description, const StateOf<R>& state) {
+  R sum(0.0);
+  for (const Coordinate& c : description.coordinates) {
+    if (c.quaternion) continue;
+    const R stretch = state.q[static_cast<std::size_t>(c.first_q)] - R(c.rest);
+    sum = sum + R(0.5 * c.stiffness) * stretch * stretch;
+  }
+  if (description.forces.empty()) return sum;
+  const std::vector<R> variables = variables_at(description, state, moving_layout(description, state));
+  for (const AppliedForce& force : description.forces) {
+    if (const Potential* potential = std::get_if<Potential>(&force))
+      sum = sum + evaluate(potential->value, variables, state.time);
+  }
+  return sum;
+}
+
+#define ALEMBERT_FORCES(R)                                                       \
+  template std::vector<R> applied_forces(const Description&, const StateOf<R>&); \
+  template R potential_of_forces(const Description&, const StateOf<R>&);
+ALEMBERT_FORCES(double)
+ALEMBERT_FORCES(long double)
+ALEMBERT_FORCES(Jet<double>)
+ALEMBERT_FORCES(Jet<long double>)
+#undef ALEMBERT_FORCES
+
+}  // namespace alembert::oracles

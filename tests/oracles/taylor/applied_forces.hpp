@@ -1,0 +1,19 @@
+// Generalised forces of a description's forces on numbers: by virtual work, with positions as jets along each speed.
+#pragma once
+
+#include <vector>
+
+#include "oracles/taylor/poses.hpp"
+
+namespace alembert::oracles {
+
+/// By speed. On coordinates: -b u - F tanh(u/v) - k (q - r). Of the others, with D_k the derivative along speed k:
+/// -D_k V of a potential, -T D_k L of a tension along a path, f . D_k p + torque . omega_k at a frame.
+template <class R>
+std::vector<R> applied_forces(const Description& description, const StateOf<R>& state);
+
+/// Sum of the potentials and of k (q - r)^2/2.
+template <class R>
+R potential_of_forces(const Description& description, const StateOf<R>& state);
+
+}  // namespace alembert::oracles
