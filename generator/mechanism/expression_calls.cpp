@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mechanism/cubic_spline.hpp"
 #include "mechanism/expression_reader.hpp"
-#include "mechanism/natural_spline.hpp"
 #include "mechanism/piecewise_linear.hpp"
 #include "mechanism/section.hpp"
 
@@ -58,11 +58,12 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   const Operand& x = arguments[0];
   try {
     const Operand& y = arguments.back();
-    if (function == "atan2" && x.value.initial == 0 && y.value.initial == 0)
+    const bool may_lack_value = reading.may_lack_value(out);
+    if (!may_lack_value && function == "atan2" && x.value.initial == 0 && y.value.initial == 0)
       throw error(reading, token.begin,
                   fmt::format("'{}' is undefined{}: both arguments are 0", text_of(reading, out),
                               out.value.dependence == Dependence::none ? "" : " at the initial state"));
-    check_call(reading, function, x, out);
+    if (!may_lack_value) check_call(reading, function, x, out);
     if (const std::optional<Operation> op = function_called(function)) {
       out.value.initial = apply(*op, x.value.initial, y.value.initial);
       out.value.expr = apply(*op, x.value.expr, y.value.expr);
@@ -74,7 +75,9 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
   } catch (const std::domain_error&) {
     throw error(reading, token.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }
-  if (!std::isfinite(out.value.initial) && known)
+  if (!std::isfinite(out.value.initial) && reading.may_lack_value(out))
+    out.value.initial = std::numeric_limits<double>::quiet_NaN();
+  else if (!std::isfinite(out.value.initial) && known)
     throw error(reading, token.begin,
                 fmt::format("'{}' has no finite value{}", text_of(reading, out),
                             out.value.dependence == Dependence::none ? "" : " at the initial state"));
@@ -189,8 +192,9 @@ ExpressionReader::Operand ExpressionReader::table(const Reading& reading, const 
       out.value.expr = curve(operands[0].value.expr);
       out.value.initial = curve(operands[0].value.initial);
     };
-    if (kind == "spline") {
-      use(NaturalSpline(all.first(knot_count), all.subspan(knot_count)));
+    if (kind != "linear") {
+      use(CubicSpline(kind == "spline" ? SplineEnds::natural : SplineEnds::fitted_cubic,
+                      all.first(knot_count), all.subspan(knot_count)));
     } else {
       use(PiecewiseLinear(all.first(knot_count), all.subspan(knot_count)));
       if (moves(out.value.dependence))

@@ -45,7 +45,7 @@ struct function_name : pegtl::identifier {};
 struct open_call : pegtl::seq<function_name, blank, pegtl::one<'('>> {};
 struct close_call : pegtl::one<')'> {};
 struct call : pegtl::if_must<open_call, blank, argument, pegtl::star<pegtl::if_must<symbol<','>, argument>>, close_call> {};
-struct table_name : pegtl::sor<TAO_PEGTL_STRING("spline"), TAO_PEGTL_STRING("linear")> {};
+struct table_name : pegtl::sor<TAO_PEGTL_STRING("spline"), TAO_PEGTL_STRING("simm_spline"), TAO_PEGTL_STRING("linear")> {};
 struct open_spline : pegtl::seq<table_name, blank, pegtl::one<'('>> {};
 struct items : pegtl::list_must<argument, symbol<','>> {};
 struct close_list : symbol<']'> {};

@@ -67,8 +67,8 @@ inline constexpr ChoosingFunction kChoosingFunctions[] = {
     {"min", 2}, {"max", 2}, {"clamp", 3}, {"step", 1}, {"smoothstep", 1}, {"select", 3}, {"sign", 1}};
 /// How many arguments a function takes; 0: there is no such function.
 int function_arity(std::string_view name);
-/// The tables of knots and values, the smooth one first.
-inline constexpr std::string_view kTables[] = {"spline", "linear"};
+/// The tables of knots and values.
+inline constexpr std::string_view kTables[] = {"spline", "simm_spline", "linear"};
 /// What may stand before a name in parentheses, besides functions.
 inline constexpr std::string_view kReferences[] = {
     "d", "position", "velocity", "rotation", "angular_velocity", "length", "rate", "distance"};

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -37,8 +39,15 @@ Expr build_power(const Expr& x, const Expr& y) {
 
 }  // namespace
 
+bool ExpressionReader::Reading::may_lack_value(const Operand& operation) const {
+  return operation.value.dependence != Dependence::none &&
+         std::ranges::any_of(choices, [&](const auto& choice) {
+           return choice.first < operation.begin && operation.end < choice.second;
+         });
+}
+
 Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_view what) {
-  const Reading reading{node, allowed, what};
+  Reading reading{node, allowed, what};
   if (node.kind != YamlNode::Kind::scalar)
     fail_expected(document_, node, fmt::format("an expression as {}", what));
   std::vector<PostfixToken> postfix;
@@ -49,6 +58,10 @@ Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::stri
                      is_cut_at_comma(node);
     throw error(reading, syntax.offset, syntax.message, cut ? std::string(kCutNote) : syntax.note);
   }
+  for (const PostfixToken& token : postfix)
+    if (token.kind == PostfixToken::Kind::call &&
+        std::string_view(node.text).substr(token.begin, token.end - token.begin) == "select")
+      reading.choices.emplace_back(token.begin, token.close);
   std::vector<Operand> stack;
   for (const PostfixToken& token : postfix) {
     switch (token.kind) {
@@ -154,7 +167,8 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
     throw not_linear(reading, out, "divides by a speed");
   if (token.kind == PostfixToken::Kind::power && (speeds_left || speeds_right))
     throw not_linear(reading, out, "is a power of speeds");
-  if (token.kind == PostfixToken::Kind::divide && (v == 0 || y.is_zero()))
+  const bool may_lack_value = reading.may_lack_value(out);
+  if (token.kind == PostfixToken::Kind::divide && ((v == 0 && !may_lack_value) || y.is_zero()))
     throw error(reading, b.begin,
                 fmt::format("division by zero: '{}' is 0{}", text_of(reading, b),
                             b.value.dependence == Dependence::none ? "" : " at the initial state"));
@@ -178,7 +192,7 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
         break;
       case PostfixToken::Kind::power:
         value = std::pow(u, v);
-        check_power(reading, a, b, out);
+        if (!may_lack_value) check_power(reading, a, b, out);
         out.value.expr = build_power(x, y);
         break;
       case PostfixToken::Kind::number:
@@ -193,7 +207,8 @@ ExpressionReader::Operand ExpressionReader::binary(const Reading& reading, const
   } catch (const std::domain_error&) {
     throw error(reading, a.begin, fmt::format("'{}' has no finite value", text_of(reading, out)));
   }
-  if (!std::isfinite(value) && !std::isnan(u) && !std::isnan(v))
+  if (!std::isfinite(value) && may_lack_value) value = std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(value) && !std::isnan(u) && !std::isnan(v) && !may_lack_value)
     throw error(reading, a.begin,
                 fmt::format("'{}' has no finite value{}", text_of(reading, out),
                             out.value.dependence == Dependence::none ? "" : " at the initial state"));

@@ -74,6 +74,9 @@ class ExpressionReader {
     const YamlNode& node;
     Allowed allowed;
     std::string_view what;
+    /// Texts of arguments of select(): what is not chosen may have no value.
+    std::vector<std::pair<std::size_t, std::size_t>> choices = {};
+    bool may_lack_value(const Operand& operation) const;
   };
 
   Quantity number(const Reading& reading, const PostfixToken& token) const;

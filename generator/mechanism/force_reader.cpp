@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <string>
 #include <vector>
@@ -40,13 +41,20 @@ class ForceReader {
                  {"name", "on", "value", "potential", "between", "path", "tension", "at", "axes", "force",
                   "torque"}) {}
 
-  Force read() {
+  /// Name, kind, and of a path its frames: forces may use the lengths of paths that come later.
+  void declare() {
     const YamlNode& name = section_.require("name");
     force_.name = expect_name(document_, name, "a force");
     force_.where = document_.where(name);
     const KindKey& key = kind_key();
     force_.kind = key.kind;
-    switch (key.kind) {
+    if (key.kind == ForceKind::path) declare_path(section_.require(key.key), key.key == "between");
+  }
+  const Force& declared() const { return force_; }
+
+  /// The rest, once all are declared.
+  Force read() {
+    switch (force_.kind) {
       case ForceKind::on_speed:
         read_speed(section_.require("on"));
         force_.value = read_expression("value", Allowed::force, "the value");
@@ -55,7 +63,7 @@ class ForceReader {
         force_.value = read_expression("potential", Allowed::potential, "the potential");
         break;
       case ForceKind::path:
-        read_path(section_.require(key.key), key.key == "between");
+        read_tension();
         break;
       case ForceKind::wrench:
         read_wrench();
@@ -119,7 +127,7 @@ class ForceReader {
     force_.speed = coordinate.first_speed + (real ? 0 : static_cast<int>(axis));
   }
 
-  void read_path(const YamlNode& node, bool two) {
+  void declare_path(const YamlNode& node, bool two) {
     const std::string what = of_force(two ? "the two frames" : "the path");
     const auto& items = expect_list(document_, node, what, two ? 2 : -1);
     if (items.size() < 2)
@@ -136,6 +144,10 @@ class ForceReader {
     for (std::size_t i = 1; i < frames.size(); ++i)
       force_.length += loading_.reader.distance(frames[i - 1], frames[i]);
     force_.rate = loading_.graph.symbol(fmt::format("rate({})", force_.name));
+    loading_.reader.declare_path(force_.name, force_.length, force_.rate);
+  }
+
+  void read_tension() {
     constexpr Dependence moving = Dependence::coordinate | Dependence::speed;
     force_.value =
         loading_.reader
@@ -175,14 +187,17 @@ class ForceReader {
 
 void read_forces(Loading& loading, const YamlNode& list) {
   std::map<std::string, int, std::less<>> lines;
+  std::deque<ForceReader> readers;
   for (const YamlNode* item : expect_list(loading.document, list, "the forces")) {
-    Force force = ForceReader(loading, *item).read();
+    ForceReader& reader = readers.emplace_back(loading, *item);
+    reader.declare();
+    const Force& force = reader.declared();
     const auto [earlier, inserted] = lines.emplace(force.name, force.where.line);
     if (!inserted)
       throw InputError(force.where,
                        fmt::format("'{}' is already a force (line {})", force.name, earlier->second));
-    loading.mechanism.forces.push_back(std::move(force));
   }
+  for (ForceReader& reader : readers) loading.mechanism.forces.push_back(reader.read());
 }
 
 }  // namespace alembert

@@ -139,7 +139,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   if (const YamlNode* forces = root.find("forces")) read_forces(loading, *forces);
   check_matrices(loading);
   check_inertias(loading);
-  loading.scope.check_used();
+  loading.scope.check_used(mechanism.warnings);
   return std::move(loading.mechanism);
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanism/natural_spline.hpp"
+#include "mechanism/cubic_spline.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {

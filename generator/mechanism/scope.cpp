@@ -65,11 +65,13 @@ std::vector<std::string> Scope::coordinate_names() const {
   return out;
 }
 
-void Scope::check_used() const {
+void Scope::check_used(Warnings& warnings) const {
   for (const auto* named : in_order_) {
     const auto& [name, entry] = *named;
     if (entry.used || entry.kind == NameKind::coordinate || entry.kind == NameKind::quaternion) continue;
-    throw InputError(entry.where, fmt::format("{} '{}' is not used", noun(entry.kind), name));
+    const std::string message = fmt::format("{} '{}' is not used", noun(entry.kind), name);
+    if (entry.kind != NameKind::input) throw InputError(entry.where, message);
+    warnings.push_back({entry.where, message});
   }
 }
 

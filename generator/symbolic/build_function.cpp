@@ -174,6 +174,24 @@ Ref Builder::choice(Operation wanted, Ref condition, Ref x) {
   return signed_as(intern(wanted, condition, x), negative);
 }
 
+bool Builder::may_lack_value(Ref x) const {
+  constexpr int kDepth = 4;
+  const auto lacks = [this](const auto& self, Ref of, int depth) -> bool {
+    const Node& n = node(of);
+    if (n.constant || depth == 0) return false;
+    const Interval a = n.arity() > 0 ? graph.bounds(n.a) : Interval{0, 0};
+    if (n.op == Operation::div || n.op == Operation::mul) {
+      if (self(self, n.a, depth - 1) || self(self, n.b, depth - 1)) return true;
+      const Interval divisor = graph.bounds(n.b);
+      return n.op == Operation::div && !(divisor.lower > 0 || divisor.upper < 0);
+    }
+    if (n.op == Operation::sqrt) return !(a.lower >= 0);
+    if (n.op == Operation::log || n.op == Operation::pow) return !(a.lower > 0);
+    return (n.op == Operation::asin || n.op == Operation::acos) && !(a.lower >= -1 && a.upper <= 1);
+  };
+  return lacks(lacks, x, kDepth);
+}
+
 Ref Builder::exponential(Ref x) {
   if (x == kZero) return kOne;
   if (op(x) == Operation::log && !x.negative()) return node(x).a;

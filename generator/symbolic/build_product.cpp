@@ -56,9 +56,12 @@ Ref Builder::product(Ref a, Ref b) {
   const Nested nested(*this);
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
-  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
-    if (is_choice(op(one)) && node(one).b == kOne)
-      return signed_as(choice(op(one), node(one).a, other), negative);
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+    if (!is_choice(op(one))) continue;
+    const Node chosen = node(one);
+    if (chosen.b == kOne || may_lack_value(other))
+      return signed_as(choice(chosen.op, chosen.a, product(chosen.b, other)), negative);
+  }
 
   if (constant(a)) {
     if (const auto found = constant_product(a, b)) return signed_as(*found, negative);
@@ -201,6 +204,8 @@ Ref Builder::quotient(Ref a, Ref b) {
     return signed_as(product(factor, a), negative);
   }
   const Node na = node(a), nb = node(b);
+  if (is_choice(na.op) && may_lack_value(b))
+    return signed_as(choice(na.op, na.a, quotient(na.b, b)), negative);
   if (nb.op == Operation::mul && constant(nb.a)) {
     const Ref factor = reciprocal(nb.a);
     const Ref rest = quotient(a, nb.b);

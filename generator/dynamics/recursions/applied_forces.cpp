@@ -46,9 +46,18 @@ class AppliedForcesBuilder {
         potential_(graph.zero()) {}
 
   AppliedForces build() {
+    // Rates of paths first: other forces may use them.
+    std::vector<std::vector<SpeedPartial>> levers;
     for (const Force& force : mechanism_.forces) {
-      add(force);
-      check_values(force);
+      std::vector<SpeedPartial>& own = levers.emplace_back();
+      if (force.kind != ForceKind::path) continue;
+      const Expr length = inserted(force.length);
+      own = derivatives_.partials(std::span(&length, 1));
+      replacements_.emplace_back(force.rate, derivatives_.first_rate(own, 1).front());
+    }
+    for (std::size_t i = 0; i < mechanism_.forces.size(); ++i) {
+      add(mechanism_.forces[i], levers[i]);
+      check_values(mechanism_.forces[i]);
     }
     return {shortest(), potential_};
   }
@@ -64,7 +73,7 @@ class AppliedForcesBuilder {
     if (speed != derivatives_.time_index()) Q_[static_cast<std::size_t>(speed)] += value;
   }
 
-  void add(const Force& force) {
+  void add(const Force& force, const std::vector<SpeedPartial>& levers) {
     switch (force.kind) {
       case ForceKind::on_speed:
         add(force.speed, inserted(force.value));
@@ -77,9 +86,6 @@ class AppliedForcesBuilder {
         break;
       }
       case ForceKind::path: {
-        const Expr length = inserted(force.length);
-        const std::vector<SpeedPartial> levers = derivatives_.partials(std::span(&length, 1));
-        replacements_.emplace_back(force.rate, derivatives_.first_rate(levers, 1).front());
         const Expr tension = inserted(force.value);
         for (const SpeedPartial& lever : levers) add(lever.speed, -(tension * lever.values.front()));
         break;

@@ -1,5 +1,6 @@
-// Natural cubic splines. In: knots and values. Out: the spline of an argument as one expression without
-// branches, whose first and second derivatives are the spline's everywhere, at the knots too.
+// Cubic splines. In: knots, values and what holds at the ends. Out: the spline of an argument as one
+// expression without branches, whose first and second derivatives are the spline's everywhere, at the knots
+// too.
 //
 // With pieces P_i between knots k_i and k_(i+1), straight lines outside, and weights
 //
@@ -25,12 +26,20 @@ struct ConstantNumber {
   double value;
 };
 
-class NaturalSpline {
+/// What holds at both ends, where straight lines go on.
+enum class SplineEnds {
+  natural,      ///< no second derivative
+  fitted_cubic  ///< the third derivative of the cubic through the last four points (three: of the parabola),
+  ///< so that the second jumps to 0 there. SIMM and OpenSim have it so. Source: Forsythe, Malcolm
+  ///< and Moler, Computer Methods for Mathematical Computations (1977), chapter 4.
+};
+
+class CubicSpline {
  public:
   /// At least two knots, strictly increasing as doubles, and as many values. Coefficients are exact where
   /// knots and values are rational and nothing overflows, else doubles. Throws std::domain_error if one is
   /// not finite.
-  NaturalSpline(std::span<const ConstantNumber> knots, std::span<const ConstantNumber> values);
+  CubicSpline(SplineEnds ends, std::span<const ConstantNumber> knots, std::span<const ConstantNumber> values);
 
   Expr operator()(const Expr& x) const;
   /// NaN if x is NaN.
