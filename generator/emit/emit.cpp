@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "emit/argument_lists.hpp"
 #include "emit/c99.hpp"
@@ -211,7 +212,7 @@ std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std:
 }
 
 std::string documented(const WrittenFunction& function, const Mechanism& mechanism, std::string_view prefix,
-                       const std::string& c_prefix = "") {
+                       const std::optional<std::string>& c_prefix = std::nullopt) {
   return prefix_lines(function_doc(*function.signature, mechanism, function.counts, c_prefix), prefix);
 }
 
@@ -264,7 +265,8 @@ std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFuncti
   for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
     const std::string doc =
-        "/* " + prefix_lines(documented(function, mechanism, "", mechanism.name), "   ").substr(3) + " */";
+        "/* " + prefix_lines(documented(function, mechanism, "", mechanism.name + "_"), "   ").substr(3) +
+        " */";
     declarations +=
         (declarations.empty() ? "" : "\n") +
         fill_template("c_declaration.h",
