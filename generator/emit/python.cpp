@@ -74,8 +74,9 @@ std::string docstring(std::string_view text) {
   return out;
 }
 
+/// Below its first item, however far right that is.
 std::string wrapped_in_python(std::string_view start, const std::string& list) {
-  return wrap_list(list, start.size(), start.size());
+  return wrap_behind(start, list, start.size());
 }
 
 /// The arguments of a function; `hinted` with types.

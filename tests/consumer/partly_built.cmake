@@ -2,17 +2,10 @@
 # machine without GoogleTest, and alembert as a folder of a user's project.
 #   cmake -DROOT=SOURCE -DALEMBERT=COMMAND -DWORK=FOLDER -DC_COMPILER=... -DCXX_COMPILER=... -DMAKE_PROGRAM=ninja -P partly_built.cmake
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 set(build "${WORK}/build")
 set(prefix "${WORK}/pre fix")
 
-function(run variable)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
-  endif()
-  set(${variable} "${output}" PARENT_SCOPE)
-endfunction()
 function(expect text pattern)
   if(NOT text MATCHES "${pattern}")
     message(FATAL_ERROR "expected '${pattern}' in:\n${text}")

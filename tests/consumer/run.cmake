@@ -1,19 +1,10 @@
 # Installs alembert, then builds the project beside this file against it as a user would:
 #   cmake -DBUILD=BUILD_FOLDER -DWORK=FOLDER -DGENERATOR=Ninja -DC_COMPILER=... -DCXX_COMPILER=... -P run.cmake
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 set(prefix "${WORK}/prefix")
 set(source "${WORK}/my project")  # with a blank, as users have it
 set(build "${WORK}/my build")
-
-# run(VARIABLE command ...): standard output and error into the variable; a failure ends the test.
-function(run variable)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
-  endif()
-  set(${variable} "${output}" PARENT_SCOPE)
-endfunction()
 
 function(expect_count text pattern count)
   string(REGEX MATCHALL "${pattern}" found "${text}")
