@@ -66,9 +66,10 @@ if(NOT motion STREQUAL torque OR NOT torque_from_objects STREQUAL torque)
 endif()
 expect_nothing_to_do()
 
-# The same in C, without a compiler for C++ and without its library.
+# The same in C, without a compiler for C++, without its library and without Eigen.
 run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
-    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" --warn-uninitialized -Werror=dev)
+    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
+    -Werror=dev)
 run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
 foreach(library arm m)
   run(torque_in_c "${WORK}/c build/torque_${library}")
