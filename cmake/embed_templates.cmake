@@ -1,5 +1,6 @@
 # Turns text files into one C++ source of string literals, so that the generator finds its templates wherever it is.
-#   cmake -DOUTPUT=FILE -DDIRECTORY=DIR -P embed_templates.cmake
+# So it does the headers of the runtime that generated code needs.
+#   cmake -DOUTPUT=FILE -DDIRECTORY=DIR -DHEADERS=FILE,FILE... -P embed_templates.cmake
 file(GLOB names RELATIVE ${DIRECTORY} ${DIRECTORY}/*.in)
 list(SORT names)
 set(text "// Written by cmake/embed_templates.cmake from templates/.
@@ -10,10 +11,18 @@ set(text "// Written by cmake/embed_templates.cmake from templates/.
 namespace alembert {
 
 std::string_view template_text(std::string_view name) {\n")
+function(embed key file)
+  file(READ ${file} content)
+  set(text "${text}  if (name == \"${key}\") return R\"~~~~(${content})~~~~\";\n" PARENT_SCOPE)
+endfunction()
 foreach(name IN LISTS names)
-  file(READ ${DIRECTORY}/${name} content)
   string(REGEX REPLACE "\\.in$" "" key "${name}")
-  string(APPEND text "  if (name == \"${key}\") return R\"~~~~(${content})~~~~\";\n")
+  embed("${key}" ${DIRECTORY}/${name})
+endforeach()
+string(REPLACE "," ";" HEADERS "${HEADERS}")
+foreach(header IN LISTS HEADERS)
+  get_filename_component(name ${header} NAME)
+  embed("alembert/${name}" ${header})
 endforeach()
 string(APPEND text "  throw InternalError(\"there is no template \" + std::string(name));
 }

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "commands/common_options.hpp"
+#include "commands/run_bench.hpp"
 #include "commands/run_check.hpp"
 #include "commands/run_evaluate.hpp"
 #include "commands/run_generate.hpp"
@@ -169,6 +170,7 @@ void add_examples(CLI::App& app) {
   const std::pair<const char*, const char*> examples[] = {
       {"generate", "alembert generate arm.yaml --out-dir arm --functions inverse_dynamics,forward_dynamics"},
       {"report", "alembert report arm.yaml"},
+      {"bench", "alembert bench robot.urdf --functions inverse_dynamics --compiler 'g++ -O3 -march=native'"},
       {"evaluate", "echo '{\"q\": [0, 1], \"qd\": [0, 0], \"qdd\": [0, 0]}' | alembert evaluate arm.yaml"},
       {"simulate", "alembert simulate arm.yaml --q 0.5,1 --duration 5 --html arm.html"},
       {"check", "alembert check arm.yaml --states 1000"},
@@ -249,6 +251,23 @@ int run(int argc, char** argv) {
       ->needs(memory)
       ->capture_default_str();
   command->callback([&] { result = run_report(common, report); });
+
+  BenchOptions bench;
+  command = add_reader(app, "bench",
+                       "compile the functions of a mechanism, or of a robot as " + importable_formats() +
+                           ", and time them on this machine",
+                       common);
+  add_functions(command, bench.functions, "functions to time (default: those marked in the list)");
+  command
+      ->add_option("--batch", bench.batch,
+                   "functions to time over many states in one call too; `default` stands for "
+                   "inverse_dynamics, mass_matrix_and_bias, forward_dynamics")
+      ->delimiter(',');
+  command->add_option("--compiler", bench.compiler,
+                      "C++ compiler, with its flags (default: the environment variable CXX, or c++)");
+  command->add_flag("--json", bench.json, "as JSON");
+  add_compiler_options(command, common);
+  command->callback([&] { result = run_bench(common, bench); });
 
   EvaluateOptions evaluate;
   command =

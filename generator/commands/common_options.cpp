@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "commands/warnings.hpp"
 #include "emit/argument_lists.hpp"
+#include "emit/statements/batch.hpp"
 #include "functions/function_table.hpp"
 #include "mechanism/source.hpp"
 
@@ -27,10 +29,19 @@ InputExpression input_expression(const std::string& text) {
   return {text.substr(0, sign), source};
 }
 
+/// Dot products over many states are loops where there are so many times more: near there, on chains of 30
+/// joints, M and c take the same time either way.
+constexpr std::size_t kBatchFactor = 12;
+
 }  // namespace
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
                           Inapplicable inapplicable) {
+  return compile(common, read_source(common.file), std::move(functions), inapplicable);
+}
+
+CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,
+                          std::vector<FunctionKind> functions, Inapplicable inapplicable) {
   CompileOptions options;
   options.inapplicable = inapplicable;
   options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
@@ -45,7 +56,21 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
     options.dump = &std::cout;
     options.dump_stage = common.dump_stage;
   }
-  return compile_mechanism(read_source(common.file), options);
+  return compile_mechanism(std::move(source), options);
+}
+
+std::vector<Program> programs_of(const CompiledMechanism& compiled) {
+  std::vector<Program> programs;
+  for (const CompiledFunction& function : compiled.functions) programs.push_back(function.program);
+  return programs;
+}
+
+void set_batch(EmitOptions& emit, const CommonOptions& common, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (name != "default") emit.batch.push_back(name);
+    if (name == "default") std::ranges::copy(default_batch_functions(), std::back_inserter(emit.batch));
+  }
+  emit.batch_dot_products = kBatchFactor * common.loop_results;
 }
 
 FunctionChoice function_choice(const std::vector<std::string>& names) {

@@ -3,12 +3,14 @@
 // to standard error.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
+#include "emit/emit.hpp"
 #include "pipeline.hpp"
 
 namespace alembert {
@@ -28,6 +30,16 @@ struct CommonOptions {
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
                           Inapplicable inapplicable = Inapplicable::refuse);
+
+/// The same for a text that has been read already.
+CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,
+                          std::vector<FunctionKind> functions, Inapplicable inapplicable);
+
+/// Programs of the functions, as they are emitted.
+std::vector<Program> programs_of(const CompiledMechanism& compiled);
+
+/// What --batch and --loop-results ask for: functions over many states, where `default` stands for some.
+void set_batch(EmitOptions& emit, const CommonOptions& common, const std::vector<std::string>& names);
 
 /// Functions, and what becomes of those among them that the mechanism has none of.
 struct FunctionChoice {

@@ -22,7 +22,7 @@ struct MechanismMemory {
 };
 
 /// \param scalar    double or float
-/// \param compiler  words of the shell: a command like gcc's, with its flags
+/// \param compiler  a command like gcc's, with its flags: words with blanks between them
 /// InputError if the compiler fails or does not say what functions take.
 MechanismMemory measured_memory(const CompiledMechanism& compiled, const std::string& scalar,
                                 const std::string& compiler);

@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 
 #include "commands/common_options.hpp"
 #include "emit/emit.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
-#include "emit/statements/batch.hpp"
 #include "mechanism/load.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 #include "simulation/start_state.hpp"
@@ -33,10 +31,6 @@ std::string_view to_string(FileState state) {
   }
   return "";
 }
-
-/// Dot products over many states are loops where there are so many times more: near there, on chains of 30
-/// joints, M and c take the same time either way.
-constexpr std::size_t kBatchFactor = 12;
 
 /// Tells of constraints that no state keeps, as far as Newton's method from the initial one can tell: code
 /// for them has no motion. Needs the functions of an InterpretedMechanism among those that are written.
@@ -84,17 +78,11 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
     emit.scalars = {"double"};
   }
   if (!options.scalars.empty()) emit.scalars = options.scalars;
-  for (const std::string& name : options.batch) {
-    if (name != "default") emit.batch.push_back(name);
-    if (name == "default") std::ranges::copy(default_batch_functions(), std::back_inserter(emit.batch));
-  }
+  set_batch(emit, common, options.batch);
   if (!options.batch_instructions.empty()) emit.batch_instructions = options.batch_instructions;
-  emit.batch_dot_products = kBatchFactor * common.loop_results;
   emit.parts = options.parts;
   emit.expected_name = options.expected_name;
-  std::vector<Program> programs;
-  for (const CompiledFunction& function : compiled.functions) programs.push_back(function.program);
-  const std::vector<EmittedFile> files = emit_mechanism(*compiled.mechanism, programs, emit);
+  const std::vector<EmittedFile> files = emit_mechanism(*compiled.mechanism, programs_of(compiled), emit);
 
   if (options.print_outputs) {
     for (const EmittedFile& file : files) fmt::print("{}/{}\n", options.out_dir, file.path);

@@ -31,17 +31,21 @@ DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const D
 
 }  // namespace
 
-int run_import(const CommonOptions& common, const ImportOptions& options) {
-  const std::shared_ptr<const SourceText> source = read_source(common.file);
+std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                          bool strict) {
   Warnings warnings;
-  const DescribedRobot described = describe(source, options.describe, warnings);
+  const DescribedRobot described = describe(source, options, warnings);
   // What the language refuses is shown where it stands in the file.
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
-  report_warnings(warnings, common.strict);
-  const std::string text = yaml_text(described.document.root());
+  report_warnings(warnings, strict);
+  return yaml_text(described.document.root());
+}
+
+int run_import(const CommonOptions& common, const ImportOptions& options) {
+  const std::string text = imported_text(read_source(common.file), options.describe, common.strict);
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

@@ -1,6 +1,7 @@
 // `import`: a robot in another format in, a description out.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "commands/common_options.hpp"
@@ -12,6 +13,11 @@ struct ImportOptions {
   std::string out = "-";  ///< file to be written; `-` is standard output
   DescribeOptions describe;
 };
+
+/// The description, as text, of a robot in another format; checked as any other. Tells warnings.
+std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                          bool strict);
+
 int run_import(const CommonOptions& common, const ImportOptions& options);
 
 }  // namespace alembert

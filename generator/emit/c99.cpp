@@ -48,10 +48,6 @@ std::string unused(const std::vector<std::string_view>& names, std::string_view 
   return out;
 }
 
-std::string wrapped_in_c(std::string_view start, const std::string& list) {
-  return wrap_list(list, start.size(), std::min<std::size_t>(start.size(), 40));
-}
-
 /// The blocks of a long function, each a function of its own.
 std::string block_functions(const WrittenFunction& function, const std::string& name,
                             const std::string& number, const Slots& common) {
@@ -65,7 +61,7 @@ std::string block_functions(const WrittenFunction& function, const std::string& 
     out += fill_template(
                "c99_block.c",
                {{"start", start},
-                {"arguments", wrapped_in_c(start, fmt::format("{}, {}* restrict w", parameters, number))},
+                {"arguments", wrap_behind(start, fmt::format("{}, {}* restrict w", parameters, number))},
                 {"unused", unused(arguments, statements)},
                 {"statements", statements}},
                common) +
@@ -99,7 +95,7 @@ std::string definition(const WrittenFunction& function, const std::string& numbe
   return (cut ? block_functions(function, name, number, common) : "") +
          fill_template("c99_function.c",
                        {{"start", start},
-                        {"arguments", wrapped_in_c(start, c_parameters(signature, number, " restrict"))},
+                        {"arguments", wrap_behind(start, c_parameters(signature, number, " restrict"))},
                         {"counts", function.counts},
                         {"null_check", checks},
                         {"unused", unused(arguments, checks + "\n" + statements)},

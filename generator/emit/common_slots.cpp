@@ -230,9 +230,6 @@ std::string index_aliases(const Mechanism& mechanism, const std::string& full_na
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
   const Names names = names_of(mechanism);
-  std::size_t quaternions = 0;
-  for (const Coordinate& c : mechanism.coordinates)
-    quaternions += c.type == CoordinateType::quaternion ? 1 : 0;
   return {
       {"name", mechanism.name},
       {"namespace", full_namespace},
@@ -243,7 +240,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"parameter_count", std::to_string(names.parameters.size())},
       {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},
-      {"quaternion_count", std::to_string(quaternions)},
+      {"quaternion_count", std::to_string(quaternion_offsets(mechanism).size())},
       {"constraint_count", std::to_string(names.constraints.size())},
       {"coordinate_list", name_list(names.coordinates)},
       {"speed_list", name_list(names.speeds)},

@@ -124,8 +124,7 @@ std::string eigen_member(const OutputFunction& function, std::string_view name_s
   if (returned) after += fmt::format("return {};\n", function.results[0].name);
   const std::string start = fmt::format("static {} {}(", type, function.name);
   const std::string call = fmt::format("::{}::{}<S>(", name_space, function.name);
-  return prefix_lines(function_summary(function), "/// ") + start +
-         wrap_list(parameters, start.size(), std::min<std::size_t>(start.size(), 40)) + ") {\n" +
+  return prefix_lines(function_summary(function), "/// ") + start + wrap_behind(start, parameters) + ") {\n" +
          prefix_lines(before + call + wrap_list(arguments, call.size() + 2, 4) + ");\n" + after, "  ") +
          "}\n";
 }

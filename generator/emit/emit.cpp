@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -133,10 +134,6 @@ std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<
   return functions;
 }
 
-std::string wrapped_after(std::string_view start, const std::string& list) {
-  return wrap_list(list, start.size(), std::min<std::size_t>(start.size(), 40));
-}
-
 std::string instantiation(std::string_view keyword, std::string_view function,
                           const OutputFunction& signature, const std::vector<std::string>& scalars,
                           bool block) {
@@ -150,7 +147,7 @@ std::string instantiation(std::string_view keyword, std::string_view function,
 std::vector<Unit> units_of(const WrittenFunction& function, const EmitOptions& options, const Slots& common) {
   const OutputFunction& signature = *function.signature;
   const std::string name(signature.name);
-  const std::string parameters = wrapped_after("void " + name + "(", cpp_parameters(signature, true));
+  const std::string parameters = wrap_behind("void " + name + "(", cpp_parameters(signature, true));
   const std::string instantiations = instantiation("template", name, signature, options.scalars, false);
   const std::vector<CodeBlock>& blocks = function.body.blocks;
   if (blocks.size() == 1) {
@@ -165,16 +162,16 @@ std::vector<Unit> units_of(const WrittenFunction& function, const EmitOptions& o
   std::string declarations, calls;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string block = fmt::format("{}_block{}", name, i + 1);
-    const Slots slots{{"block", block},
-                      {"arguments", wrapped_after("ALEMBERT_NOINLINE void " + block + "(",
-                                                  cpp_parameters(signature, true))},
-                      {"using", blocks[i].using_lines},
-                      {"statements", blocks[i].statement_lines}};
+    const Slots slots{
+        {"block", block},
+        {"arguments", wrap_behind("ALEMBERT_NOINLINE void " + block + "(", cpp_parameters(signature, true))},
+        {"using", blocks[i].using_lines},
+        {"statements", blocks[i].statement_lines}};
     units.push_back({fill_template("function_block.hpp", slots, common),
                      instantiation("template", "detail::" + block, signature, options.scalars, true),
                      blocks[i].statements});
     declarations += fmt::format("template <class S>\nvoid {}({}, S* w);\n", block,
-                                wrapped_after("void " + block + "(", cpp_parameters(signature, false)));
+                                wrap_behind("void " + block + "(", cpp_parameters(signature, false)));
     calls += fmt::format("detail::{}<S>({}, w);\n", block, cpp_arguments(signature));
   }
   const Slots slots{{"function", name},
@@ -213,7 +210,7 @@ std::string joined(const std::vector<Unit>& units, std::string Unit::*text, std:
 }
 
 std::string documented(const WrittenFunction& function, const Mechanism& mechanism, std::string_view prefix,
-                       const std::string& c_prefix = "") {
+                       const std::optional<std::string>& c_prefix = std::nullopt) {
   return prefix_lines(function_doc(*function.signature, mechanism, function.counts, c_prefix), prefix);
 }
 
@@ -229,7 +226,7 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
         "function_declaration.hpp",
         {{"doc", documented(function, mechanism, "/// ")},
          {"function", name},
-         {"arguments", wrapped_after("void " + name + "(", cpp_parameters(*function.signature, false))}});
+         {"arguments", wrap_behind("void " + name + "(", cpp_parameters(*function.signature, false))}});
     declarations += '\n';
     externs += instantiation("extern template", name, *function.signature, options.scalars, false);
     for (const CodeBlock& block : function.body.blocks)
@@ -265,13 +262,14 @@ std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFuncti
   for (const WrittenFunction& function : functions) {
     const std::string start = fmt::format("int {}_{}(", common.at("name"), function.signature->name);
     const std::string doc =
-        "/* " + prefix_lines(documented(function, mechanism, "", mechanism.name), "   ").substr(3) + " */";
+        "/* " + prefix_lines(documented(function, mechanism, "", mechanism.name + "_"), "   ").substr(3) +
+        " */";
     declarations +=
         (declarations.empty() ? "" : "\n") +
         fill_template("c_declaration.h",
                       {{"doc", doc},
                        {"function", std::string(function.signature->name)},
-                       {"arguments", wrapped_after(start, c_parameters(*function.signature, number))}},
+                       {"arguments", wrap_behind(start, c_parameters(*function.signature, number))}},
                       common);
   }
   return fill_template("mechanism.h",
@@ -289,7 +287,7 @@ std::string c_source(const Mechanism& mechanism, const std::vector<WrittenFuncti
     definitions += (definitions.empty() ? "" : "\n") +
                    fill_template("c_definition.cpp",
                                  {{"function", std::string(function.signature->name)},
-                                  {"arguments", wrapped_after(start, c_parameters(*function.signature))},
+                                  {"arguments", wrap_behind(start, c_parameters(*function.signature))},
                                   {"null_check", c_null_check(*function.signature)},
                                   {"call", c_arguments(*function.signature)}},
                                  common);

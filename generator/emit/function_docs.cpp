@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <utility>
 #include <vector>
 
 #include "emit/statements/literals.hpp"
 #include "functions/array_shape.hpp"
+#include "mechanism/names.hpp"
 
 namespace alembert {
 namespace {
@@ -23,16 +23,29 @@ std::string formula_line(const OutputFunction& function) {
   return function.formula.empty() ? "" : fmt::format("  {}\n", function.formula);
 }
 
-/// A text of the table with names as C has them.
-std::string with_names_of_c(std::string_view text, const std::string& prefix) {
-  std::string out(text);
-  if (prefix.empty()) return out;
-  for (const auto& [cpp, c] : {std::pair("kBodyNames", "_body_names"),
-                               {"kFrameNames", "_frame_names"},
-                               {"kConstraintNames", "_constraint_names"},
-                               {"kHolonomic", "_holonomic"}})
-    if (const std::size_t at = out.find(cpp); at != std::string::npos)
-      out.replace(at, std::string_view(cpp).size(), prefix + c);
+bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+/// A text of the table with the constants that it names, `kBodyNames`, called as the language calls them:
+/// PREFIXbody_names. Without a prefix they keep the names of C++.
+std::string with_constants(std::string_view text, const std::optional<std::string>& prefix) {
+  if (!prefix) return std::string(text);
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool constant = text[i] == 'k' && (i == 0 || !is_word_character(text[i - 1])) &&
+                          i + 1 < text.size() && is_capital(text[i + 1]);
+    if (!constant) {
+      out += text[i];
+      continue;
+    }
+    out += *prefix;
+    for (bool first = true; i + 1 < text.size() && is_word_character(text[i + 1]); ++i, first = false) {
+      const char c = text[i + 1];
+      if (is_capital(c) && !first) out += '_';
+      out += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
   return out;
 }
 
@@ -49,13 +62,13 @@ std::string function_summary(const OutputFunction& function) {
 }
 
 std::string function_doc(const OutputFunction& function, const Mechanism& mechanism,
-                         const std::string& operations, const std::string& c_prefix) {
-  std::string text = paragraph(with_names_of_c(function.summary, c_prefix)) + formula_line(function);
+                         const std::string& operations, const std::optional<std::string>& prefix) {
+  std::string text = paragraph(with_constants(function.summary, prefix)) + formula_line(function);
   for (const ResultArray& result : function.results)
-    text += paragraph(fmt::format("{}: {}.", result_with_shape(result, mechanism),
-                                  with_names_of_c(result.meaning, c_prefix)),
-                      2);
-  if (!function.remark.empty()) text += paragraph(function.remark);
+    text += paragraph(
+        fmt::format("{}: {}.", result_with_shape(result, mechanism), with_constants(result.meaning, prefix)),
+        2);
+  if (!function.remark.empty()) text += paragraph(with_constants(function.remark, prefix));
   if (!function.source.empty()) text += paragraph(fmt::format("Source: {}.", function.source), 2);
   return text + fmt::format("Operations: {}.\n", operations);
 }

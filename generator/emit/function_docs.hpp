@@ -2,6 +2,7 @@
 // sizes, operations. Out: lines of plain text, not yet marked as a comment.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "functions/function_table.hpp"
@@ -15,9 +16,10 @@ std::string result_with_shape(const ResultArray& result, const Mechanism& mechan
 /// Summary and formula.
 std::string function_summary(const OutputFunction& function);
 
-/// Summary, formula, results with shapes and units, remark, source and operations. With a prefix, lists of names are
-/// those of C: PREFIX_body_names for kBodyNames.
+/// Summary, formula, results with shapes and units, remark, source and operations. With a prefix, constants have
+/// the names of C and Python: PREFIXbody_names for kBodyNames.
 std::string function_doc(const OutputFunction& function, const Mechanism& mechanism,
-                         const std::string& operations, const std::string& c_prefix = "");
+                         const std::string& operations,
+                         const std::optional<std::string>& prefix = std::nullopt);
 
 }  // namespace alembert

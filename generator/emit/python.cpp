@@ -63,29 +63,20 @@ std::string result_type(const OutputFunction& function) {
   return out;
 }
 
-/// Text for a docstring, with the names that the constants have in Python: `kBodyNames` is body_names.
+/// Text inside a docstring.
 std::string docstring(std::string_view text) {
   std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool constant = text[i] == 'k' && (i == 0 || !is_word_character(text[i - 1])) &&
-                          i + 1 < text.size() && text[i + 1] >= 'A' && text[i + 1] <= 'Z';
-    if (constant) {
-      for (bool first = true; i + 1 < text.size() && is_word_character(text[i + 1]); ++i, first = false) {
-        const char c = text[i + 1];
-        if (c >= 'A' && c <= 'Z') out += first ? "" : "_";
-        out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      }
-    } else {
-      if (text[i] == '\\' || text[i] == '"') out += '\\';
-      out += text[i];
-    }
+  for (const char c : text) {
+    if (c == '\\' || c == '"') out += '\\';
+    out += c;
   }
   while (out.ends_with('\n')) out.pop_back();
   return out;
 }
 
+/// Below its first item, however far right that is.
 std::string wrapped_in_python(std::string_view start, const std::string& list) {
-  return wrap_list(list, start.size(), start.size());
+  return wrap_behind(start, list, start.size());
 }
 
 /// The arguments of a function; `hinted` with types.
@@ -119,7 +110,7 @@ std::string python_function(const WrittenFunction& written, const Mechanism& mec
                                  ? fmt::format("(t, parameters, wrenches, {{{}}})", fmt::join(keywords, ", "))
                                  : "None";
   const std::string doc =
-      prefix_lines(docstring(function_doc(function, mechanism, written.counts)), "    ").substr(4);
+      prefix_lines(docstring(function_doc(function, mechanism, written.counts, "")), "    ").substr(4);
   return fill_template("python_function.py", {{"function", std::string(function.name)},
                                               {"signature", signature_of(function, mechanism, false)},
                                               {"doc", doc},

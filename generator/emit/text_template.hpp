@@ -10,7 +10,8 @@ namespace alembert {
 
 using Slots = std::map<std::string, std::string, std::less<>>;
 
-/// The template file of this name (without `.in`). InternalError if there is none.
+/// The template file of this name (without `.in`), or the header of the runtime, such as `alembert/pack.hpp`, of
+/// those that generated code includes. InternalError if there is none.
 std::string_view template_text(std::string_view name);
 
 /// The template with its slots replaced, from `slots` or else from `common`. A slot alone on its line gives

@@ -16,6 +16,12 @@ constexpr Importer kImporters[] = {
      }},
 };
 
+const Importer* importer_by_name(const SourceText& source) {
+  const auto found = std::ranges::find_if(
+      kImporters, [&](const Importer& importer) { return source.name.ends_with(importer.extension); });
+  return found == std::end(kImporters) ? nullptr : found;
+}
+
 }  // namespace
 
 std::span<const Importer> importers() {
@@ -23,12 +29,16 @@ std::span<const Importer> importers() {
 }
 
 const Importer& importer_of(const SourceText& source) {
-  const auto by_name = std::ranges::find_if(
-      kImporters, [&](const Importer& importer) { return source.name.ends_with(importer.extension); });
-  if (by_name != std::end(kImporters)) return *by_name;
+  if (const Importer* const by_name = importer_by_name(source)) return *by_name;
   const auto by_text = std::ranges::find_if(
       kImporters, [&](const Importer& importer) { return importer.recognises(source.text); });
   return by_text != std::end(kImporters) ? *by_text : kImporters[0];
+}
+
+const Importer* importer_unless_description(const SourceText& source) {
+  if (const Importer* const by_name = importer_by_name(source)) return by_name;
+  const std::size_t first = source.text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && source.text[first] == '<' ? &importer_of(source) : nullptr;
 }
 
 std::string importable_formats() {

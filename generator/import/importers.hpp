@@ -29,6 +29,9 @@ std::span<const Importer> importers();
 /// the table, which says what it expected.
 const Importer& importer_of(const SourceText& source);
 
+/// The importer of a source that is no description: whose name says so, or that is XML. Null for a description.
+const Importer* importer_unless_description(const SourceText& source);
+
 /// `URDF`, or `A, B or C`.
 std::string importable_formats();
 

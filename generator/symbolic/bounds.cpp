@@ -27,6 +27,11 @@ Interval ExprGraph::bounds(Ref x) const {
   const auto of_node = [&](const Node& n) -> Interval {
     const Interval a = known(n.a);
     if (n.op == Operation::mul && n.a == n.b) return interval::square(a);
+    if (is_choice(n.op) && n.a.node() == n.b.node()) {  // max(0, b) or min(0, b)
+      const Interval b = known(n.b);
+      const bool where_positive = (n.op == Operation::if_positive) != n.a.negative();
+      return where_positive ? Interval{0, b.upper > 0 ? b.upper : 0} : Interval{b.lower < 0 ? b.lower : 0, 0};
+    }
     return bounds_of(n.op, a, operand_count(n.op) == 2 ? known(n.b) : a);
   };
 

@@ -82,8 +82,12 @@ Json parts_json(std::span<const ScenePart> parts) {
 
 Json series_json(std::span<const Series> all) {
   Json out = Json::array();
-  for (const Series& series : all)
-    out.push_back({{"name", series.name}, {"values", float_words(series.values)}});
+  for (const Series& series : all) {
+    Json one = {{"name", series.name}, {"unit", series.unit}, {"values", float_words(series.values)}};
+    // JSON has no infinity: a limit that is none is null.
+    if (series.limits) one["limits"] = {Json(series.limits->first), Json(series.limits->second)};
+    out.push_back(std::move(one));
+  }
   return out;
 }
 

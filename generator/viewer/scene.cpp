@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/coordinate_unit.hpp"
 #include "viewer/looks.hpp"
 #include "viewer/shapes.hpp"
 
@@ -43,12 +44,14 @@ std::string unused_name(const Scene& scene, const std::string& name) {
   return candidate;
 }
 
-std::vector<Series> coordinate_series(const Mechanism& mechanism, const BakedMotion& motion) {
+std::vector<Series> coordinate_series(const InitialValues& initial, const BakedMotion& motion) {
   static constexpr const char* kParts[] = {".x", ".y", ".z", ".w"};
   std::vector<Series> out;
-  for (const Coordinate& coordinate : mechanism.coordinates) {
+  for (const Coordinate& coordinate : initial.mechanism().coordinates) {
+    const std::string unit = coordinate_unit(initial, coordinate);
     for (int part = 0; part < coordinate.nq(); ++part) {
-      Series series{coordinate.name + (coordinate.nq() == 1 ? "" : kParts[part]), {}};
+      Series series{
+          coordinate.name + (coordinate.nq() == 1 ? "" : kParts[part]), {}, unit, coordinate.limits};
       for (const std::vector<double>& q : motion.q)
         series.values.push_back(q.at(static_cast<std::size_t>(coordinate.first_q + part)));
       out.push_back(std::move(series));
@@ -113,11 +116,12 @@ void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, c
     out.bodies.push_back(std::move(body));
   }
   out.scenery = std::move(looks.world);
-  out.coordinates = coordinate_series(mechanism, motion);
-  Series total{"total", {}};
+  out.coordinates = coordinate_series(values, motion);
+  Series total{"total", {}, "J", {}};
   for (std::size_t k = 0; k < motion.times.size(); ++k)
     total.values.push_back(motion.kinetic[k] + motion.potential[k]);
-  out.energies = {{"kinetic", motion.kinetic}, {"potential", motion.potential}, std::move(total)};
+  out.energies = {
+      {"kinetic", motion.kinetic, "J", {}}, {"potential", motion.potential, "J", {}}, std::move(total)};
   if (!scene.title.empty()) scene.title += ", ";
   scene.title += out.name;
   scene.mechanisms.push_back(std::move(out));

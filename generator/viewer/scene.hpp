@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mechanism/model.hpp"
@@ -37,6 +39,8 @@ struct SceneBody {
 struct Series {
   std::string name;
   std::vector<double> values;
+  std::string unit;                                 ///< empty if it is not known
+  std::optional<std::pair<double, double>> limits;  ///< of a coordinate
 };
 
 struct SceneMechanism {

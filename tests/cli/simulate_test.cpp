@@ -311,7 +311,8 @@ TEST(Options, DumpAndVerboseShowTheStages) {
 
 TEST(Options, HelpHasCommonOnesFirstAndAnExample) {
   const TemporaryFolder folder;
-  for (const std::string command : {"generate", "report", "evaluate", "simulate", "check", "import"}) {
+  for (const std::string command :
+       {"generate", "report", "bench", "evaluate", "simulate", "check", "import"}) {
     const std::string help = alembert(folder, command + " --help").out;
     EXPECT_THAT(help, HasSubstr("Example:\n"));
     EXPECT_THAT(help, HasSubstr("alembert " + command + " "));

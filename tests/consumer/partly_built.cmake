@@ -2,17 +2,10 @@
 # machine without GoogleTest, and alembert as a folder of a user's project.
 #   cmake -DROOT=SOURCE -DALEMBERT=COMMAND -DWORK=FOLDER -DC_COMPILER=... -DCXX_COMPILER=... -DMAKE_PROGRAM=ninja -P partly_built.cmake
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 set(build "${WORK}/build")
 set(prefix "${WORK}/pre fix")
 
-function(run variable)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
-  endif()
-  set(${variable} "${output}" PARENT_SCOPE)
-endfunction()
 function(expect text pattern)
   if(NOT text MATCHES "${pattern}")
     message(FATAL_ERROR "expected '${pattern}' in:\n${text}")
@@ -64,6 +57,31 @@ message(STATUS \"command: \${command}\")
 ")
 run(output ${CMAKE_COMMAND} -S ${WORK}/finds -B ${WORK}/found ${tools} "-DCMAKE_PREFIX_PATH=${prefix}")
 expect("${output}" "command: .*/pre fix/bin/alembert\n")
+
+# Eigen is what the runtime needs, and nobody who does without C++.
+set(without_eigen ${tools} "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
+function(project_without_eigen language text)
+  file(WRITE ${WORK}/eigen/CMakeLists.txt "cmake_minimum_required(VERSION 3.23)\nproject(eigen LANGUAGES ${language})\n${text}\n")
+  file(REMOVE_RECURSE ${WORK}/without_eigen)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/eigen -B ${WORK}/without_eigen ${without_eigen} OUTPUT_VARIABLE output
+                  ERROR_VARIABLE output RESULT_VARIABLE result)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")
+  set(result ${result} PARENT_SCOPE)
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+set(mechanism "MECHANISM ${ROOT}/mechanisms/pendulum.yaml")
+project_without_eigen(C "find_package(alembert REQUIRED)\nalembert_add_mechanism(TARGET swing LANGUAGE C ${mechanism})")
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "a project in C needs no Eigen:\n${output}")
+endif()
+foreach(text "find_package(alembert REQUIRED)" "find_package(alembert REQUIRED COMPONENTS runtime)"
+        "find_package(alembert REQUIRED COMPONENTS generator)\nalembert_add_mechanism(TARGET swing ${mechanism})")
+  project_without_eigen(CXX "${text}")
+  if(result EQUAL 0)
+    message(FATAL_ERROR "C++ needs Eigen:\n${text}")
+  endif()
+  expect("${output}" "needs Eigen 3.4 or newer")
+endforeach()
 
 # An example, copied out of the installed mechanisms.
 file(COPY "${prefix}/share/alembert/mechanisms/examples/controller" DESTINATION ${WORK})

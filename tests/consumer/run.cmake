@@ -1,19 +1,10 @@
 # Installs alembert, then builds the project beside this file against it as a user would:
 #   cmake -DBUILD=BUILD_FOLDER -DWORK=FOLDER -DGENERATOR=Ninja -DC_COMPILER=... -DCXX_COMPILER=... -P run.cmake
 cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 set(prefix "${WORK}/prefix")
 set(source "${WORK}/my project")  # with a blank, as users have it
 set(build "${WORK}/my build")
-
-# run(VARIABLE command ...): standard output and error into the variable; a failure ends the test.
-function(run variable)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
-  endif()
-  set(${variable} "${output}" PARENT_SCOPE)
-endfunction()
 
 function(expect_count text pattern count)
   string(REGEX MATCHALL "${pattern}" found "${text}")
@@ -75,9 +66,10 @@ if(NOT motion STREQUAL torque OR NOT torque_from_objects STREQUAL torque)
 endif()
 expect_nothing_to_do()
 
-# The same in C, without a compiler for C++ and without its library.
+# The same in C, without a compiler for C++, without its library and without Eigen.
 run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
-    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" --warn-uninitialized -Werror=dev)
+    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
+    -Werror=dev)
 run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
 foreach(library arm m)
   run(torque_in_c "${WORK}/c build/torque_${library}")

@@ -97,6 +97,29 @@ TEST(Emit, HeaderSaysWhatThereIs) {
   EXPECT_THAT(raw, HasSubstr("reduced formulation"));
 }
 
+/// Only texts of the function table speak of constants: a unit of the user's that looks like one stays.
+TEST(Emit, ConstantsHaveTheNamesOfEachLanguageAndTextsOfTheUserStay) {
+  sample::Sample s = sample::every_function();
+  s.mechanism.description = "Lifts 5 kN over kBodyNames.";
+  s.mechanism.coordinates[0].name = "kBoom";
+  const auto in = [&](Language language, const std::string& path) {
+    EmitOptions options;
+    options.language = language;
+    options.scalars = {"double"};
+    return text_of(emit_mechanism(s.mechanism, s.programs, options), path);
+  };
+  const std::string cpp = in(Language::cpp, "include/sample_all/sample_all_raw.hpp");
+  const std::string c = in(Language::c, "include/sample_all/sample_all.h");
+  const std::string python = in(Language::python, "python/sample_all.py");
+  EXPECT_THAT(cpp, HasSubstr("Lifts 5 kN over kBodyNames."));
+  EXPECT_THAT(python, HasSubstr("Lifts 5 kN over kBodyNames."));
+  for (const std::string& text : {cpp, c, python}) EXPECT_THAT(text, HasSubstr("coordinates: kBoom, base.x"));
+  EXPECT_THAT(cpp, HasSubstr("for each body of kBodyNames"));
+  EXPECT_THAT(c, HasSubstr("for each body of sample_all_body_names"));
+  EXPECT_THAT(python, HasSubstr("for each body of body_names"));
+  EXPECT_THAT(c, Not(testing::ContainsRegex("kBodyNames|kFrameNames|kConstraintNames|kHolonomic")));
+}
+
 TEST(Emit, NamespaceAndScalars) {
   const sample::Sample s = sample::big();
   EmitOptions options;

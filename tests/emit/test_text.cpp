@@ -79,6 +79,9 @@ TEST(Lists, AreShortenedAndWrapped) {
   EXPECT_EQ(name_list({}), "none");
   EXPECT_EQ(wrap_list("aaa, bbb, ccc", 2, 4, 10), "aaa,\n    bbb,\n    ccc");
   EXPECT_EQ(wrap_list("aaa, bbb, ccc", 0, 0, 10), "aaa, bbb,\nccc");
+  const std::string items(50, 'a'), list = items + ", " + items + ", " + items;
+  EXPECT_EQ(wrap_behind("f(", list), items + ", " + items + ",\n  " + items);
+  EXPECT_EQ(wrap_behind("f(", list, 1), items + ", " + items + ",\n " + items);
   EXPECT_EQ(wrap_words("a bb, ccc dddd", 0, 2, 8), "a bb,\n  ccc\n  dddd");
   EXPECT_EQ(wrap_words("unbreakable", 0, 2, 8), "unbreakable");
   EXPECT_EQ(prefix_lines("a\n\nb\n", "// "), "// a\n//\n// b\n");

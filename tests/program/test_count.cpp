@@ -3,6 +3,7 @@
 
 #include "program/dump.hpp"
 #include "program/program_maker.hpp"
+#include "program/time_shares.hpp"
 
 namespace alembert {
 namespace {
@@ -83,6 +84,20 @@ TEST(Count, ASumOfVariablesInsideAnAngleIsAnAdd) {
   const auto sum = m.add(x, y);
   expect_count(m.returning({m.sin(m.add(sum, c))}), {.add = 1, .trig = 1});
   expect_count(m.returning({m.append(Operation::exp, m.add(x, c))}), {.add = 2, .trig = 1, .other = 1});
+}
+
+TEST(TimeShares, WeighOperationsAndAccesses) {
+  ProgramMaker m(2);
+  const auto x = m.input(0), y = m.input(1);
+  const auto product = m.mul(m.add(x, y), y);
+  const TimeShares shares = estimated_shares(m.returning({m.div(m.sin(product), y), product}));
+  const double division = facts(Operation::div).weight, sine = facts(Operation::sin).weight;
+  const double sum = 2 + division + sine + 4;
+  EXPECT_DOUBLE_EQ(shares.arithmetic, 2 / sum);
+  EXPECT_DOUBLE_EQ(shares.division, division / sum);
+  EXPECT_DOUBLE_EQ(shares.trig, sine / sum);
+  EXPECT_DOUBLE_EQ(shares.other, 0);
+  EXPECT_DOUBLE_EQ(shares.memory, 4 / sum) << "two arguments and two results";
 }
 
 TEST(Count, WhatConstantsAloneDecideIsFolded) {

@@ -172,11 +172,66 @@ bodies:
   await page.close();
 }
 
+/// Units on axes and limits of coordinates; the picture is as near as the motion allows.
+async function checkPlots(browser) {
+  const description = (name, limits) => {
+    const path = `${folder}/${name}.yaml`;
+    writeFileSync(path, `alembert: 1
+name: ${name}
+coordinates: [{name: turn, initial: 0.3${limits}}, {name: slide, initial: 0.1}, {name: roll, initial: 0.2}]
+bodies:
+  - {name: arm, transform: [{rotate: {axis: y, angle: turn}}, {translate: [0, 0, -0.5]}], mass: 1}
+  - {name: cart, transform: [{translate: [slide + 2, 0, 0]}], mass: 1}
+  - {name: wheel, transform: [{translate: [roll, 0, 1]}, {rotate: {axis: y, angle: 2*roll}}], mass: 1, inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}
+`);
+    return path;
+  };
+  // Rows of a plot that the colour of its first series takes a third of.
+  const lines = (page) =>
+    page.evaluate(() => {
+      const canvas = document.querySelectorAll("#plots canvas")[1];
+      const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      let rows = 0;
+      for (let y = 0; y < height; ++y) {
+        let blue = 0;
+        for (let x = 0; x < width; ++x) if (data[4 * (y * width + x) + 2] - data[4 * (y * width + x)] > 60 && data[4 * (y * width + x) + 3] > 60) ++blue;
+        if (3 * blue > width) ++rows;
+      }
+      return rows;
+    });
+  const { page: limited, wrong } = await openPage(browser, `${simulate(description("limited", ", limits: [-1, 0.75]"))}.html`);
+  await drawn(limited);
+  await limited.screenshot({ path: `${folder}/limits.png` });
+  assert.deepEqual(await limited.$$eval("#plots h2", (all) => all.map((h) => h.textContent)).then((all) => all.slice(1)),
+    ["turn rad", "slide m", "roll rad"]);
+  assert.equal(await limited.$eval("#plots section:nth-child(2) li", (li) => li.title), "limits -1.0000 \u2026 0.75000 rad");
+  assert.ok((await lines(limited)) >= 2, "limits are lines");
+  const reach = await limited.evaluate(() => {
+    let most = 0;
+    window.viewer.showAll();
+    for (let t = 0; t <= 1; t += 0.05) {
+      window.viewer.seek(t);
+      for (const body of window.viewer.mechanisms[0].bodies) most = Math.max(most, ...window.viewer.onScreen(body).map(Math.abs));
+    }
+    return most;
+  });
+  console.log(`bodies are up to ${reach.toFixed(2)} of the way to the edge`);
+  assert.ok(reach > 0.7 && reach < 1, "the motion fills the picture, and nothing leaves it");
+  assert.equal(await limited.evaluate(() => window.viewer.onScreen("nobody")), null);
+  assert.deepEqual(wrong, []);
+  await limited.close();
+  const { page: free } = await openPage(browser, `${simulate(description("unlimited", ""))}.html`);
+  await drawn(free);
+  assert.equal(await lines(free), 0, "no limits, no lines");
+  await free.close();
+}
+
 const browser = await startBrowser();
 try {
   for (const description of descriptions) await checkPoses(browser, description);
   await checkControls(browser, descriptions[0]);
   await checkScene(browser, descriptions[0]);
+  await checkPlots(browser);
 } finally {
   await browser.close();
 }

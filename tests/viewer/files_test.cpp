@@ -143,6 +143,32 @@ TEST(Page, HoldsTheScene) {
   }
 }
 
+TEST(Page, HasUnitsAndLimitsOfCoordinates) {
+  const SmallScene small(R"(alembert: 1
+name: units
+parameters: {r: 0.3}
+coordinates: [{name: turn, limits: [-1, 2]}, slide, slanted, geared, roll, {name: place, limits: [-3, 3]}, along]
+bodies:
+  - {name: a, transform: [{joint: {type: revolute, axis: z, coordinates: [turn]}}], mass: 1}
+  - {name: b, transform: [{joint: {type: prismatic, axis: x, coordinates: [slide]}}], mass: 1}
+  - {name: c, transform: [{joint: {type: prismatic, axis: [1, 2, 2], coordinates: [slanted]}}], mass: 1}
+  - {name: d, transform: [{translate: [r*geared, 0, 0]}], mass: 1}
+  - {name: e, transform: [{translate: [r*roll, 0, 0]}, {rotate: {axis: y, angle: roll}}], mass: 1}
+  - {name: f, transform: [{translate: [cos(place), sin(place), 0]}], mass: 1}
+  - {name: g, transform: [{translate: [along, along^2, 0]}], mass: 1}
+)",
+                         {0.1, 0.2});
+  const Json json = Json::parse(scene_json(small.scene));
+  const Json& coordinates = json["mechanisms"].at(0)["coordinates"];
+  std::vector<std::string> units;
+  for (const Json& series : coordinates) units.push_back(series["unit"]);
+  EXPECT_THAT(units, testing::ElementsAre("rad", "m", "m", "", "rad", "rad", ""));
+  EXPECT_EQ(coordinates[0]["limits"], Json({-1.0, 2.0}));
+  EXPECT_EQ(coordinates[5]["limits"], Json({-3.0, 3.0}));
+  EXPECT_FALSE(coordinates[1].contains("limits"));
+  EXPECT_EQ(json["mechanisms"].at(0)["energies"].at(2)["unit"], "J");
+}
+
 TEST(Page, LetsNoTextEndItsElement) {
   const SmallScene small(kHangingPendulum, {0.1, 0.2});
   EXPECT_EQ(scene_json(small.scene).find('<'), std::string::npos);

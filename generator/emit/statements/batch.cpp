@@ -125,7 +125,7 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
     const std::string start = fmt::format("ALEMBERT_NOINLINE void {}(", name);
     blocks += (i == 0 ? "" : "\n") +
               fill_template("batch_block.hpp", {{"start", start},
-                                                {"arguments", wrap_list(one, start.size(), 4)},
+                                                {"arguments", wrap_behind(start, one, 4)},
                                                 {"using", body.blocks[i].using_lines},
                                                 {"statements", body.blocks[i].statement_lines}});
     calls += fmt::format("for (int k = 0; k < packs; ++k)\n  {}<S>({});\n", name,
@@ -138,7 +138,7 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
                      {"block_count",
                       body.blocks.size() == 1 ? "one block" : fmt::format("{} blocks", body.blocks.size())},
                      {"blocks", blocks},
-                     {"arguments", wrap_list(all, start.size(), 4)},
+                     {"arguments", wrap_behind(start, all, 4)},
                      {"crossing_count",
                       fmt::format("{} {}", of_all ? "All packs together have" : "A pack has", crossing)},
                      {"calls", calls}}),
@@ -304,12 +304,10 @@ std::string batch_c_declarations(const Mechanism& mechanism, std::span<const Pro
   std::string declarations;
   for (const OutputFunction* signature : batch_signatures(mechanism, programs, options)) {
     const std::string start = fmt::format("int {}_{}_batch(", mechanism.name, signature->name);
-    declarations +=
-        "\n" + fill_template("batch_c_declaration.h",
-                             {{"function", std::string(signature->name)},
-                              {"arguments", wrap_list(c_batch_parameters(*signature), start.size(),
-                                                      std::min<std::size_t>(start.size(), 40))}},
-                             common);
+    declarations += "\n" + fill_template("batch_c_declaration.h",
+                                         {{"function", std::string(signature->name)},
+                                          {"arguments", wrap_behind(start, c_batch_parameters(*signature))}},
+                                         common);
   }
   return declarations;
 }
@@ -322,16 +320,13 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
   for (std::size_t k = 0; k < functions.size(); ++k) {
     const OutputFunction& signature = *functions[k];
     const std::string name(signature.name);
-    const std::size_t start = fmt::format("::std::size_t {}_batch(", name).size();
-    const auto wrapped = [&](const std::string& list, std::size_t at) {
-      return wrap_list(list, at, std::min<std::size_t>(at, 40));
-    };
+    const std::string start = fmt::format("::std::size_t {}_batch(", name);
     const std::string_view gap = k == 0 ? "" : "\n";
     declarations += fmt::format(
         "{}{}", gap,
         fill_template(
             "batch_declaration.hpp",
-            {{"function", name}, {"arguments", wrapped(cpp_batch_parameters(signature, true), start)}}));
+            {{"function", name}, {"arguments", wrap_behind(start, cpp_batch_parameters(signature, true))}}));
     std::string assignments;
     for (std::size_t i = 0; i < signature.arguments.size(); ++i)
       assignments += fmt::format("call.arguments[{}] = {};\n", i, argument_name(signature.arguments[i]));
@@ -341,15 +336,15 @@ std::vector<EmittedFile> batch_files(const Mechanism& mechanism, std::span<const
         fmt::format("{}{}", gap,
                     fill_template("batch_definition.cpp",
                                   {{"function", name},
-                                   {"arguments", wrapped(cpp_batch_parameters(signature, false), start)},
+                                   {"arguments", wrap_behind(start, cpp_batch_parameters(signature, false))},
                                    {"assignments", assignments},
                                    {"index", std::to_string(k)}}));
-    const std::size_t c_start = fmt::format("int {}_{}_batch(", mechanism.name, name).size();
+    const std::string c_start = fmt::format("int {}_{}_batch(", mechanism.name, name);
     c_definitions +=
         fmt::format("{}{}", gap,
                     fill_template("batch_c_definition.cpp",
                                   {{"function", name},
-                                   {"arguments", wrapped(c_batch_parameters(signature), c_start)},
+                                   {"arguments", wrap_behind(c_start, c_batch_parameters(signature))},
                                    {"null_check", c_null_check(signature)},
                                    {"call", c_batch_call(signature)}},
                                   common));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -151,6 +152,10 @@ std::string wrap_words(std::string_view text, std::size_t column, std::size_t in
 
 std::string wrap_list(std::string_view list, std::size_t column, std::size_t indent, std::size_t width) {
   return wrap_after(", ", list, column, indent, width);
+}
+
+std::string wrap_behind(std::string_view start, std::string_view list, std::size_t most) {
+  return wrap_list(list, start.size(), std::min(start.size(), most));
 }
 
 }  // namespace alembert

@@ -34,4 +34,7 @@ std::string wrap_words(std::string_view text, std::size_t column, std::size_t in
 /// The same for a list, broken after `, ` only.
 std::string wrap_list(std::string_view list, std::size_t column, std::size_t indent, std::size_t width = 118);
 
+/// A list that stands behind `start`: its lines go on below its first item, but not right of column `most`.
+std::string wrap_behind(std::string_view start, std::string_view list, std::size_t most = 40);
+
 }  // namespace alembert

@@ -1,6 +1,7 @@
 """alembert.load("robot.urdf") or load("arm.yaml"): the equations of motion as a Python module.
 
 The command `alembert` writes them as C and Python, the C compiler compiles them, and a folder keeps both for the next time.
+alembert.simulate moves them in time.
 Needs numpy. The command is $ALEMBERT_EXECUTABLE, or what is installed with this package, or what PATH has; the compiler is $CC or
 cc; the folder is `alembert` in $XDG_CACHE_HOME or ~/.cache. alembert.torch has gradients for PyTorch.
 """
@@ -18,7 +19,9 @@ import warnings
 from types import ModuleType
 from typing import Iterable, List, Optional, Tuple, Union
 
-__all__ = ["load", "Error", "executable"]
+from .simulation import Motion, simulate
+
+__all__ = ["load", "simulate", "Motion", "Error", "executable"]
 
 _FLAGS = ["-std=c99", "-O2", "-fno-math-errno", "-shared", "-fPIC"]
 _importing = threading.Lock()

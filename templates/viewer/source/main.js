@@ -119,7 +119,8 @@ window.addEventListener("keydown", (event) => {
   }
 });
 
-/// For scripts: times in seconds; a pose is four rows of the body's 4x4 matrix in its mechanism's world, or null.
+/// For scripts: times in seconds; a pose is four rows of the body's 4x4 matrix in its mechanism's world, or null; onScreen is
+/// where a body's origin is in the picture, from -1 to 1.
 window.viewer = {
   start,
   duration,
@@ -130,6 +131,7 @@ window.viewer = {
   setTheme,
   select: (index) => select(index, true),
   showAll: () => stage.frame(),
+  onScreen: (bodyName, mechanismName) => stage.onScreen(bodyName, mechanismName),
   get time() {
     return state.time;
   },

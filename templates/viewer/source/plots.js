@@ -1,13 +1,15 @@
 // Plots of values over time, each a canvas with a line at the current time and a legend of the values there. In:
-// series of a mechanism. Out: elements in the panel; `onSeek(t)` when one is clicked or dragged.
+// series of a mechanism. Out: elements in the panel; `onSeek(t)` when one is clicked or dragged. Series of a plot have one
+// unit; the limits of coordinates are dashed lines, where the motion is not too small to be seen between them.
 import { valueAt } from "./scene_data.js";
 
 const kColors = {
   light: ["#2f6fb0", "#d9730d", "#3c8d40", "#c93a3d", "#8a5a9e", "#0d8a84", "#9a7400", "#7a5440"],
   dark: ["#6fa8e0", "#f5a04a", "#74c274", "#f27f7f", "#c79ad6", "#5fc7c0", "#e6c65c", "#c29a86"],
 };
-const kHeight = 132;
-const kMargin = { left: 52, right: 10, top: 8, bottom: 20 };
+const kHeight = 142;
+const kMargin = { left: 52, right: 10, top: 18, bottom: 20 };
+const kLeastShare = 0.1;  // of the axis that the motion takes, if limits are to be on it
 
 /// About `count` round numbers from low to high.
 function ticks(low, high, count) {
@@ -31,6 +33,7 @@ class Plot {
   constructor(title, note, times, series, onSeek) {
     this.times = times;
     this.series = series;
+    this.unit = series[0].unit;
     this.element = document.createElement("section");
     const heading = document.createElement("h2");
     heading.textContent = title;
@@ -48,6 +51,7 @@ class Plot {
       name.textContent = one.name;
       const value = document.createElement("b");
       item.append(swatch, name, value);
+      if (one.limits) item.title = `limits ${one.limits.map(legendText).join(" \u2026 ")} ${one.unit}`;
       this.legend.append(item);
       return { swatch, value };
     });
@@ -75,6 +79,9 @@ class Plot {
         this.high = Math.max(this.high, value);
       }
     }
+    const limits = series.flatMap((one) => one.limits ?? []).filter((limit) => limit !== null);
+    const [low, high] = [Math.min(this.low, ...limits), Math.max(this.high, ...limits)];
+    if (this.high - this.low >= kLeastShare * (high - low)) [this.low, this.high] = [low, high];
     // A constant is drawn in the middle, not its last digits across the height.
     const size = Math.max(Math.abs(this.low), Math.abs(this.high));
     const constant = this.high - this.low < 1e-7 * Math.max(size, 1e-3);
@@ -134,6 +141,18 @@ class Plot {
       stroke(x, bottom, x, bottom + 4);
       context.fillText(`${tickText(value, horizontal.step)} s`, Math.min(x, right - 8), bottom + 6);
     }
+    if (this.unit) {
+      context.textAlign = "right";
+      context.textBaseline = "top";
+      context.fillText(this.unit, kMargin.left - 6, 0);
+    }
+    this.series.forEach(({ limits }, s) => {
+      context.strokeStyle = kColors[theme][s % kColors[theme].length];
+      context.setLineDash([5, 4]);
+      for (const limit of limits ?? [])
+        if (limit !== null && limit > this.low && limit < this.high) stroke(kMargin.left, this.y(limit), right, this.y(limit));
+      context.setLineDash([]);
+    });
     context.lineWidth = 1.6;
     context.lineJoin = "round";
     this.series.forEach(({ values }, s) => {
@@ -178,15 +197,15 @@ const stem = (name) => name.match(/^(.*)\.[xyzw]$/)?.[1];
 /// Potential energy has no zero of its own: from its lowest value, kinetic energy can be seen beside it.
 function fromLowestPotential(energies) {
   const lowest = energies.find(({ name }) => name === "potential").values.reduce((a, b) => Math.min(a, b), Infinity);
-  return energies.map(({ name, values }) => ({ name, values: name === "kinetic" ? values : values.map((x) => x - lowest) }));
+  return energies.map((one) => ({ ...one, values: one.name === "kinetic" ? one.values : one.values.map((x) => x - lowest) }));
 }
 
-/// Coordinates that share a plot: the parts of a quaternion, otherwise four at a time.
+/// Coordinates that share a plot: the parts of a quaternion, otherwise four of one unit at a time.
 function groups(coordinates) {
   const out = [];
   for (const series of coordinates) {
     const last = out[out.length - 1];
-    const same = last && stem(last[0].name) === stem(series.name);
+    const same = last && stem(last[0].name) === stem(series.name) && last[0].unit === series.unit;
     if (same && last.length < 4) last.push(series);
     else out.push([series]);
   }
@@ -202,8 +221,8 @@ export class Plots {
       const part = stem(group[0].name);
       const last = group[group.length - 1].name;
       const title = part ?? (group.length === 1 ? last : `${group[0].name} \u2026 ${last}`);
-      const series = part ? group.map(({ name, values }) => ({ name: name.slice(part.length + 1), values })) : group;
-      this.plots.push(new Plot(title, "", mechanism.times, series, onSeek));
+      const series = part ? group.map((one) => ({ ...one, name: one.name.slice(part.length + 1) })) : group;
+      this.plots.push(new Plot(title, group[0].unit, mechanism.times, series, onSeek));
     }
     element.append(...this.plots.map((plot) => plot.element));
   }

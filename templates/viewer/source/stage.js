@@ -15,6 +15,8 @@ const kLook = {
 };
 const kFarAway = 5;  // a motion that goes so many times the mechanism's size is followed by the camera
 const kView = new Vector3(0.62, -1, 0.46).normalize();  // from where the motion is looked at first
+const kMargin = 1.1;  // of the picture around the motion
+const kMostFrames = 200;  // whose places are looked at for that
 
 function geometryOf(mesh) {
   const geometry = new BufferGeometry();
@@ -22,6 +24,23 @@ function geometryOf(mesh) {
   geometry.setAttribute("normal", new BufferAttribute(mesh.normals, 3));
   geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   return geometry;
+}
+
+/// Points of a mesh that lie farthest out in 26 directions.
+function outermost(mesh) {
+  const points = [];
+  for (let direction = 0; direction < 27; ++direction) {
+    if (direction === 13) continue;
+    const [dx, dy, dz] = [(direction % 3) - 1, (Math.floor(direction / 3) % 3) - 1, Math.floor(direction / 9) - 1];
+    let farthest = 0;
+    let most = -Infinity;
+    for (let i = 0; i < mesh.positions.length; i += 3) {
+      const distance = dx * mesh.positions[i] + dy * mesh.positions[i + 1] + dz * mesh.positions[i + 2];
+      if (distance > most) [most, farthest] = [distance, i];
+    }
+    points.push(new Vector3().fromArray(mesh.positions, farthest));
+  }
+  return points;
 }
 
 /// 1, 2 or 5 times a power of ten, near `length`.
@@ -51,6 +70,30 @@ class MechanismView {
       new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max)).applyMatrix4(this.group.matrixWorld);
     this.box = box(data.bounds);
     this.firstBox = box(data.first_bounds);
+  }
+
+  /// Outermost points of all that is shown, in the scene: at all frames, or at the first one only.
+  points(outermostOf, first) {
+    const inFrame = (parts) =>
+      parts.flatMap((part) => {
+        const rotation = new Quaternion().fromArray(part.rotation);
+        const origin = new Vector3().fromArray(part.origin);
+        return outermostOf(part.mesh).map((point) => point.clone().applyQuaternion(rotation).add(origin));
+      });
+    const points = inFrame(this.data.scenery);
+    const frames = first ? 1 : this.data.times.length;
+    const step = Math.max(1, Math.floor(frames / kMostFrames));
+    const rotation = new Quaternion();
+    const origin = new Vector3();
+    for (const body of this.data.bodies) {
+      const own = body.parts.length > 0 ? inFrame(body.parts) : [new Vector3().fromArray(body.center)];
+      for (let k = 0; k < frames; k += step) {
+        rotation.fromArray(body.rotations, 4 * k).normalize();
+        origin.fromArray(body.origins, 3 * k);
+        for (const point of own) points.push(point.clone().applyQuaternion(rotation).add(origin));
+      }
+    }
+    return points.map((point) => point.applyMatrix4(this.group.matrixWorld));
   }
 
   /// Mean of the bodies' origins, in the scene.
@@ -119,6 +162,8 @@ export class Stage {
       mesh.castShadow = mesh.receiveShadow = true;
       return mesh;
     };
+    const points = [];
+    this.outermostOf = (mesh) => (points[mesh] ??= outermost(data.meshes[mesh]));
     this.mechanisms = data.mechanisms.map((mechanism) => new MechanismView(mechanism, partOf));
     this.box = new Box3();
     const first = new Box3();
@@ -229,29 +274,44 @@ export class Stage {
     this.draw();
   }
 
-  /// Looks at all that moves, or at one mechanism: as near as its box allows.
+  /// Looks at all that moves, or at one mechanism: as near as the points that its bodies pass allow.
   frame(index) {
     if (!this.controls) return;
-    const chosen = index === undefined ? this.box : this.follows ? this.mechanisms[index].firstBox : this.mechanisms[index].box;
-    const box = chosen.clone().translate(this.away);
-    const target = box.getCenter(new Vector3());
+    const chosen = index === undefined ? this.mechanisms : [this.mechanisms[index]];
     const right = new Vector3(0, 0, 1).cross(kView).normalize();
     const up = kView.clone().cross(right);
-    const slope = Math.tan((this.camera.fov * Math.PI) / 360);
-    let distance = 0.1 * this.bounds.radius;
-    for (let corner = 0; corner < 8; ++corner) {
-      const at = new Vector3(
-        corner & 1 ? box.max.x : box.min.x,
-        corner & 2 ? box.max.y : box.min.y,
-        corner & 4 ? box.max.z : box.min.z,
-      ).sub(target);
-      const aside = Math.max(Math.abs(at.dot(right)) / this.camera.aspect, Math.abs(at.dot(up)));
-      distance = Math.max(distance, at.dot(kView) + (1.18 * aside) / slope);
+    const slopes = [this.camera.aspect, 1].map((x) => (x * Math.tan((this.camera.fov * Math.PI) / 360)) / kMargin);
+    // Where the four sides of the picture touch the points: along `right` and `up`, each way.
+    const sides = [[-Infinity, -Infinity], [-Infinity, -Infinity]];
+    let [far, near] = [Infinity, -Infinity];
+    for (const mechanism of chosen) {
+      for (const point of mechanism.points(this.outermostOf, this.follows)) {
+        const depth = point.dot(kView);
+        [far, near] = [Math.min(far, depth), Math.max(near, depth)];
+        [right, up].forEach((axis, i) => {
+          const aside = point.dot(axis);
+          sides[i][0] = Math.max(sides[i][0], aside + slopes[i] * depth);
+          sides[i][1] = Math.max(sides[i][1], -aside + slopes[i] * depth);
+        });
+      }
     }
-    this.camera.position.copy(target).addScaledVector(kView, distance);
+    const place = Math.max(near + 0.1 * this.bounds.radius, ...sides.map(([a, b], i) => (a + b) / (2 * slopes[i])));
+    const target = kView.clone().multiplyScalar((far + near) / 2);
+    [right, up].forEach((axis, i) => target.addScaledVector(axis, (sides[i][0] - sides[i][1]) / 2));
+    target.add(this.away);
+    this.camera.position.copy(target).addScaledVector(kView, place - (far + near) / 2);
     this.controls.target.copy(target);
     this.controls.update();
     this.draw();
+  }
+
+  /// Where a body's origin is in the picture: from -1, left and below, to 1; or null.
+  onScreen(bodyName, mechanismName) {
+    const found = this.find(bodyName, mechanismName);
+    if (!found || !this.renderer) return null;
+    this.camera.updateMatrixWorld();
+    const { x, y } = new Vector3().setFromMatrixPosition(found.node.matrixWorld).project(this.camera);
+    return [x, y];
   }
 
   meanOfMechanisms() {
@@ -310,15 +370,21 @@ export class Stage {
     });
   }
 
-  /// Pose of a body in its mechanism's world as the scene graph has it, or null if there is no such body.
-  pose(bodyName, mechanismName) {
+  /// A body's mechanism and node, placed as at the present time; or null if there is no such body.
+  find(bodyName, mechanismName) {
     for (const mechanism of this.mechanisms) {
       if (mechanismName !== undefined && mechanism.data.name !== mechanismName) continue;
       const node = mechanism.bodies.find((body) => body.name === bodyName);
       if (!node) continue;
       this.scene.updateMatrixWorld(true);
-      return new Matrix4().copy(mechanism.group.matrixWorld).invert().multiply(node.matrixWorld);
+      return { mechanism, node };
     }
     return null;
+  }
+
+  /// Pose of a body in its mechanism's world as the scene graph has it, or null if there is no such body.
+  pose(bodyName, mechanismName) {
+    const found = this.find(bodyName, mechanismName);
+    return found && new Matrix4().copy(found.mechanism.group.matrixWorld).invert().multiply(found.node.matrixWorld);
   }
 }

@@ -1,0 +1,247 @@
+// `bench`: the C++ of a mechanism is written into a temporary folder, compiled by the compiler at hand and run at
+// random states. Out: a row a function: operations, bytes of code, time, and what that is likely spent on.
+#include "commands/run_bench.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "commands/bench_states.hpp"
+#include "commands/compiler.hpp"
+#include "commands/run_import.hpp"
+#include "commands/work_folder.hpp"
+#include "emit/bench_program.hpp"
+#include "import/importers.hpp"
+#include "mechanism/source.hpp"
+#include "program/time_shares.hpp"
+
+namespace alembert {
+
+namespace {
+
+constexpr int kBenchStates = 256;
+
+/// Flags as alembert_add_mechanism sets them (cmake/AlembertAddMechanism.cmake).
+const std::vector<std::string> kFlags = {"-O2", "-fno-math-errno", "-DALEMBERT_VECTOR_TRIG"};
+const std::vector<std::string> kFlagsOfGcc = {"-fno-tree-slp-vectorize", "-frename-registers",
+                                              "-fno-omit-frame-pointer"};
+const std::map<std::string, std::vector<std::string>, std::less<>> kFlagsOfInstructions = {
+    {"avx2", {"-ffp-contract=off", "-mavx2", "-mfma"}},
+    {"avx512", {"-ffp-contract=off", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mavx2", "-mfma"}},
+    {"baseline", {"-ffp-contract=off"}}};
+
+/// A description, or the description of a robot in another format.
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common) {
+  std::shared_ptr<const SourceText> source = read_source(common.file);
+  if (importer_unless_description(*source) == nullptr) return source;
+  return std::make_shared<const SourceText>(
+      SourceText{source->name + ", imported", imported_text(source, {}, common.strict)});
+}
+
+Compiler compiler_of(const BenchOptions& options) {
+  const std::string advice = "the compiler is that of --compiler, or of the environment variable CXX, or c++";
+  const char* const variable = std::getenv("CXX");
+  if (!options.compiler.empty() || variable == nullptr || *variable == 0)
+    return {"--compiler", options.compiler.empty() ? "c++" : options.compiler, "C++", advice};
+  return {"CXX", variable, "C++", advice};
+}
+
+/// Machine code and times, by function; `_batch` stands behind the names of those over many states.
+struct Measured {
+  std::vector<std::string> flags;
+  std::map<std::string, std::size_t, std::less<>> bytes;
+  std::map<std::string, double, std::less<>> nanoseconds;
+  std::string instructions;  ///< of batches
+};
+
+/// Files of a mechanism, compiled in a folder.
+class Build {
+ public:
+  Build(const CompiledMechanism& compiled, const EmitOptions& emit, const Compiler& compiler)
+      : compiled_(compiled), emit_(emit), compiler_(compiler), folder_("bench") {}
+
+  Measured measured() {
+    Measured out;
+    out.flags = flags();
+    const std::string& name = compiled_.mechanism->name;
+    const std::vector<Program> programs = programs_of(compiled_);
+    std::vector<EmittedFile> files = emit_mechanism(*compiled_.mechanism, programs, emit_);
+    std::ranges::move(bench_files(*compiled_.mechanism, programs, emit_, kBenchStates),
+                      std::back_inserter(files));
+    for (const EmittedFile& file : files) folder_.write(file);
+    std::vector<std::string> sources, link{"-o", folder_ / "bench"};
+    for (const EmittedFile& file : files)
+      if (file.path.ends_with(".cpp") && file.path != fmt::format("src/{}_c.cpp", name))
+        sources.push_back(file.path);
+    for (const std::string& source : sources) link.push_back(compile_file(source, out.flags));
+    if (!emit_.batch.empty()) link.emplace_back("-pthread");
+    compiler_.run(folder_, out.flags, link);
+    time(out);
+    for (const std::string& source : sources) add_bytes(source, out);
+    return out;
+  }
+
+ private:
+  std::vector<std::string> flags() const {
+    folder_.write({"src/which.cpp", "#if defined(__GNUC__) && !defined(__clang__)\nis_gcc\n#endif\n"});
+    const std::vector<std::string> arguments{"-E", folder_ / "src/which.cpp"};
+    const bool gcc = compiler_.run(folder_, {}, arguments).find("\nis_gcc") != std::string::npos;
+    std::vector<std::string> all = kFlags;
+    if (gcc) all.insert(all.end(), kFlagsOfGcc.begin(), kFlagsOfGcc.end());
+    return all;
+  }
+  /// The set of instructions that a file is for; empty for those that are no batch.
+  std::string set_of(const std::string& path) const {
+    const std::string start = fmt::format("src/{}_batch_", compiled_.mechanism->name);
+    return path.starts_with(start) ? path.substr(start.size(), path.size() - start.size() - 4) : "";
+  }
+  /// The object file.
+  std::string compile_file(const std::string& path, const std::vector<std::string>& flags) const {
+    const std::string object = folder_ / (path + ".o");
+    std::vector<std::string> arguments{"-std=c++17", "-I" + folder_ / "include", "-c", folder_ / path, "-o",
+                                       object};
+    if (const auto more = kFlagsOfInstructions.find(set_of(path)); more != kFlagsOfInstructions.end())
+      arguments.insert(arguments.end(), more->second.begin(), more->second.end());
+    compiler_.run(folder_, flags, arguments);
+    return object;
+  }
+  void time(Measured& out) const {
+    std::string bytes;
+    for (const std::vector<double>& array : bench_states(*compiled_.mechanism, kBenchStates))
+      bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(double));
+    folder_.write({"states", bytes});
+    const ProgramRun done = folder_.run({folder_ / "bench", folder_ / "states"});
+    if (done.exit_code != 0)
+      compiler_.fail(fmt::format("what it compiled does not run: it ended with {}", done.exit_code));
+    std::istringstream lines(done.out);
+    for (std::string name, value; lines >> name >> value;) {
+      if (name == "instructions") out.instructions = value;
+      if (name != "instructions") out.nanoseconds[name] = std::stod(value);
+    }
+  }
+  /// Of the batches those that this machine runs.
+  void add_bytes(const std::string& path, Measured& out) const {
+    const std::string set = set_of(path);
+    if (!set.empty() && set != out.instructions) return;
+    const std::optional<std::vector<CodeSymbol>> symbols =
+        code_symbols(compiler_, folder_, folder_ / (path + ".o"));
+    if (!symbols) return;
+    for (const CodeSymbol& symbol : *symbols) {
+      for (const CompiledFunction& function : compiled_.functions) {
+        const std::string name = fmt::format("::{}", to_string(function.kind));
+        const auto has = [&](std::string_view ending) {
+          return symbol.name.find(name + std::string(ending)) != std::string::npos;
+        };
+        if (set.empty() && (has("<double>") || has("_block"))) out.bytes[name.substr(2)] += symbol.bytes;
+        if (!set.empty() && (has("_lanes(") || has("_packs<") || has("_pack_block")))
+          out.bytes[name.substr(2) + "_batch"] += symbol.bytes;
+      }
+    }
+  }
+
+  const CompiledMechanism& compiled_;
+  const EmitOptions& emit_;
+  const Compiler& compiler_;
+  WorkFolder folder_;
+};
+
+nlohmann::json json_of(const CompiledMechanism& compiled, const Measured& measured) {
+  nlohmann::json out = {
+      {"mechanism", compiled.mechanism->name}, {"states", kBenchStates}, {"flags", measured.flags}};
+  if (!measured.instructions.empty()) out["instructions"] = measured.instructions;
+  const auto measure = [&](nlohmann::json& row, const std::string& name) {
+    row["median_ns"] = measured.nanoseconds.at(name);
+    const auto bytes = measured.bytes.find(name);
+    row["code_bytes"] = bytes == measured.bytes.end() ? nlohmann::json() : nlohmann::json(bytes->second);
+  };
+  for (const CompiledFunction& f : compiled.functions) {
+    const std::string name(to_string(f.kind));
+    const TimeShares shares = estimated_shares(f.program);
+    nlohmann::json& row = out["functions"][name];
+    row = {{"mul", f.count.mul},
+           {"add", f.count.add},
+           {"div", f.count.div},
+           {"trig", f.count.trig},
+           {"other", f.count.other},
+           {"estimated_shares",
+            {{"arithmetic", shares.arithmetic},
+             {"division", shares.division},
+             {"trig", shares.trig},
+             {"other", shares.other},
+             {"memory", shares.memory}}}};
+    measure(row, name);
+    if (measured.nanoseconds.contains(name + "_batch")) measure(row["batch"], name + "_batch");
+  }
+  return out;
+}
+
+void print_table(const CompiledMechanism& compiled, const Measured& measured) {
+  std::size_t width = 22;
+  for (const auto& [name, nanoseconds] : measured.nanoseconds) width = std::max(width, name.size());
+  fmt::print("{:<{}} {:>7} {:>7} {:>5} {:>5} {:>5} {:>9} {:>10}   {:>5} {:>5} {:>5} {:>5} {:>6}\n",
+             "function", width, "x", "+", "div", "trig", "other", "bytes", "ns", "x,+", "div", "trig",
+             "other", "memory");
+  const auto bytes = [&](const std::string& name) {
+    const auto found = measured.bytes.find(name);
+    return found == measured.bytes.end() ? std::string("-") : std::to_string(found->second);
+  };
+  for (const CompiledFunction& f : compiled.functions) {
+    const std::string name(to_string(f.kind));
+    const TimeShares s = estimated_shares(f.program);
+    fmt::print(
+        "{:<{}} {:>7} {:>7} {:>5} {:>5} {:>5} {:>9} {:>10.4g}   {:>4.0f}% {:>4.0f}% {:>4.0f}% {:>4.0f}% "
+        "{:>5.0f}%\n",
+        name, width, f.count.mul, f.count.add, f.count.div, f.count.trig, f.count.other, bytes(name),
+        measured.nanoseconds.at(name), 100 * s.arithmetic, 100 * s.division, 100 * s.trig, 100 * s.other,
+        100 * s.memory);
+  }
+  for (const auto& [name, nanoseconds] : measured.nanoseconds)
+    if (name.ends_with("_batch"))
+      fmt::print("{:<{}} {:>47} {:>10.4g}\n", name, width, bytes(name), nanoseconds);
+}
+
+}  // namespace
+
+int run_bench(const CommonOptions& common, const BenchOptions& options) {
+  const Compiler compiler = compiler_of(options);
+  const FunctionChoice choice = function_choice(options.functions);
+  const CompiledMechanism compiled =
+      compile(common, description_of(common), choice.kinds, choice.inapplicable);
+  EmitOptions emit;
+  emit.scalars = {"double"};
+  set_batch(emit, common, options.batch);
+  const Measured measured = Build(compiled, emit, compiler).measured();
+  if (options.json) {
+    fmt::print("{}\n", json_of(compiled, measured).dump(2));
+    return 0;
+  }
+  const Mechanism& mechanism = *compiled.mechanism;
+  fmt::print("{}: {} coordinates, {} speeds, {} bodies\n", mechanism.name, mechanism.nq, mechanism.nv,
+             mechanism.bodies.size());
+  print_table(compiled, measured);
+  fmt::print(
+      "\nns: median time of one state, in double, over {} random states within the limits, one after the "
+      "other{}\n"
+      "bytes: machine code of the function\n"
+      "%: an ESTIMATE of what the time is spent on, from the operations and the weights that alembert's "
+      "optimiser\n"
+      "gives them, not a measurement; memory: arguments read and results written\n"
+      "compiled by: {} {}\n",
+      kBenchStates,
+      measured.instructions.empty()
+          ? ""
+          : fmt::format(";\n_batch: all in one call by one thread, instructions {}", measured.instructions),
+      compiler.words(), fmt::join(measured.flags, " "));
+  return 0;
+}
+
+}  // namespace alembert

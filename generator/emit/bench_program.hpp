@@ -1,0 +1,21 @@
+// A program that times the functions of a mechanism, beside the files of C++ that emit_mechanism writes. In: which
+// functions. Out: its text, and the headers of the runtime that it needs: no other files of alembert's.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "emit/emit.hpp"
+#include "functions/function_table.hpp"
+
+namespace alembert {
+
+/// Arguments that are read for each state, in the order of the program's file of doubles.
+std::vector<ArgumentKind> bench_arguments();
+
+/// src/bench.cpp and include/alembert/*.hpp. The program prints a line `NAME ns` for each of `functions` and
+/// `NAME_batch ns` for each of options.batch, then, if there are any, `instructions SET`: which the batches are of.
+std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const Program> programs,
+                                     const EmitOptions& options, int states);
+
+}  // namespace alembert

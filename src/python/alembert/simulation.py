@@ -1,0 +1,157 @@
+"""The motion of a loaded mechanism in time, of one state or of many at once: alembert.simulate."""
+import math
+from types import ModuleType
+from typing import Any, Callable, Dict, NamedTuple, Optional, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Motion", "simulate"]
+
+#: Generalized forces at a time and a state: (t, q, qd) to what broadcasts to qd.
+Force = Callable[[float, NDArray[Any], NDArray[Any]], ArrayLike]
+
+
+class Motion(NamedTuple):
+    """K moments of a motion: of one state, or of N."""
+
+    t: NDArray[Any]   #: (K,) s
+    q: NDArray[Any]   #: (K, nq) or (K, N, nq) coordinates, quaternions of norm 1
+    qd: NDArray[Any]  #: (K, nv) or (K, N, nv) speeds
+
+
+def _start(module: ModuleType, label: str, value: ArrayLike, size: int) -> NDArray[Any]:
+    array = numpy.array(value, dtype=module.number)
+    if array.ndim not in (1, 2) or array.shape[-1] != size:
+        raise ValueError(f"{label}: expected shape ({size},) or (N, {size}), found {array.shape}")
+    return array
+
+
+def _needed(module: ModuleType) -> None:
+    if module.constraint_names:
+        raise ValueError(f"{module.name} has constraints, which this does not keep: `alembert simulate` does")
+    missing = [] if hasattr(module, "forward_dynamics") or hasattr(module, "mass_matrix_and_bias") else ["forward_dynamics"]
+    if module.quaternion_offsets and not hasattr(module, "coordinate_rates"):
+        missing.append("coordinate_rates")
+    if missing:
+        raise ValueError(f"{module.name} was written without {' and '.join(missing)}, which motions need")
+
+
+def _unit(module: ModuleType, q: NDArray[Any]) -> NDArray[Any]:
+    """The same coordinates with quaternions of norm 1."""
+    if module.quaternion_offsets:
+        q = q.copy()
+        for first in module.quaternion_offsets:
+            part = q[..., first:first + 4]
+            with numpy.errstate(all="ignore"):
+                part /= numpy.sqrt(numpy.sum(part * part, axis=-1, keepdims=True))
+    return q
+
+
+def _accelerations(module: ModuleType, t: float, q: NDArray[Any], qd: NDArray[Any], tau: NDArray[Any],
+                   inputs: Dict[str, Any]) -> NDArray[Any]:
+    if hasattr(module, "forward_dynamics"):
+        return module.forward_dynamics(q, qd, tau, t, **inputs)
+    M, c = module.mass_matrix_and_bias(q, qd, t, **inputs)
+    return numpy.linalg.solve(M, (tau - c)[..., None])[..., 0]
+
+
+def _times(start: float, until: float, step: float) -> NDArray[Any]:
+    """Ends of the steps: whole ones, and a shorter one last where the time is no multiple of the step."""
+    for label, value in (("t", start), ("until", until), ("step", step)):
+        if not math.isfinite(value):
+            raise ValueError(f"{label}: expected a finite number, found {value}")
+    if not step > 0:
+        raise ValueError(f"step: expected more than 0, found {step}")
+    if until < start:
+        raise ValueError(f"until: expected no less than t, which is {start}, found {until}")
+    # What rounding leaves of a last step is none.
+    count = math.ceil((until - start) / step * (1 - 1e-12))
+    return numpy.append(start + step * numpy.arange(count), until)
+
+
+def _forces(module: ModuleType, value: ArrayLike, speeds: NDArray[Any]) -> NDArray[Any]:
+    array = numpy.asarray(value, dtype=module.number)
+    try:
+        return numpy.broadcast_to(array, speeds.shape)
+    except ValueError:
+        raise ValueError(f"tau: expected what broadcasts to {speeds.shape}, found {array.shape}") from None
+
+
+def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step: float,
+             tau: Union[ArrayLike, Force, None] = None, *, t: float = 0.0, every: int = 1,
+             **inputs: Any) -> Motion:
+    """The motion from a state, by the classical Runge-Kutta method of order 4 with fixed steps.
+
+    module  of alembert.load or `alembert generate --language python`, with forward_dynamics or mass_matrix_and_bias and, if it has
+            quaternions, coordinate_rates
+    q, qd   (nq,) and (nv,) for one state; (N, nq) and (N, nv) for N, which move at once; one of the two may be for all N.
+            Quaternions are normalised here and after each step
+    until   time of the end, s; if no multiple of `step` leads there, the last step is shorter
+    step    time step, s
+    tau     generalized forces: nothing; an array that broadcasts to qd, which is held; or a function of (t, q, qd), called four
+            times a step, whose q has unit quaternions
+    t       time of the beginning, s
+    every   how many steps lie between moments that are kept; the first and the last one are kept in any case
+    inputs  parameters, wrenches, threads and runtime parameters by name, as the module's functions take them
+
+    Returns Motion(t, q, qd). A state that leaves the finite numbers stays out there, without an error. ValueError for a
+    mechanism with constraints.
+
+    >>> arm = alembert.load("arm.yaml")
+    >>> motion = alembert.simulate(arm, arm.initial_coordinates, arm.initial_speeds, 2, 1e-3, lambda t, q, qd: -qd)
+    >>> motion.q[-1]
+    """
+    _needed(module)
+    if isinstance(every, bool) or not isinstance(every, (int, numpy.integer)) or every < 1:
+        raise ValueError(f"every: expected a whole number above 0, found {every!r}")
+    times = _times(float(t), float(until), float(step))
+    now = _start(module, "q", q, module.nq)
+    speeds = _start(module, "qd", qd, module.nv)
+    for first in module.quaternion_offsets:
+        if not numpy.all(numpy.any(now[..., first:first + 4] != 0, axis=-1)):
+            raise ValueError(f"q: the quaternion that begins at {first} is zero")
+    if now.ndim == 2 and speeds.ndim == 2 and len(now) != len(speeds):
+        raise ValueError(f"qd: expected {len(now)} states as in q, found {len(speeds)}")
+    many = next((len(array) for array in (now, speeds) if array.ndim == 2), None)
+    states = () if many is None else (many,)
+    now = numpy.broadcast_to(now, states + (module.nq,)).copy()
+    speeds = numpy.broadcast_to(speeds, states + (module.nv,)).copy()
+    held: Optional[NDArray[Any]] = None
+    if not callable(tau):
+        held = _forces(module, 0.0 if tau is None else tau, speeds)
+
+    def rates(moment: float, at: NDArray[Any], u: NDArray[Any]) -> Any:
+        # Accelerations are those of unit quaternions, rates those of q as it is: both are smooth, and the order stays.
+        unit = _unit(module, at)
+        force = held if held is not None else _forces(module, tau(moment, unit, u), speeds)  # type: ignore[operator]
+        qdot = module.coordinate_rates(at, u) if module.quaternion_offsets else u
+        qdd = _accelerations(module, moment, unit, u, force, inputs)
+        if qdd.shape != u.shape:
+            raise ValueError(f"inputs are for {len(qdd)} states, q and qd for one: give q as (N, {module.nq})")
+        return qdot, qdd
+
+    now = _unit(module, now)
+    kept = [k for k in range(len(times)) if k % every == 0 or k == len(times) - 1]
+    motion = Motion(times[kept], numpy.empty((len(kept),) + now.shape, now.dtype),
+                    numpy.empty((len(kept),) + speeds.shape, speeds.dtype))
+    place = 0
+    for k, moment in enumerate(times):
+        if k == kept[place]:
+            motion.q[place], motion.qd[place] = now, speeds
+            place += 1
+        if k + 1 == len(times):
+            break
+        h = times[k + 1] - moment
+        number = now.dtype.type
+        q_sum, u_sum = now, speeds
+        q_rate, u_rate = numpy.zeros_like(now), numpy.zeros_like(speeds)
+        for share, weight in ((0.0, 1 / 6), (0.5, 1 / 3), (0.5, 1 / 3), (1.0, 1 / 6)):
+            offset = number(share * h)
+            with numpy.errstate(all="ignore"):
+                at, u = now + offset * q_rate, speeds + offset * u_rate
+            q_rate, u_rate = rates(float(moment + share * h), at, u)
+            with numpy.errstate(all="ignore"):
+                q_sum, u_sum = q_sum + number(weight * h) * q_rate, u_sum + number(weight * h) * u_rate
+        now, speeds = _unit(module, q_sum), u_sum
+    return motion
