@@ -45,6 +45,12 @@ Case nasty_case(std::uint64_t seed) {
   return result;
 }
 
+double weight_of(const NastyMechanism& mechanism) {
+  double mass = 0;
+  for (const Body& body : parse_description(mechanism.text).bodies) mass = std::max(mass, body.mass);
+  return mass * mechanism.gravity;
+}
+
 /// Runtime parameters are off their defaults.
 Case forced_case(std::uint64_t seed) {
   const bool nasty = seed % kForcedKinds == 0;
@@ -54,7 +60,9 @@ Case forced_case(std::uint64_t seed) {
     mechanism = nasty_mechanism(kind);
   else
     mechanism.text = random_mechanism(seed);
-  Case result{with_random_forces(mechanism.text, seed),
+  const ForceUnits units{mechanism.length, mechanism.length == 1 ? 1 : weight_of(mechanism),
+                         mechanism.lengths};
+  Case result{with_random_forces(mechanism.text, seed, units),
               nasty ? "forces, " + mechanism.kind : "forces on trees",
               {},
               {},

@@ -30,8 +30,8 @@ void add_lines(std::string& text, const std::string& section, const std::string&
 
 class ForceWriter {
  public:
-  ForceWriter(const std::string& yaml, std::uint64_t seed)
-      : draw_(seed), text_(yaml), given_(parse_description(yaml)) {
+  ForceWriter(const std::string& yaml, std::uint64_t seed, const ForceUnits& units)
+      : draw_(seed), text_(yaml), given_(parse_description(yaml)), units_(units) {
     for (const Coordinate& c : given_.coordinates) (c.quaternion ? quaternions_ : reals_).push_back(c.name);
   }
 
@@ -62,9 +62,22 @@ class ForceWriter {
   const std::string& one_of(const std::vector<std::string>& names) {
     return names[static_cast<std::size_t>(draw_.below(static_cast<int>(names.size())))];
   }
+  /// In units of its own.
+  static std::string per(double unit, const std::string& x) {
+    return unit == 1 ? x : "(" + x + "/" + decimal(unit) + ")";
+  }
+  static std::string times(double unit, const std::string& x) {
+    return unit == 1 ? x : decimal(unit) + "*(" + x + ")";
+  }
+  double unit_of(const std::string& coordinate) const {
+    const auto found = units_.lengths.find(coordinate);
+    return found == units_.lengths.end() ? 1 : found->second;
+  }
+  double torque() const { return units_.force * units_.length; }
+  std::string length(const std::string& x) const { return per(units_.length, x); }
   /// A number, or a new parameter.
-  std::string constant(double low, double high) {
-    const std::string value = decimal(draw_.between(low, high));
+  std::string constant(double low, double high, double unit = 1) {
+    const std::string value = decimal(unit * draw_.between(low, high));
     if (!draw_.chance(0.3)) return value;
     const std::string name = "k" + std::to_string(parameter_count_++);
     parameters_[name] = draw_.chance(0.6) ? "{value: " + value + ", runtime: true}" : value;
@@ -78,7 +91,11 @@ class ForceWriter {
         lines += "  " + name + ": " + value + "\n";
     return lines;
   }
-  std::string coordinate() { return reals_.empty() ? decimal(draw_.between(0.1, 1)) : one_of(reals_); }
+  std::string coordinate() {
+    if (reals_.empty()) return decimal(draw_.between(0.1, 1));
+    const std::string& name = one_of(reals_);
+    return per(unit_of(name), name);
+  }
   std::string component() { return std::string(".") + "xyz"[draw_.below(3)]; }
 
   void add_input(int i) {
@@ -100,7 +117,9 @@ class ForceWriter {
   void add_frame(int i) {
     const std::string name = "g" + std::to_string(i);
     const int body = draw_.below(static_cast<int>(given_.bodies.size()) + 1) - 1;
-    const std::string x = constant(-0.6, 0.6), y = constant(-0.6, 0.6), z = constant(0.1, 0.8);
+    const double unit = units_.length;
+    const std::string x = constant(-0.6, 0.6, unit), y = constant(-0.6, 0.6, unit),
+                      z = constant(0.1, 0.8, unit);
     frame_lines_ += "  - {name: " + name +
                     ", body: " + (body < 0 ? "world" : given_.bodies[static_cast<std::size_t>(body)].name) +
                     ", transform: [{translate: " + list({x, y, z}) + "}";
@@ -114,16 +133,22 @@ class ForceWriter {
   }
   std::string moving_factor() {
     const std::string q = coordinate();
+    const double unit = units_.length;
     switch (draw_.below(quaternions_.empty() ? 3 : 4)) {
       case 0:
-        return "{translate: " + list({"0.3*sin(" + q + ")", "0.1", "0.2*t"}) + "}";
+        return "{translate: " +
+               list({decimal(0.3 * unit) + "*sin(" + q + ")", decimal(0.1 * unit),
+                     decimal(0.2 * unit) + "*t"}) +
+               "}";
       case 1: {
         const std::string about = draw_.axis();
         return "{rotate: {axis: " + about + ", angle: \"0.5*" + q + " + 0.3*sin(t)\"}}";
       }
       case 2: {
         const std::string other = coordinate();
-        return "{translate: " + list({"0.2*" + q, "0.1*cos(" + other + ")", "0.1"}) +
+        return "{translate: " +
+               list({decimal(0.2 * unit) + "*" + q, decimal(0.1 * unit) + "*cos(" + other + ")",
+                     decimal(0.1 * unit)}) +
                "}, {rotate: {axis: y, angle: \"" + other + "/2\"}}";
       }
       default:
@@ -134,7 +159,7 @@ class ForceWriter {
   std::string any_speed() {
     const std::size_t reals = reals_.size();
     const auto which = static_cast<std::size_t>(draw_.below(static_cast<int>(reals + quaternions_.size())));
-    if (which < reals) return "d(" + reals_[which] + ")";
+    if (which < reals) return per(unit_of(reals_[which]), "d(" + reals_[which] + ")");
     return "d(" + quaternions_[which - reals] + ")" + component();
   }
   std::string two_frames(const std::string& between) {
@@ -155,28 +180,28 @@ class ForceWriter {
         return defined_.empty() ? one_of(inputs_) : one_of(defined_);
       case 5: {
         const std::string frame = one_of(frames_);
-        return "position(" + frame + ")" + component();
+        return length("position(" + frame + ")" + component());
       }
       case 6: {
         const std::string frame = one_of(frames_), row = component();
         return "rotation(" + frame + ")" + row + component()[1];
       }
       case 7:
-        return "distance(" + two_frames(", ") + ")";
+        return length("distance(" + two_frames(", ") + ")");
       case 8:
-        return "length(path" + std::to_string(draw_.below(paths_)) + ")";
+        return length("length(path" + std::to_string(draw_.below(paths_)) + ")");
       case 9:
         return any_speed();
       case 10: {
         const std::string frame = one_of(frames_);
-        return "velocity(" + frame + ")" + component();
+        return length("velocity(" + frame + ")" + component());
       }
       case 11: {
         const std::string frame = one_of(frames_);
         return "angular_velocity(" + frame + ")" + component();
       }
       default:
-        return "rate(path" + std::to_string(draw_.below(paths_)) + ")";
+        return length("rate(path" + std::to_string(draw_.below(paths_)) + ")");
     }
   }
 
@@ -194,8 +219,8 @@ class ForceWriter {
            (brackets ? "[" + at + "]; [" + through + "])" : at + "; " + through + ")");
   }
 
-  /// A function of one or two quantities, or once of such functions. What jumps does so away from 0, which a quantity
-  /// may be at all states but for rounding.
+  /// A function of one or two quantities, or once of such functions. What jumps or bends does so where quantities are not
+  /// equal: at rest many are 0, others always but for rounding.
   std::string value(int depth = 1) {
     const auto argument = [&] {
       return depth > 0 && draw_.chance(0.35) ? "(" + value(depth - 1) + ")" : quantity();
@@ -211,7 +236,7 @@ class ForceWriter {
       case 3:
         return a + "*" + x + "*abs(" + x + ")";
       case 4:
-        return a + "*min(" + x + ", " + argument() + ")";
+        return a + "*min(" + x + ", " + argument() + " + " + c + ")";
       case 5:
         return a + "*max(" + c + ", " + x + ")^2";
       case 6:
@@ -235,30 +260,31 @@ class ForceWriter {
       case 14:
         return table("simm_spline", x);
       case 15:
-        return a + "*max(" + x + ", " + argument() + ")";
+        return a + "*max(" + x + ", " + argument() + " + " + c + ")";
       default:
         return a + "*exp(-" + x + "^2)";
     }
   }
-  std::string three_values() {
+  std::string three_values(double unit) {
     std::vector<std::string> entries;
     for (int i = 0; i < 3; ++i)
-      entries.push_back(draw_.chance(0.3) ? decimal(draw_.between(-2, 2)) : value());
+      entries.push_back(draw_.chance(0.3) ? decimal(unit * draw_.between(-2, 2)) : times(unit, value()));
     return list(entries);
   }
 
   std::string tension() {
+    const std::string length = this->length("length"), rate = this->length("rate");
     switch (draw_.below(3)) {
       case 0: {
         const std::string stiff = constant(3, 20), rest = constant(0.1, 1), damp = constant(0.1, 0.5);
-        return stiff + "*max(0, length - " + rest + ") + " + damp + "*rate";
+        return stiff + "*max(0, " + length + " - " + rest + ") + " + damp + "*" + rate;
       }
       case 1: {
         const std::string in = one_of(inputs_);
-        return "(" + in + " + 1)*exp(-(length - 0.8)^2)*smoothstep(0.5 - rate/4)";
+        return "(" + in + " + 1)*exp(-(" + length + " - 0.8)^2)*smoothstep(0.5 - " + rate + "/4)";
       }
       default:
-        return value() + " + 0.5*length";
+        return value() + " + 0.5*" + length;
     }
   }
 
@@ -270,19 +296,19 @@ class ForceWriter {
       case 0: {
         if (reals_.empty()) return;
         const std::string on = one_of(reals_);
-        return add("on: " + on + ", value: \"" + value() + "\"");
+        return add("on: " + on + ", value: \"" + times(torque() / unit_of(on), value()) + "\"");
       }
       case 1: {
         if (quaternions_.empty()) return;
         const std::string on = one_of(quaternions_) + component();
-        return add("on: " + on + ", value: \"" + value() + "\"");
+        return add("on: " + on + ", value: \"" + times(torque(), value()) + "\"");
       }
       case 2: {
         with_speeds_ = false;
         const std::string place = draw_.chance(0.3)   ? coordinate()
-                                  : draw_.chance(0.5) ? "position(" + one_of(frames_) + ").z"
-                                                      : "distance(" + two_frames(", ") + ")";
-        add("potential: \"" + value() + " + 0.7*" + place + "^2\"");
+                                  : draw_.chance(0.5) ? length("position(" + one_of(frames_) + ").z")
+                                                      : length("distance(" + two_frames(", ") + ")");
+        add("potential: \"" + times(torque(), value() + " + 0.7*" + place + "^2") + "\"");
         with_speeds_ = true;
         return;
       }
@@ -300,22 +326,23 @@ class ForceWriter {
           if (draw_.chance(0.3)) frames += ", " + first;
         }
         forces_ += "  - {name: path" + std::to_string(path_) +
-                   (path_ % 2 == 1 ? ", path: [" : ", between: [") + frames + "], tension: \"" + tension() +
-                   "\"}\n";
+                   (path_ % 2 == 1 ? ", path: [" : ", between: [") + frames + "], tension: \"" +
+                   times(units_.force, tension()) + "\"}\n";
         ++path_;
         return;
       }
       case 4: {
-        const std::string at = one_of(frames_), force = three_values();
+        const std::string at = one_of(frames_), force = three_values(units_.force);
         return add("at: " + at + ", force: " + force);
       }
       case 5: {
-        const std::string at = one_of(frames_), force = three_values(), torque = three_values();
-        return add("at: " + at + ", axes: world, force: " + force + ", torque: " + torque);
+        const std::string at = one_of(frames_), force = three_values(units_.force),
+                          torques = three_values(torque());
+        return add("at: " + at + ", axes: world, force: " + force + ", torque: " + torques);
       }
       default: {
-        const std::string at = one_of(frames_), torque = three_values();
-        return add("at: " + at + ", axes: frame, torque: " + torque);
+        const std::string at = one_of(frames_), torques = three_values(torque());
+        return add("at: " + at + ", axes: frame, torque: " + torques);
       }
     }
   }
@@ -329,14 +356,17 @@ class ForceWriter {
       if (line[0] != ' ') inside = line == "coordinates:";
       if (inside && line.back() == '}') {
         line.pop_back();
-        if (draw_.chance(0.4)) line += ", damping: " + constant(0.1, 1);
+        const std::size_t name = line.find("name: ") + 6;
+        const double unit = unit_of(line.substr(name, line.find_first_of(",}", name) - name));
+        const double force = torque() / unit, stiff = force / unit;
+        if (draw_.chance(0.4)) line += ", damping: " + constant(0.1, 1, stiff);
         if (draw_.chance(0.3)) {
-          const std::string force = constant(0.2, 1), velocity = constant(0.05, 0.5);
-          line += ", friction: {force: " + force + ", velocity: " + velocity + "}";
+          const std::string most = constant(0.2, 1, force), velocity = constant(0.05, 0.5, unit);
+          line += ", friction: {force: " + most + ", velocity: " + velocity + "}";
         }
         if (draw_.chance(0.4) && line.find("quaternion") == std::string::npos) {
-          line += ", stiffness: " + constant(1, 8);
-          if (draw_.chance(0.6)) line += ", rest: " + constant(-0.5, 0.5);
+          line += ", stiffness: " + constant(1, 8, stiff);
+          if (draw_.chance(0.6)) line += ", rest: " + constant(-0.5, 0.5, unit);
         }
         if (draw_.chance(0.2)) line += ", effort: 20, speed: 3";
         line += "}";
@@ -349,6 +379,7 @@ class ForceWriter {
   RandomExpressions draw_;
   std::string text_;
   Description given_;
+  ForceUnits units_;
   std::vector<std::string> reals_, quaternions_, inputs_, defined_, frames_;
   std::map<std::string, std::string> parameters_, definitions_;
   std::string frame_lines_, input_lines_, forces_;
@@ -358,8 +389,8 @@ class ForceWriter {
 
 }  // namespace
 
-std::string with_random_forces(const std::string& yaml, std::uint64_t seed) {
-  return ForceWriter(yaml, seed).write();
+std::string with_random_forces(const std::string& yaml, std::uint64_t seed, const ForceUnits& units) {
+  return ForceWriter(yaml, seed, units).write();
 }
 
 }  // namespace alembert::oracles
