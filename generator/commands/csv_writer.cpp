@@ -20,6 +20,7 @@ std::string header(const Mechanism& mechanism) {
   for (const Coordinate& c : mechanism.coordinates) names(c.name, c.nq());
   for (const Coordinate& c : mechanism.coordinates) names("d(" + c.name + ")", c.nv());
   out += ",kinetic,potential,energy";
+  for (const Output& output : mechanism.outputs) out += "," + output.name;
   const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
   for (const ConstraintRow& row : rows) out += ",lambda(" + row.name + ")";
   return out + (rows.empty() ? "\n" : ",residual\n");
@@ -37,6 +38,7 @@ void CsvWriter::write(const TrajectoryPoint& point) {
   for (const double x : point.state.q) out += fmt::format(",{:.17g}", x);
   for (const double x : point.state.qd) out += fmt::format(",{:.17g}", x);
   out += fmt::format(",{:.17g},{:.17g},{:.17g}", point.kinetic, point.potential, point.energy());
+  for (const double x : point.outputs) out += fmt::format(",{:.17g}", x);
   for (const double x : point.lambda) out += fmt::format(",{:.17g}", x);
   if (!point.lambda.empty()) out += fmt::format(",{:.17g}", point.residual);
   put(out + "\n");

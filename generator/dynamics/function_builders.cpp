@@ -6,6 +6,7 @@
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/recursions/articulated_bodies.hpp"
 #include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
@@ -13,6 +14,7 @@
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
 #include "symbolic/count_operations.hpp"
+#include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
 
 namespace alembert {
@@ -94,6 +96,49 @@ Results build_applied_forces(const Ingredients& given) {
   return {std::vector<Expr>(static_cast<std::size_t>(given.mechanism().nv), given.graph().zero())};
 }
 
+/// With the values of outputs, which must be of the position where `of_position`.
+std::vector<Expr> output_values(const Ingredients& given, bool of_position) {
+  std::vector<Expr> values;
+  for (const Output& output : given.mechanism().outputs) {
+    if (of_position && output.of_speeds)
+      throw InputError(output.where,
+                       "output '" + output.name + "' depends on speeds: it has no Jacobian along them",
+                       "ask for 'outputs' alone, or leave this one out");
+    values.push_back(output.value);
+  }
+  if (values.empty()) return values;
+  return substitute(values, moving_values(given.mechanism(), given.kinematics.tree,
+                                          given.kinematics.derivatives, given.graph()));
+}
+
+Results build_outputs(const Ingredients& given) {
+  return {output_values(given, false)};
+}
+
+Results build_outputs_jacobian(const Ingredients& given) {
+  const std::vector<Expr> values = output_values(given, true);
+  const std::size_t nv = static_cast<std::size_t>(given.mechanism().nv);
+  std::vector<Expr> J(values.size() * nv, given.graph().zero());
+  for (const SpeedPartial& partial : given.kinematics.derivatives.partials(values)) {
+    if (partial.speed == given.kinematics.derivatives.time_index()) continue;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      J[i * nv + static_cast<std::size_t>(partial.speed)] = partial.values[i];
+  }
+  return {J};
+}
+
+Results build_outputs_rate(const Ingredients& given) {
+  const std::vector<Expr> values = output_values(given, true);
+  const SpeedDerivatives& derivatives = given.kinematics.derivatives;
+  return {derivatives.first_rate(derivatives.partials(values), values.size())};
+}
+
+Results build_outputs_bias(const Ingredients& given) {
+  const std::vector<Expr> values = output_values(given, true);
+  const SpeedDerivatives& derivatives = given.kinematics.derivatives;
+  return {derivatives.quadratic_rate(derivatives.partials(values), values.size())};
+}
+
 Results build_energy(const Ingredients& given) {
   Results energy = for_shortest_tree(given, energies);
   energy.front()[1] += given.kinematics.applied.potential;
@@ -142,6 +187,10 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("bias"), true, [](const Ingredients& given) -> Results { return {given.equations->c}; }},
     {FunctionKind("gravity"), true, build_gravity},
     {FunctionKind("applied_forces"), false, build_applied_forces},
+    {FunctionKind("outputs"), false, build_outputs},
+    {FunctionKind("outputs_jacobian"), false, build_outputs_jacobian},
+    {FunctionKind("outputs_rate"), false, build_outputs_rate},
+    {FunctionKind("outputs_bias"), false, build_outputs_bias},
     {FunctionKind("mass_matrix_and_bias"), true,
      [](const Ingredients& given) -> Results {
        return {given.equations->M, given.equations->c};

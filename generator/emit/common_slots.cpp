@@ -21,7 +21,8 @@ constexpr std::size_t kWidth = 110;
 constexpr const char* kCppInfinity = "::std::numeric_limits<double>::infinity()";
 
 struct Names {
-  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints;
+  std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints,
+      outputs;
 };
 
 Names names_of(const Mechanism& mechanism) {
@@ -41,6 +42,7 @@ Names names_of(const Mechanism& mechanism) {
     if (body.external_wrench) names.wrench_bodies.push_back(body.name);
   }
   for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
+  for (const Output& output : mechanism.outputs) names.outputs.push_back(output.name);
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime) names.parameters.push_back(parameter.name);
   for (const ConstraintRow& row : constraint_rows(mechanism)) names.constraints.push_back(row.name);
@@ -179,8 +181,8 @@ struct Indices {
 };
 
 std::vector<Indices> indices_of(const Mechanism& mechanism) {
-  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},  {"Body", {}}, {"Frame", {}},
-                              {"Parameter", {}},  {"Wrench", {}}, {"Input", {}}};
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},  {"Body", {}},  {"Frame", {}},
+                              {"Parameter", {}},  {"Wrench", {}}, {"Input", {}}, {"Output", {}}};
   const auto add = [&out](std::size_t kind, std::string name, int value) {
     // Names from descriptions are identifiers; others get no constant.
     if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
@@ -193,12 +195,13 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
     add(0, c.name, c.first_q);
     add(1, c.name, c.first_speed);
   }
-  int body = 0, wrench = 0, frame = 0, parameter = 0;
+  int body = 0, wrench = 0, frame = 0, output = 0, parameter = 0;
   for (const Body& b : mechanism.bodies) {
     add(2, b.name, body++);
     if (b.external_wrench) add(5, b.name, wrench++);
   }
   for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
+  for (const Output& o : mechanism.outputs) add(7, o.name, output++);
   for (const Parameter& p : mechanism.parameters)
     if (p.runtime) add(p.input ? 6 : 4, p.name, parameter++);
   std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
@@ -237,6 +240,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"nv", std::to_string(mechanism.nv)},
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
+      {"output_count", std::to_string(names.outputs.size())},
       {"parameter_count", std::to_string(names.parameters.size())},
       {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},
@@ -257,6 +261,7 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"speed_names", cpp_array(literals(names.speeds))},
       {"body_names", cpp_array(literals(names.bodies))},
       {"frame_names", cpp_array(literals(names.frames))},
+      {"output_names", cpp_array(literals(names.outputs))},
       {"parameter_names", cpp_array(literals(names.parameters))},
       {"wrench_names", cpp_array(literals(names.wrench_bodies))},
       {"initial", cpp_array(initial_coordinates(mechanism, "double"))},
@@ -278,6 +283,7 @@ Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, cons
       {"speed_names", c_array(literals(names.speeds), null)},
       {"body_names", c_array(literals(names.bodies), null)},
       {"frame_names", c_array(literals(names.frames), null)},
+      {"output_names", c_array(literals(names.outputs), null)},
       {"parameter_names", c_array(literals(names.parameters), null)},
       {"wrench_names", c_array(literals(names.wrench_bodies), null)},
       {"constraint_names", c_array(literals(names.constraints), null)},
@@ -299,6 +305,7 @@ Slots python_constant_slots(const Mechanism& mechanism) {
       {"speed_names", tuple(literals(names.speeds))},
       {"body_names", tuple(literals(names.bodies))},
       {"frame_names", tuple(literals(names.frames))},
+      {"output_names", tuple(literals(names.outputs))},
       {"parameter_names", tuple(literals(names.parameters))},
       {"wrench_names", tuple(literals(names.wrench_bodies))},
       {"constraint_names", tuple(literals(names.constraints))},

@@ -21,6 +21,8 @@ std::string extent_constant(const Extent& extent) {
       return "kNv";
     case Extent::Of::constraint_rows:
       return "kNc";
+    case Extent::Of::outputs:
+      return "kNoutputs";
   }
   throw InternalError("emit: no such extent");
 }

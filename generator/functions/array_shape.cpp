@@ -20,6 +20,8 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
       return static_cast<std::size_t>(mechanism.nv);
     case Extent::Of::constraint_rows:
       return constraint_rows(mechanism).size();
+    case Extent::Of::outputs:
+      return mechanism.outputs.size();
   }
   throw InternalError("there is no such extent");
 }
@@ -80,6 +82,9 @@ std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
 
 bool has_results(const OutputFunction& function, const Mechanism& mechanism) {
   if (function.needs == Needs::forces && mechanism.forces.empty()) return false;
+  if (function.needs == Needs::outputs_of_position &&
+      std::ranges::any_of(mechanism.outputs, &Output::of_speeds))
+    return false;
   return std::ranges::all_of(
       function.results, [&](const ResultArray& result) { return array_shape(result, mechanism).size() > 0; });
 }

@@ -34,7 +34,7 @@ class Few {
 
 /// A number of rows or columns: so many, or as many as the mechanism has of something.
 struct Extent {
-  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows };
+  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs };
   Of of = Of::number;
   int number = 1;
   constexpr Extent() = default;
@@ -43,7 +43,7 @@ struct Extent {
   constexpr bool operator==(const Extent&) const = default;
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
-                        kPerConstraintRow = Extent::Of::constraint_rows;
+                        kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs;
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -66,7 +66,7 @@ struct ResultArray {
 enum class Topic : std::uint8_t { dynamics, kinematics, derivatives };
 
 /// What a mechanism must have for a function to be of any use, besides what its results are sized by.
-enum class Needs : std::uint8_t { nothing, forces };
+enum class Needs : std::uint8_t { nothing, forces, outputs_of_position };
 
 /// A row of the table. The function takes the arrays of `arguments` in this order, then the inputs (time,
 /// parameters, wrenches) if `takes_inputs`, then its results, whether a given mechanism uses them or not.
@@ -112,6 +112,26 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "tau = M(q) qdd + c(q, qd), where c contains -Q",
      {{"Q", "generalized forces, in units of tau", kPerSpeed}},
      "", "", Needs::forces},
+    {"outputs", Topic::kinematics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Outputs: what the description has under outputs.",
+     "",
+     {{"y", "for each name of kOutputNames its value", kPerOutput}},
+     "", ""},
+    {"outputs_jacobian", Topic::kinematics, false, {ArgumentKind::q}, true,
+     "Jacobian of the outputs: their derivatives along the speeds.",
+     "dy/dt = J(q) qd, less what motion prescribed in time adds, at constant inputs",
+     {{"J", "a row for each name of kOutputNames", kPerOutput, kPerSpeed}},
+     "Outputs that depend on speeds have none.", "", Needs::outputs_of_position},
+    {"outputs_rate", Topic::kinematics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Rates of the outputs.",
+     "dy/dt = J(q) qd + (part from time), at constant inputs",
+     {{"rate", "for each name of kOutputNames, per second", kPerOutput}},
+     "", "", Needs::outputs_of_position},
+    {"outputs_bias", Topic::kinematics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "The part of the outputs' second derivatives that is left without qdd.",
+     "d^2y/dt^2 = J(q) qdd + bias(q, qd), at constant inputs",
+     {{"bias", "for each name of kOutputNames, per second squared", kPerOutput}},
+     "", "", Needs::outputs_of_position},
     {"mass_matrix_and_bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Mass matrix and bias forces at once: shorter than one after the other.",
      "tau = M(q) qdd + c(q, qd)",

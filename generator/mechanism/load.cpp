@@ -13,6 +13,7 @@
 #include "mechanism/inputs.hpp"
 #include "mechanism/loading.hpp"
 #include "mechanism/names.hpp"
+#include "mechanism/output_reader.hpp"
 #include "mechanism/section.hpp"
 #include "mechanism/transform_checks.hpp"
 
@@ -97,7 +98,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   check_version(document, document.root());
   const Section root(document, document.root(), "the description",
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",
-                      "definitions", "bodies", "frames", "constraints", "inputs", "forces"});
+                      "definitions", "bodies", "frames", "constraints", "inputs", "forces", "outputs"});
   root.require("alembert");
 
   Loading loading(document, graph);
@@ -137,6 +138,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
   read_coordinate_forces(loading, coordinates);
   if (const YamlNode* forces = root.find("forces")) read_forces(loading, *forces);
+  if (const YamlNode* outputs = root.find("outputs")) read_outputs(loading, *outputs);
   check_matrices(loading);
   check_inertias(loading);
   loading.scope.check_used(mechanism.warnings);

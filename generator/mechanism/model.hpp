@@ -208,6 +208,14 @@ struct Force {
   SourceLocation where;
 };
 
+/// A quantity that is worth having, with its derivatives: an expression as of a force.
+struct Output {
+  std::string name;
+  Expr value;
+  bool of_speeds = false;  ///< depends on speeds: it has no Jacobian along them
+  SourceLocation where;
+};
+
 struct Mechanism {
   std::string name;
   std::string description;
@@ -217,8 +225,9 @@ struct Mechanism {
   std::vector<Body> bodies;
   std::vector<Frame> frames;
   std::vector<Constraint> constraints;
-  std::vector<Force> forces;                ///< those of coordinates (damping, friction, stiffness) first
-  std::vector<FrameSymbols> frame_symbols;  ///< those that constraints and forces use
+  std::vector<Force> forces;  ///< those of coordinates (damping, friction, stiffness) first
+  std::vector<Output> outputs;
+  std::vector<FrameSymbols> frame_symbols;  ///< those that constraints, forces and outputs use
   std::vector<FrameDistance> distances;     ///< likewise
   Expr time;                                ///< the symbol t
   int nq = 0, nv = 0;

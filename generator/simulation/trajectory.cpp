@@ -40,6 +40,7 @@ class MovingMechanism {
     const std::vector<double> energy = evaluator_(FunctionKind("energy"), out.state);
     out.kinetic = energy[0];
     out.potential = energy[1];
+    out.outputs = evaluator_(FunctionKind("outputs"), out.state);
     out.lambda.assign(static_cast<std::size_t>(system_.nc()), 0.0);
     out.residual = worst_violation(system_, q_, u_).size;
     if (!std::isfinite(out.energy())) return failure(Status::not_finite, 0);
@@ -173,6 +174,7 @@ class MovingMechanism {
 std::vector<FunctionKind> trajectory_functions() {
   std::vector<FunctionKind> kinds = interpreted_functions();
   kinds.push_back(FunctionKind("energy"));
+  kinds.push_back(FunctionKind("outputs"));
   return kinds;
 }
 

@@ -21,7 +21,8 @@ struct TrajectoryPoint {
   double kinetic = 0;          ///< J
   double potential = 0;        ///< J
   std::vector<double> lambda;  ///< reactions, one a row of the constraints; 0 for redundant rows
-  double residual = 0;         ///< largest violation of a constraint, position or velocity
+  std::vector<double> outputs;
+  double residual = 0;  ///< largest violation of a constraint, position or velocity
   double energy() const { return kinetic + potential; }
 };
 

@@ -207,6 +207,9 @@ Sample every_function() {
   m.bodies[2].external_wrench = true;
   m.frames.resize(1);
   m.frames[0].name = "tip";
+  m.outputs.resize(2);
+  m.outputs[0].name = "reach";
+  m.outputs[1].name = "sag";
   m.constraints.resize(2);
   m.constraints[0].name = "no_slip";
   m.constraints[0].type = ConstraintType::rolling;
@@ -227,6 +230,7 @@ Sample evil() {
   s.mechanism.coordinates[0].name = kEvilText;
   s.mechanism.bodies[1].name = kEvilText;
   s.mechanism.frames[0].name = kEvilText;
+  s.mechanism.outputs[0].name = kEvilText;
   s.mechanism.constraints[1].name = kEvilText;
   s.mechanism.parameters[0].name = kEvilText;
   for (Program& program : s.programs) {

@@ -41,23 +41,14 @@ class AppliedForcesBuilder {
         derivatives_(derivatives),
         graph_(graph),
         poses_(frame_poses(mechanism, tree, graph)),
-        replacements_(frame_values(mechanism, tree, derivatives, graph)),
+        replacements_(moving_values(mechanism, tree, derivatives, graph)),
         Q_(static_cast<std::size_t>(mechanism.nv), graph.zero()),
         potential_(graph.zero()) {}
 
   AppliedForces build() {
-    // Rates of paths first: other forces may use them.
-    std::vector<std::vector<SpeedPartial>> levers;
     for (const Force& force : mechanism_.forces) {
-      std::vector<SpeedPartial>& own = levers.emplace_back();
-      if (force.kind != ForceKind::path) continue;
-      const Expr length = inserted(force.length);
-      own = derivatives_.partials(std::span(&length, 1));
-      replacements_.emplace_back(force.rate, derivatives_.first_rate(own, 1).front());
-    }
-    for (std::size_t i = 0; i < mechanism_.forces.size(); ++i) {
-      add(mechanism_.forces[i], levers[i]);
-      check_values(mechanism_.forces[i]);
+      add(force);
+      check_values(force);
     }
     return {shortest(), potential_};
   }
@@ -73,7 +64,7 @@ class AppliedForcesBuilder {
     if (speed != derivatives_.time_index()) Q_[static_cast<std::size_t>(speed)] += value;
   }
 
-  void add(const Force& force, const std::vector<SpeedPartial>& levers) {
+  void add(const Force& force) {
     switch (force.kind) {
       case ForceKind::on_speed:
         add(force.speed, inserted(force.value));
@@ -86,8 +77,9 @@ class AppliedForcesBuilder {
         break;
       }
       case ForceKind::path: {
-        const Expr tension = inserted(force.value);
-        for (const SpeedPartial& lever : levers) add(lever.speed, -(tension * lever.values.front()));
+        const Expr length = inserted(force.length), tension = inserted(force.value);
+        for (const SpeedPartial& lever : derivatives_.partials(std::span(&length, 1)))
+          add(lever.speed, -(tension * lever.values.front()));
         break;
       }
       case ForceKind::wrench:

@@ -1,6 +1,7 @@
 #include "dynamics/recursions/frame_values.hpp"
 
 #include "dynamics/recursions/outputs.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 namespace {
@@ -100,6 +101,17 @@ std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, cons
         break;
     }
     for (std::size_t i = 0; i < found.size(); ++i) values.emplace_back(of_frame.symbols[i], found[i]);
+  }
+  return values;
+}
+
+std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, const MotionTree& tree,
+                                                 const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  std::vector<std::pair<Expr, Expr>> values = frame_values(mechanism, tree, derivatives, graph);
+  for (const Force& force : mechanism.forces) {
+    if (force.kind != ForceKind::path) continue;
+    const std::vector<Expr> length = substitute(std::span(&force.length, 1), values);
+    values.emplace_back(force.rate, derivatives.first_rate(derivatives.partials(length), 1).front());
   }
   return values;
 }

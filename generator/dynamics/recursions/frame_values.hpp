@@ -32,4 +32,8 @@ std::vector<FrameTwist> frame_twists(const SpeedDerivatives& derivatives, std::s
 std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, const MotionTree& tree,
                                                 const SpeedDerivatives& derivatives, ExprGraph& graph);
 
+/// And the rates of paths: all that stands for something in forces and outputs.
+std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, const MotionTree& tree,
+                                                 const SpeedDerivatives& derivatives, ExprGraph& graph);
+
 }  // namespace alembert

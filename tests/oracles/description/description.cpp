@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -35,6 +36,7 @@ class Reader {
     for (const YAML::Node& node : root_["frames"]) read_frame(node);
     for (const YAML::Node& node : root_["constraints"]) read_constraint(node);
     read_forces(root_, names_, result_);
+    read_outputs(root_, names_, result_);
     return result_;
   }
 
@@ -296,6 +298,24 @@ bool Description::has_forces() const {
     return c.damping != 0 || c.friction != 0 || c.stiffness != 0;
   };
   return !forces.empty() || std::any_of(coordinates.begin(), coordinates.end(), forced);
+}
+
+bool Description::outputs_of_speeds() const {
+  const int frame = static_cast<int>(frames.size()), input = static_cast<int>(inputs.size());
+  const int moving = nq + nv + 3 * frame + input, path = moving + 15 * frame;  // where variables begin
+  const auto is_of_speeds = [&](int variable) {
+    if (variable < moving) return variable >= nq && variable < nq + nv;
+    if (variable >= path) return (variable - path) % 2 == 1;
+    const int part = (variable - moving) % 15;
+    return part < 3 || part >= 12;
+  };
+  const std::function<bool(const Expression&)> below = [&](const Expression& e) {
+    if (!e) return false;
+    if (e->operation == Operation::coordinate) return is_of_speeds(e->coordinate);
+    return std::any_of(e->operand.begin(), e->operand.end(), below);
+  };
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [&](const Output& output) { return below(output.value); });
 }
 
 double Description::parameter(const std::string& wanted) const {

@@ -104,8 +104,10 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<FramePath> paths;
   std::vector<AppliedForce> forces;  ///< beside those of coordinates
+  std::vector<Output> outputs;
   int nq = 0, nv = 0;
 
+  bool outputs_of_speeds() const;  ///< whether one depends on speeds, which are no function of the position
   std::vector<double> armatures() const;  ///< by speed
   std::size_t constraint_rows() const;
   bool has_forces() const;                          ///< of any kind, also of coordinates

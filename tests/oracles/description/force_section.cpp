@@ -152,4 +152,13 @@ void read_forces(const YAML::Node& root, const Names& names, Description& result
   }
 }
 
+void read_outputs(const YAML::Node& root, const Names& names, Description& result) {
+  Names known = names;
+  for (const YAML::Node& output : root["outputs"]) {
+    const std::string name = output["name"].as<std::string>();
+    known[name] = expression_of(output["value"], known);
+    result.outputs.push_back({name, known[name]});
+  }
+}
+
 }  // namespace alembert::oracles

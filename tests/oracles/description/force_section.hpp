@@ -24,5 +24,7 @@ void read_coordinate_forces(const YAML::Node& node, const Names& names, Coordina
 
 /// After the frames.
 void read_forces(const YAML::Node& root, const Names& names, Description& result);
+/// Each may use those before it.
+void read_outputs(const YAML::Node& root, const Names& names, Description& result);
 
 }  // namespace alembert::oracles

@@ -39,6 +39,11 @@ struct FrameForce {
   bool world_axes = false;  ///< or along the frame's axes
   Expression3 force, torque;
 };
+/// What is worth having, over the same variables.
+struct Output {
+  std::string name;
+  Expression value;
+};
 using AppliedForce = std::variant<SpeedForce, Potential, Tension, FrameForce>;
 
 }  // namespace alembert::oracles

@@ -206,9 +206,37 @@ R potential_of_forces(const Description& description, const StateOf<R>& state) {
   return sum;
 }
 
+template <class R>
+OutputsOf<R> numeric_outputs(const Description& description, const StateOf<R>& state) {
+  OutputsOf<R> result;
+  const std::vector<R> no_rates(state.speeds.size(), R(0.0));
+  const std::vector<Jet<R>> q = trajectory(description, state, no_rates);
+  const Layout<R> moving = moving_layout(description, state);
+  const std::vector<R> now = variables_at(description, state, moving);
+  const std::vector<Jet<R>> in_time = variables_along(description, state, q, moving);
+  for (const Output& output : description.outputs) {
+    result.values.push_back(evaluate(output.value, now, state.time));
+    const Jet<R> moved = evaluate(output.value, in_time, Jet<R>(state.time, R(1.0), R(0.0)));
+    result.rate.push_back(moved.first);
+    result.bias.push_back(moved.second);
+  }
+  const Jet<R> t(state.time, R(0.0), R(0.0));
+  for (int k = 0; k < description.nv; ++k) {
+    const std::vector<Jet<R>> along_k = unit_motion(description, state, k);
+    const std::vector<Jet<R>> variables =
+        variables_along(description, state, along_k, Layout<R>(description, along_k, t));
+    std::vector<R>& column = result.along.emplace_back();
+    for (const Output& output : description.outputs)
+      column.push_back(evaluate(output.value, variables, t).first);
+  }
+  return result;
+}
+
 #define ALEMBERT_FORCES(R)                                                       \
   template std::vector<R> applied_forces(const Description&, const StateOf<R>&); \
   template R potential_of_forces(const Description&, const StateOf<R>&);
+template OutputsOf<double> numeric_outputs(const Description&, const StateOf<double>&);
+template OutputsOf<long double> numeric_outputs(const Description&, const StateOf<long double>&);
 ALEMBERT_FORCES(double)
 ALEMBERT_FORCES(long double)
 ALEMBERT_FORCES(Jet<double>)

@@ -16,4 +16,14 @@ std::vector<R> applied_forces(const Description& description, const StateOf<R>& 
 template <class R>
 R potential_of_forces(const Description& description, const StateOf<R>& state);
 
+/// Outputs of a description: values, derivatives along each speed, first and second derivative in time where the
+/// speeds have no rates.
+template <class R>
+struct OutputsOf {
+  std::vector<R> values, rate, bias;
+  std::vector<std::vector<R>> along;  ///< by speed
+};
+template <class R>
+OutputsOf<R> numeric_outputs(const Description& description, const StateOf<R>& state);
+
 }  // namespace alembert::oracles

@@ -136,6 +136,17 @@ struct Quantities {
 };
 
 template <class R>
+OutputsOf<double> outputs_of(const Quantities<R>& x) {
+  const OutputsOf<R> wide = numeric_outputs(x.description, lifted<R>(x.state));
+  const auto narrow = [](const std::vector<R>& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  OutputsOf<double> result{narrow(wide.values), narrow(wide.rate), narrow(wide.bias), {}};
+  for (const std::vector<R>& column : wide.along) result.along.push_back(narrow(column));
+  return result;
+}
+
+template <class R>
 using Builders = std::map<std::string, std::function<Arrays(const Quantities<R>&)>>;
 
 /// By function, how its arrays are made: whatever stands here is compared.
@@ -170,6 +181,26 @@ const Builders<R>& builders() {
          for (const R& force : applied_forces(x.description, lifted<R>(x.state)))
            Q[k++] = static_cast<double>(force);
          return Arrays{{"Q", Q}};
+       }},
+      {"outputs",
+       [](From x) {
+         return Arrays{{"y", column(outputs_of(x).values)}};
+       }},
+      {"outputs_jacobian",
+       [](From x) {
+         const OutputsOf<double> outputs = outputs_of(x);
+         Eigen::MatrixXd J(static_cast<Eigen::Index>(outputs.values.size()), x.description.nv);
+         for (Eigen::Index k = 0; k < J.cols(); ++k)
+           J.col(k) = column(outputs.along[static_cast<std::size_t>(k)]);
+         return Arrays{{"J", J}};
+       }},
+      {"outputs_rate",
+       [](From x) {
+         return Arrays{{"rate", column(outputs_of(x).rate)}};
+       }},
+      {"outputs_bias",
+       [](From x) {
+         return Arrays{{"bias", column(outputs_of(x).bias)}};
        }},
       {"forward_dynamics",
        [](From x) {
@@ -224,6 +255,9 @@ std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);
   if (!description.has_forces()) names.erase("applied_forces");
+  if (description.outputs.empty()) names.erase("outputs");
+  if (description.outputs.empty() || description.outputs_of_speeds())
+    for (const char* name : {"outputs_jacobian", "outputs_rate", "outputs_bias"}) names.erase(name);
   return names;
 }
 

@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::cart_pole::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::cart_pole::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::cart_pole::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::cart_pole::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::cart_pole::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::cart_pole::kHolonomic;

@@ -29,6 +29,7 @@ inline constexpr int kNq = 2;  ///< coordinates: size of q
 inline constexpr int kNv = 2;  ///< speeds: size of qd, qdd, tau, c; M is kNv x kNv
 inline constexpr int kBodyCount = 2;
 inline constexpr int kFrameCount = 0;
+inline constexpr int kOutputCount = 0;
 inline constexpr int kParameterCount = 0;  ///< runtime parameters
 inline constexpr int kWrenchCount = 1;  ///< bodies with an external wrench
 inline constexpr int kNc = 0;  ///< rows of the constraints
@@ -39,6 +40,7 @@ inline constexpr ::std::array<::std::string_view, kNq> kCoordinateNames = {{"x",
 inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(x)", "d(q)"}};
 inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"cart", "pole"}};
 inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
+inline constexpr ::std::array<::std::string_view, kOutputCount> kOutputNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {{"cart"}};

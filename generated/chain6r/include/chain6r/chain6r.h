@@ -31,6 +31,7 @@ enum {
   chain6r_nv = 6,
   chain6r_body_count = 6,
   chain6r_frame_count = 0,
+  chain6r_output_count = 0,
   chain6r_parameter_count = 0,
   chain6r_wrench_count = 0,
   chain6r_nc = 0
@@ -41,6 +42,7 @@ extern const char* const chain6r_coordinate_names[6 + 1];
 extern const char* const chain6r_speed_names[6 + 1];
 extern const char* const chain6r_body_names[6 + 1];
 extern const char* const chain6r_frame_names[0 + 1];
+extern const char* const chain6r_output_names[0 + 1];
 extern const char* const chain6r_parameter_names[0 + 1];
 extern const char* const chain6r_wrench_body_names[0 + 1];
 extern const char* const chain6r_constraint_names[0 + 1];

@@ -29,6 +29,7 @@ inline constexpr int kNq = 6;  ///< coordinates: size of q
 inline constexpr int kNv = 6;  ///< speeds: size of qd, qdd, tau, c; M is kNv x kNv
 inline constexpr int kBodyCount = 6;
 inline constexpr int kFrameCount = 0;
+inline constexpr int kOutputCount = 0;
 inline constexpr int kParameterCount = 0;  ///< runtime parameters
 inline constexpr int kWrenchCount = 0;  ///< bodies with an external wrench
 inline constexpr int kNc = 0;  ///< rows of the constraints
@@ -39,6 +40,7 @@ inline constexpr ::std::array<::std::string_view, kNq> kCoordinateNames = {{"q1"
 inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(q1)", "d(q2)", "d(q3)", "d(q4)", "d(q5)", "d(q6)"}};
 inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"link1", "link2", "link3", "link4", "link5", "link6"}};
 inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
+inline constexpr ::std::array<::std::string_view, kOutputCount> kOutputNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {};

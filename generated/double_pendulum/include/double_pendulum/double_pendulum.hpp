@@ -33,6 +33,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::double_pendulum::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::double_pendulum::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::double_pendulum::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::double_pendulum::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::double_pendulum::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::double_pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::double_pendulum::kHolonomic;

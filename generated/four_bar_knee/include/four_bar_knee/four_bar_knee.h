@@ -30,6 +30,7 @@ enum {
   four_bar_knee_nv = 2,
   four_bar_knee_body_count = 2,
   four_bar_knee_frame_count = 1,
+  four_bar_knee_output_count = 0,
   four_bar_knee_parameter_count = 0,
   four_bar_knee_wrench_count = 1,
   four_bar_knee_nc = 0
@@ -40,6 +41,7 @@ extern const char* const four_bar_knee_coordinate_names[2 + 1];
 extern const char* const four_bar_knee_speed_names[2 + 1];
 extern const char* const four_bar_knee_body_names[2 + 1];
 extern const char* const four_bar_knee_frame_names[1 + 1];
+extern const char* const four_bar_knee_output_names[0 + 1];
 extern const char* const four_bar_knee_parameter_names[0 + 1];
 extern const char* const four_bar_knee_wrench_body_names[1 + 1];
 extern const char* const four_bar_knee_constraint_names[0 + 1];

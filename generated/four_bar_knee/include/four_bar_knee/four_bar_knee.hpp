@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::four_bar_knee::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::four_bar_knee::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::four_bar_knee::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::four_bar_knee::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::four_bar_knee::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::four_bar_knee::kHolonomic;

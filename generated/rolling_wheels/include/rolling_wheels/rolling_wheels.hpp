@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::rolling_wheels::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::rolling_wheels::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::rolling_wheels::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::rolling_wheels::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::rolling_wheels::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::rolling_wheels::kHolonomic;

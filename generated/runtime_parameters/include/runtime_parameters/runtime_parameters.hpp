@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::runtime_parameters::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::runtime_parameters::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::runtime_parameters::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::runtime_parameters::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;

@@ -30,6 +30,7 @@ enum {
   spherical_pendulum_nv = 3,
   spherical_pendulum_body_count = 1,
   spherical_pendulum_frame_count = 0,
+  spherical_pendulum_output_count = 0,
   spherical_pendulum_parameter_count = 0,
   spherical_pendulum_wrench_count = 1,
   spherical_pendulum_nc = 0
@@ -40,6 +41,7 @@ extern const char* const spherical_pendulum_coordinate_names[4 + 1];
 extern const char* const spherical_pendulum_speed_names[3 + 1];
 extern const char* const spherical_pendulum_body_names[1 + 1];
 extern const char* const spherical_pendulum_frame_names[0 + 1];
+extern const char* const spherical_pendulum_output_names[0 + 1];
 extern const char* const spherical_pendulum_parameter_names[0 + 1];
 extern const char* const spherical_pendulum_wrench_body_names[1 + 1];
 extern const char* const spherical_pendulum_constraint_names[0 + 1];

@@ -29,6 +29,7 @@ enum {
   stanford_nv = 6,
   stanford_body_count = 6,
   stanford_frame_count = 0,
+  stanford_output_count = 0,
   stanford_parameter_count = 0,
   stanford_wrench_count = 0,
   stanford_nc = 0
@@ -39,6 +40,7 @@ extern const char* const stanford_coordinate_names[6 + 1];
 extern const char* const stanford_speed_names[6 + 1];
 extern const char* const stanford_body_names[6 + 1];
 extern const char* const stanford_frame_names[0 + 1];
+extern const char* const stanford_output_names[0 + 1];
 extern const char* const stanford_parameter_names[0 + 1];
 extern const char* const stanford_wrench_body_names[0 + 1];
 extern const char* const stanford_constraint_names[0 + 1];

@@ -29,6 +29,7 @@ enum {
   tori_mated_nv = 5,
   tori_mated_body_count = 1,
   tori_mated_frame_count = 0,
+  tori_mated_output_count = 0,
   tori_mated_parameter_count = 0,
   tori_mated_wrench_count = 0,
   tori_mated_nc = 0
@@ -39,6 +40,7 @@ extern const char* const tori_mated_coordinate_names[5 + 1];
 extern const char* const tori_mated_speed_names[5 + 1];
 extern const char* const tori_mated_body_names[1 + 1];
 extern const char* const tori_mated_frame_names[0 + 1];
+extern const char* const tori_mated_output_names[0 + 1];
 extern const char* const tori_mated_parameter_names[0 + 1];
 extern const char* const tori_mated_wrench_body_names[0 + 1];
 extern const char* const tori_mated_constraint_names[0 + 1];

@@ -33,6 +33,7 @@ struct Mechanism {
   static constexpr int kNc = ::alembert::mechanisms::tori_mated::kNc;
   static constexpr int kNbodies = ::alembert::mechanisms::tori_mated::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::tori_mated::kFrameCount;
+  static constexpr int kNoutputs = ::alembert::mechanisms::tori_mated::kOutputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::tori_mated::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::tori_mated::kHolonomic;

@@ -30,6 +30,7 @@ enum {
   tree_every_joint_nv = 20,
   tree_every_joint_body_count = 10,
   tree_every_joint_frame_count = 1,
+  tree_every_joint_output_count = 0,
   tree_every_joint_parameter_count = 0,
   tree_every_joint_wrench_count = 2,
   tree_every_joint_nc = 0
@@ -40,6 +41,7 @@ extern const char* const tree_every_joint_coordinate_names[22 + 1];
 extern const char* const tree_every_joint_speed_names[20 + 1];
 extern const char* const tree_every_joint_body_names[10 + 1];
 extern const char* const tree_every_joint_frame_names[1 + 1];
+extern const char* const tree_every_joint_output_names[0 + 1];
 extern const char* const tree_every_joint_parameter_names[0 + 1];
 extern const char* const tree_every_joint_wrench_body_names[2 + 1];
 extern const char* const tree_every_joint_constraint_names[0 + 1];

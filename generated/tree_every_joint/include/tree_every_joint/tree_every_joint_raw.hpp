@@ -29,6 +29,7 @@ inline constexpr int kNq = 22;  ///< coordinates: size of q
 inline constexpr int kNv = 20;  ///< speeds: size of qd, qdd, tau, c; M is kNv x kNv
 inline constexpr int kBodyCount = 10;
 inline constexpr int kFrameCount = 1;
+inline constexpr int kOutputCount = 0;
 inline constexpr int kParameterCount = 0;  ///< runtime parameters
 inline constexpr int kWrenchCount = 2;  ///< bodies with an external wrench
 inline constexpr int kNc = 0;  ///< rows of the constraints
@@ -45,6 +46,7 @@ inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{
 inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{
     "trunk", "arm", "piston", "drill", "tube", "gimbal", "slab", "hand", "finger", "thumb"}};
 inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {{"drill_tip"}};
+inline constexpr ::std::array<::std::string_view, kOutputCount> kOutputNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {{"trunk", "drill"}};
