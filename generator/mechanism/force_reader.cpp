@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanism/contact_reader.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
 
@@ -28,7 +29,8 @@ const std::vector<KindKey>& kind_keys() {
                                             {"potential", ForceKind::potential, {}},
                                             {"between", ForceKind::path, {"tension"}},
                                             {"path", ForceKind::path, {"tension"}},
-                                            {"at", ForceKind::wrench, {"axes", "force", "torque"}}};
+                                            {"at", ForceKind::wrench, {"axes", "force", "torque"}},
+                                            {"contact", ForceKind::wrench, {}}};
   return keys;
 }
 
@@ -39,7 +41,7 @@ class ForceReader {
         document_(loading.document),
         section_(loading.document, item, "a force",
                  {"name", "on", "value", "potential", "between", "path", "tension", "at", "axes", "force",
-                  "torque"}) {}
+                  "torque", "contact"}) {}
 
   /// Name, kind, and of a path its frames: forces may use the lengths of paths that come later.
   void declare() {
@@ -53,7 +55,9 @@ class ForceReader {
   const Force& declared() const { return force_; }
 
   /// The rest, once all are declared.
-  Force read() {
+  std::vector<Force> read() {
+    if (const YamlNode* contact = section_.find("contact"))
+      return read_contact(loading_, *contact, force_.name, force_.where);
     switch (force_.kind) {
       case ForceKind::on_speed:
         read_speed(section_.require("on"));
@@ -69,7 +73,7 @@ class ForceReader {
         read_wrench();
         break;
     }
-    return std::move(force_);
+    return {force_};
   }
 
  private:
@@ -89,7 +93,7 @@ class ForceReader {
     }
     if (found == nullptr)
       throw InputError(force_.where, fmt::format("force '{}' does not say what it acts on", force_.name),
-                       "expected one of on, potential, between, path, at");
+                       "expected one of on, potential, between, path, at, contact");
     for (const KindKey& other : kind_keys())
       for (const std::string_view key : other.others)
         if (section_.find(key) != nullptr && std::ranges::find(found->others, key) == found->others.end())
@@ -197,7 +201,8 @@ void read_forces(Loading& loading, const YamlNode& list) {
       throw InputError(force.where,
                        fmt::format("'{}' is already a force (line {})", force.name, earlier->second));
   }
-  for (ForceReader& reader : readers) loading.mechanism.forces.push_back(reader.read());
+  for (ForceReader& reader : readers)
+    for (Force& force : reader.read()) loading.mechanism.forces.push_back(std::move(force));
 }
 
 }  // namespace alembert

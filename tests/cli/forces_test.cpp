@@ -98,5 +98,90 @@ TEST(Forces, InputsThatAreWrongAreToldAtTheirPlace) {
   EXPECT_THAT(state.err, HasSubstr("there is no input 'push'"));
 }
 
+/// A ball of 1 kg and 0.1 m above a floor.
+std::string ball(const std::string& contact) {
+  return R"(alembert: 1
+name: ball
+coordinates: [x, {name: z, initial: 0.5}, spin]
+bodies:
+  - name: ball
+    transform: [{translate: [x, 0, z]}, {rotate: {axis: y, angle: spin}}]
+    mass: 1
+    inertia: {xx: 0.004, yy: 0.004, zz: 0.004}
+frames: [{name: center, body: ball}, {name: ground, body: world}]
+forces:
+  - {name: floor, contact: {frame: center, radius: 0.1, )" +
+         contact + "}}\n";
+}
+
+/// The last row of a motion.
+std::vector<double> moved(const std::string& text, const std::string& options) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(
+      folder, "simulate " + folder.write("moved.yaml", text) + " --step 2e-5 --every 100000 " + options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Csv(result.out).rows.back();
+}
+
+TEST(Contacts, ABallBouncesWithTheRestitutionOfHuntAndCrossley) {
+  const double fall = std::sqrt(2 * 9.81 * 0.4), a = 1.5 * 0.08;
+  // From the state without gravity: an impact of speed v ends with e v, ln((1 + a v)/(1 - a e v)) = a v (1 + e).
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double e = (low + high) / 2;
+    (std::log((1 + a * fall) / (1 - a * e * fall)) < a * fall * (1 + e) ? low : high) = e;
+  }
+  const std::string text =
+      ball("plane: {normal: [0, 0, 3]}, stiffness: 1e6, dissipation: 0.08") + "gravity: [0, 0, 0]\n";
+  const std::vector<double> row = moved(text, "--duration 0.3 --qd 0,-" + std::to_string(fall) + ",0");
+  EXPECT_NEAR(row[5], low * fall, 1e-4);
+  EXPECT_NEAR(row[6], 0, 1e-12);
+}
+
+TEST(Contacts, ABallThatSlidesRollsInTheEnd) {
+  const std::string text = ball(
+      "plane: {frame: ground, normal: [0, 0, 1]}, stiffness: 1e5, dissipation: 1, "
+      "friction: 0.5, slip_velocity: 0.001");
+  const std::vector<double> row = moved(text, "--duration 1 --q 0,0.1,0 --qd 1,0,0");
+  EXPECT_NEAR(row[4], 5.0 / 7, 1e-4);
+  EXPECT_NEAR(row[6], 50.0 / 7, 1e-3);
+}
+
+TEST(Contacts, SpheresExchangeMomentum) {
+  const std::string text = R"(alembert: 1
+name: spheres
+gravity: [0, 0, 0]
+coordinates: [a, {name: b, initial: 0.5}]
+bodies:
+  - {name: one, transform: [{translate: [a, 0, 0]}], mass: 2}
+  - {name: two, transform: [{translate: [b, 0, 0]}], mass: 2}
+frames: [{name: p, body: one}, {name: q, body: two}]
+forces:
+  - {name: hit, contact: {frame: p, radius: 0.1, sphere: {frame: q, radius: 0.2}, stiffness: 1e6}}
+)";
+  const std::vector<double> row = moved(text, "--duration 0.5 --qd 1,0");
+  EXPECT_NEAR(row[3], 0, 1e-6);
+  EXPECT_NEAR(row[4], 1, 1e-6);
+}
+
+TEST(Contacts, APlaneThatMovesIsPushedBack) {
+  const std::string text = R"(alembert: 1
+name: plate
+gravity: [0, 0, 0]
+coordinates: [a, {name: b, initial: 0.3}, turn]
+bodies:
+  - {name: plate, transform: [{translate: [0, 0, a]}, {rotate: {axis: z, angle: turn}}], mass: 3, inertia: {xx: 1, yy: 1, zz: 1}}
+  - {name: ball, transform: [{translate: [0.2, 0, b]}], mass: 1}
+frames: [{name: p, body: plate}, {name: q, body: ball}]
+forces:
+  - {name: hit, contact: {frame: q, radius: 0.1, plane: {frame: p, point: [0, 0, 0.05], normal: [0, 0, 1]}, stiffness: 1e6,
+                          dissipation: 0.1, friction: 0.3, slip_velocity: 0.01}}
+)";
+  const std::vector<double> row = moved(text, "--duration 0.5 --qd 0,-1,2");
+  EXPECT_NEAR(3 * row[4] + row[5], -1, 1e-9);
+  EXPECT_GT(row[5], row[4]);
+  EXPECT_LT(row[6], 2) << "friction brakes the plate";
+}
+
 }  // namespace
 }  // namespace alembert::test

@@ -1,7 +1,11 @@
 // Names and forces in the order of the file (see the header).
 #include "oracles/description/force_section.hpp"
 
+#include <array>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace alembert::oracles {
 
@@ -56,6 +60,106 @@ Expression3 three_or_zero(const YAML::Node& node, const Names& names) {
   if (!node) return {number(0), number(0), number(0)};
   return {expression_of(node[0], names), expression_of(node[1], names), expression_of(node[2], names)};
 }
+
+/// A contact as formulas in text: a force at the surface of the sphere, and its opposite on what it touches.
+class ContactText {
+ public:
+  using Three = std::array<std::string, 3>;
+
+  ContactText(const YAML::Node& contact, const YAML::Node& root, const Names& names) : names_(names) {
+    const auto text = [&](const char* key, const char* otherwise) {
+      return contact[key] ? "(" + contact[key].as<std::string>() + ")" : otherwise;
+    };
+    const std::string frame = contact["frame"].as<std::string>();
+    const std::string radius = text("radius", "0");
+    const Three center = of(frame, "position");
+    std::string other, depth;
+    Three normal;
+    if (const YAML::Node plane = contact["plane"]) {
+      Three point{"0", "0", "0"}, axis;
+      for (std::size_t i = 0; i < 3; ++i) {
+        axis[i] = "(" + plane["normal"][i].as<std::string>() + ")";
+        if (plane["point"]) point[i] = "(" + plane["point"][i].as<std::string>() + ")";
+      }
+      const std::string length = "sqrt(" + dot(axis, axis) + ")";
+      for (std::string& entry : axis) entry = "(" + entry + "/" + length + ")";
+      if (plane["frame"]) {
+        other = plane["frame"].as<std::string>();
+        axis = turned(other, axis);
+        point = sum(of(other, "position"), turned(other, point));
+      }
+      normal = axis;
+      depth = "(" + radius + " - " + dot(normal, difference(center, point)) + ")";
+    } else {
+      const YAML::Node sphere = contact["sphere"];
+      other = sphere["frame"].as<std::string>();
+      const Three apart = difference(center, of(other, "position"));
+      const std::string distance = "sqrt(" + dot(apart, apart) + ")";
+      for (std::size_t i = 0; i < 3; ++i) normal[i] = "(" + apart[i] + "/" + distance + ")";
+      depth = "(" + radius + " + " + sphere["radius"].as<std::string>() + " - " + distance + ")";
+    }
+    const Three arm = times("(-" + radius + ")", normal);
+    Three velocity = at(frame, arm), other_arm;
+    if (!other.empty()) {
+      other_arm = difference(sum(center, arm), of(other, "position"));
+      velocity = difference(velocity, at(other, other_arm));
+    }
+    const std::string speed = dot(normal, velocity);
+    const std::string strength = text("stiffness", "0") + "*max(0, " + depth + ")^1.5*max(0, 1 - 1.5*" +
+                                 text("dissipation", "0") + "*" + speed + ")";
+    const Three slip = difference(velocity, times(speed, normal));
+    const std::string size = "sqrt(" + dot(slip, slip) + " + " + text("slip_velocity", "1") + "^2)";
+    const Three braking = times(text("friction", "0") + "/" + size, slip);
+    const Three force = times(strength, difference(normal, braking));
+    add(root, frame, force, arm);
+    if (!other.empty()) add(root, other, times("(-1)", force), other_arm);
+  }
+  const std::vector<FrameForce>& forces() const { return forces_; }
+
+ private:
+  static Three of(const std::string& frame, const std::string& what) {
+    return {what + "(" + frame + ").x", what + "(" + frame + ").y", what + "(" + frame + ").z"};
+  }
+  static std::string dot(const Three& a, const Three& b) {
+    return "(" + a[0] + "*" + b[0] + " + " + a[1] + "*" + b[1] + " + " + a[2] + "*" + b[2] + ")";
+  }
+  static Three each(const Three& a, const char* sign, const Three& b) {
+    return {"(" + a[0] + sign + b[0] + ")", "(" + a[1] + sign + b[1] + ")", "(" + a[2] + sign + b[2] + ")"};
+  }
+  static Three sum(const Three& a, const Three& b) { return each(a, " + ", b); }
+  static Three difference(const Three& a, const Three& b) { return each(a, " - ", b); }
+  static Three times(const std::string& s, const Three& a) { return each({s, s, s}, "*", a); }
+  static Three cross(const Three& a, const Three& b) {
+    return {"(" + a[1] + "*" + b[2] + " - " + a[2] + "*" + b[1] + ")",
+            "(" + a[2] + "*" + b[0] + " - " + a[0] + "*" + b[2] + ")",
+            "(" + a[0] + "*" + b[1] + " - " + a[1] + "*" + b[0] + ")"};
+  }
+  static Three turned(const std::string& frame, const Three& a) {
+    Three result;
+    for (std::size_t row = 0; row < 3; ++row) {
+      const std::string r = "rotation(" + frame + ")." + "xyz"[row];
+      result[row] = dot({r + "x", r + "y", r + "z"}, a);
+    }
+    return result;
+  }
+  static Three at(const std::string& frame, const Three& arm) {
+    return sum(of(frame, "velocity"), cross(of(frame, "angular_velocity"), arm));
+  }
+  void add(const YAML::Node& root, const std::string& frame, const Three& force, const Three& arm) {
+    FrameForce result;
+    result.frame = frame_index(root, frame);
+    result.world_axes = true;
+    const Three torque = cross(arm, force);
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.force[i] = expression_of(YAML::Node(force[i]), names_);
+      result.torque[i] = expression_of(YAML::Node(torque[i]), names_);
+    }
+    forces_.push_back(std::move(result));
+  }
+
+  const Names& names_;
+  std::vector<FrameForce> forces_;
+};
 
 }  // namespace
 
@@ -141,6 +245,9 @@ void read_forces(const YAML::Node& root, const Names& names, Description& result
       own["length"] = names.at("length(" + name + ")");
       own["rate"] = names.at("rate(" + name + ")");
       result.forces.emplace_back(Tension{path++, expression_of(force["tension"], own)});
+    } else if (force["contact"]) {
+      const ContactText contact(force["contact"], root, names);
+      for (const FrameForce& wrench : contact.forces()) result.forces.emplace_back(wrench);
     } else {
       FrameForce at;
       at.frame = frame_index(root, force["at"].as<std::string>());

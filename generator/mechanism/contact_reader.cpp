@@ -1,0 +1,180 @@
+// Contacts of a sphere or a point with a plane or another sphere. A mapping in; wrenches out, expressions of positions and
+// velocities of frames. With n the normal towards the sphere, d the depth, v the velocity of the point of the sphere that
+// is deepest relative to what it touches, v_n and v_t its parts along n and across:
+//
+//   f_n = k max(0, d)^(3/2) max(0, 1 - 3/2 c v_n),    f = f_n (n - mu v_t / sqrt(v_t^2 + v_s^2))
+//
+// Source: Hunt and Crossley, Coefficient of restitution interpreted as damping in vibroimpact, Journal of Applied
+// Mechanics 42 (1975), 440-445.
+#include "mechanism/contact_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "mechanism/section.hpp"
+
+namespace alembert {
+namespace {
+
+class ContactReader {
+ public:
+  ContactReader(Loading& loading, const YamlNode& node, const std::string& name)
+      : loading_(loading),
+        section_(
+            loading.document, node, fmt::format("the contact of force '{}'", name),
+            {"frame", "radius", "plane", "sphere", "stiffness", "dissipation", "friction", "slip_velocity"}),
+        name_(name) {}
+
+  std::vector<Force> read(const SourceLocation& where) {
+    frame_ = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
+    radius_ = number("radius", 0);
+    const YamlNode *plane = section_.find("plane"), *sphere = section_.find("sphere");
+    if ((plane == nullptr) == (sphere == nullptr))
+      throw InputError(loading_.document.where(section_.node()),
+                       fmt::format("the contact of force '{}' needs one of 'plane' and 'sphere'", name_));
+    if (plane != nullptr)
+      read_plane(*plane);
+    else
+      read_sphere(*sphere);
+    return wrenches(where);
+  }
+
+ private:
+  std::string of(std::string_view what) const {
+    return fmt::format("{} in the contact of force '{}'", what, name_);
+  }
+  /// A coefficient that is not negative.
+  Expr number(std::string_view key, std::optional<double> otherwise, bool positive = false) {
+    const YamlNode* node = section_.find(key);
+    if (node == nullptr && otherwise) return loading_.graph.real(*otherwise);
+    const YamlNode& given = node != nullptr ? *node : section_.require(key);
+    return coefficient(given, of(fmt::format("the {}", key == "slip_velocity" ? "slip velocity" : key)),
+                       positive);
+  }
+  Expr coefficient(const YamlNode& node, const std::string& what, bool positive) {
+    const Quantity value = loading_.reader.read(node, Allowed::parameters, what);
+    if (positive ? !(value.initial > 0) : value.initial < 0)
+      throw InputError(loading_.document.where(node),
+                       fmt::format("{} is {:.6g}; expected {}", what, value.initial,
+                                   positive ? "a positive number" : "no negative number"));
+    return value.expr;
+  }
+  Vec3 vector(int frame, FrameQuantity quantity) {
+    const std::vector<Expr>& x = loading_.reader.frame_symbols(frame, quantity);
+    return {{x[0], x[1], x[2]}};
+  }
+  Mat3 rotation(int frame) {
+    Mat3 R;
+    const std::vector<Expr>& x = loading_.reader.frame_symbols(frame, FrameQuantity::rotation);
+    for (std::size_t i = 0; i < 9; ++i) R[i] = x[i];
+    return R;
+  }
+  Vec3 zero() { return zeros<3, 1>(loading_.graph); }
+
+  void check_apart(const YamlNode& node, int other) const {
+    const auto body = [&](int frame) {
+      return frame < 0 ? -1 : loading_.mechanism.frames[static_cast<std::size_t>(frame)].body;
+    };
+    if (body(frame_) != body(other)) return;
+    throw InputError(loading_.document.where(node),
+                     fmt::format("force '{}' is a contact of a body with itself", name_));
+  }
+
+  void read_plane(const YamlNode& node) {
+    const Section plane(loading_.document, node, of("the plane"), {"frame", "point", "normal"});
+    if (const YamlNode* frame = plane.find("frame"))
+      other_ = loading_.reader.expect_frame(*frame, of("the plane"));
+    check_apart(node, other_);
+    Vec3 point = zero();
+    if (const YamlNode* given = plane.find("point"))
+      point = loading_.reader.read_vector(*given, Allowed::parameters, of("the point of the plane"));
+    const YamlNode& direction = plane.require("normal");
+    normal_ = loading_.reader.read_vector(direction, Allowed::parameters, of("the normal of the plane"));
+    if (normal_[0].is_zero() && normal_[1].is_zero() && normal_[2].is_zero())
+      throw InputError(loading_.document.where(direction), of("the normal of the plane") + " is 0");
+    const Expr length = sqrt(dot(normal_, normal_));
+    for (Expr& entry : normal_.entries) entry = entry / length;
+    if (other_ >= 0) {
+      const Mat3 R = rotation(other_);
+      normal_ = R * normal_;
+      point = vector(other_, FrameQuantity::position) + R * point;
+    }
+    const Vec3 above = vector(frame_, FrameQuantity::position) - point;
+    depth_ = radius_ - dot(normal_, above);
+  }
+
+  void read_sphere(const YamlNode& node) {
+    const Section sphere(loading_.document, node, of("the sphere"), {"frame", "radius"});
+    other_ = loading_.reader.expect_frame(sphere.require("frame"), of("the sphere"));
+    check_apart(node, other_);
+    const Expr radius = coefficient(sphere.require("radius"), of("the radius of the sphere"), true);
+    const Expr distance = loading_.reader.distance(frame_, other_);
+    normal_ = vector(frame_, FrameQuantity::position) - vector(other_, FrameQuantity::position);
+    for (Expr& entry : normal_.entries) entry = entry / distance;
+    depth_ = radius_ + radius - distance;
+  }
+
+  /// Velocity of a point that moves with a frame, at `arm` from its origin.
+  Vec3 velocity_at(int frame, const Vec3& arm) {
+    return vector(frame, FrameQuantity::velocity) +
+           cross(vector(frame, FrameQuantity::angular_velocity), arm);
+  }
+
+  Vec3 force(const Vec3& velocity) {
+    ExprGraph& graph = loading_.graph;
+    const Expr speed = dot(normal_, velocity);
+    const Expr deep = if_positive(depth_, depth_);
+    const Expr loss = graph.rational(Rational(3, 2)) * (number("dissipation", 0) * speed);
+    const Expr damped = graph.one() - loss;
+    const Expr strength =
+        number("stiffness", std::nullopt, true) * (deep * sqrt(deep)) * if_positive(damped, damped);
+    const Expr friction = number("friction", 0);
+    if (friction.is_zero()) return strength * normal_;
+    const Expr slow = number("slip_velocity", std::nullopt, true);
+    const Vec3 slip = velocity - speed * normal_;
+    const Expr size = sqrt(dot(slip, slip) + slow * slow);
+    return strength * (normal_ - (friction / size) * slip);
+  }
+
+  std::vector<Force> wrenches(const SourceLocation& where) {
+    const Vec3 arm = -radius_ * normal_;
+    Vec3 velocity = velocity_at(frame_, arm), other_arm = zero();
+    if (other_ >= 0) {
+      other_arm = vector(frame_, FrameQuantity::position) + arm - vector(other_, FrameQuantity::position);
+      velocity = velocity - velocity_at(other_, other_arm);
+    }
+    const Vec3 f = force(velocity);
+    std::vector<Force> result;
+    const auto add = [&](int frame, const Vec3& on, const Vec3& at) {
+      Force wrench;
+      wrench.name = name_;
+      wrench.kind = ForceKind::wrench;
+      wrench.frame = frame;
+      wrench.frame_axes = false;
+      wrench.force = on;
+      wrench.torque = cross(at, on);
+      wrench.where = where;
+      result.push_back(std::move(wrench));
+    };
+    add(frame_, f, arm);
+    if (other_ >= 0) add(other_, zero() - f, other_arm);
+    return result;
+  }
+
+  Loading& loading_;
+  Section section_;
+  std::string name_;
+  int frame_ = -1, other_ = -1;  ///< indices of frames; -1: the world
+  Expr radius_, depth_;
+  Vec3 normal_;  ///< world axes, from the other to the sphere
+};
+
+}  // namespace
+
+std::vector<Force> read_contact(Loading& loading, const YamlNode& node, const std::string& name,
+                                const SourceLocation& where) {
+  return ContactReader(loading, node, name).read(where);
+}
+
+}  // namespace alembert
