@@ -134,7 +134,7 @@ class ForceWriter {
   std::string moving_factor() {
     const std::string q = coordinate();
     const double unit = units_.length;
-    switch (draw_.below(quaternions_.empty() ? 3 : 4)) {
+    switch (draw_.below(3)) {
       case 0:
         return "{translate: " +
                list({decimal(0.3 * unit) + "*sin(" + q + ")", decimal(0.1 * unit),
@@ -144,15 +144,13 @@ class ForceWriter {
         const std::string about = draw_.axis();
         return "{rotate: {axis: " + about + ", angle: \"0.5*" + q + " + 0.3*sin(t)\"}}";
       }
-      case 2: {
+      default: {
         const std::string other = coordinate();
         return "{translate: " +
                list({decimal(0.2 * unit) + "*" + q, decimal(0.1 * unit) + "*cos(" + other + ")",
                      decimal(0.1 * unit)}) +
                "}, {rotate: {axis: y, angle: \"" + other + "/2\"}}";
       }
-      default:
-        return "{rotate: {quaternion: " + one_of(quaternions_) + "}}";
     }
   }
 
