@@ -101,6 +101,10 @@ TEST(C99, NamesAreTextOnly) {
   check<double>(s.mechanism, s.programs);
   check_file(ALEMBERT_SOURCE_DIR "/tests/emit/macro_names.yaml");
 }
+TEST(C99, Forces) {
+  check_file(ALEMBERT_SOURCE_DIR "/mechanisms/forces/hopping_leg.yaml");
+  check_file(ALEMBERT_SOURCE_DIR "/mechanisms/forces/elbow.yaml");
+}
 TEST(C99, ChainWithLoops) {
   alembert::CompileOptions options;
   options.loop_results = 6;

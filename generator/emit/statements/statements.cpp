@@ -137,6 +137,11 @@ class Writer {
               std::string_view comment = "") {
     line(block, fmt::format("const {} {} = {};{}", syntax_.number, name, value, comment));
   }
+  /// The same of what the calls for sines and cosines may take from elsewhere.
+  void define_angle(std::uint32_t block, std::string_view name, std::string_view value,
+                    std::string_view comment) {
+    line(block, fmt::format("[[maybe_unused]] const {} {} = {};{}", syntax_.number, name, value, comment));
+  }
 
   void store(std::uint32_t block, std::uint32_t array, std::uint32_t index, std::string_view value) {
     line(block, fmt::format("{}[{}] = {};", signature_.results[array].name, index, value));
@@ -189,7 +194,12 @@ class Writer {
       const int again = times_named_[name]++;
       if (again > 0) name += fmt::format("_{}", again + 1);
       const std::string comment = input ? "  // " + comment_text(program_.inputs[c.a].name) : "";
-      define(block, name, element_of(v, block), comment);
+      const bool angle =
+          input && layout_.trig_call() != kNoPlace && statement == layout_.statement(layout_.trig_call());
+      if (angle)
+        define_angle(block, name, element_of(v, block), comment);
+      else
+        define(block, name, element_of(v, block), comment);
       text_in_plan_[v] = std::move(name);
     }
   }
