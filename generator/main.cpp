@@ -308,6 +308,8 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command->add_option("--input", common.inputs,
                       "NAME=EXPRESSION of t, coordinates, speeds and parameters: what an input is");
+  command->add_option("--inputs", simulate.inputs,
+                      "table of inputs over time to read: t and names, then rows of ascending time (CSV)");
   command->add_flag("!--no-assemble", simulate.start.assemble,
                     "fail if the initial state violates the constraints, instead of changing it");
   add_compiler_options(command, common);

@@ -12,6 +12,8 @@
 #include "commands/csv_writer.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
+#include "mechanism/source.hpp"
+#include "simulation/input_table.hpp"
 #include "simulation/motion_recorder.hpp"
 #include "simulation/start_state.hpp"
 #include "simulation/trajectory.hpp"
@@ -104,6 +106,8 @@ class Simulation {
     const Mechanism& mechanism = *compiled.mechanism;
     check_outputs(options_, mechanism.where);
     TrajectoryOptions trajectory = trajectory_options(mechanism);
+    if (first && !options_.inputs.empty())
+      trajectory.inputs = InputTable(read_source(options_.inputs), mechanism);
     const EvaluationState start =
         start_state(compiled, first ? options_.start : StartOptions(), trajectory.note);
 
@@ -167,6 +171,7 @@ int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
        {NamedFile{"--csv", options.csv}, {"--html", options.html}, {"--glb", options.glb}}) {
     if (!file.path.empty() && file.path != "-") written.push_back(file);
   }
+  if (!options.inputs.empty()) read.push_back({"--inputs", options.inputs});
   for (const std::string& file : options.scene) read.push_back({"a description of --scene", file});
   check_distinct(written, read);
   Simulation simulation(options, common);

@@ -19,6 +19,7 @@ struct SimulateOptions {
   double fps = 60;   ///< frames a second of page and scene
   std::vector<std::string> scene;  ///< further descriptions, to be seen beside the first
   StartOptions start;              ///< of the first
+  std::string inputs;              ///< table of what its inputs are over time, if any
 };
 int run_simulate(const CommonOptions& common, const SimulateOptions& options);
 

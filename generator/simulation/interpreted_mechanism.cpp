@@ -6,9 +6,11 @@
 
 namespace alembert {
 
-InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs)
+InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs,
+                                           InputTable table)
     : mechanism_(*compiled.mechanism),
       rows_(constraint_rows(mechanism_)),
+      table_(std::move(table)),
       state_(std::move(inputs)),
       evaluator_(compiled) {
   for (const Coordinate& coordinate : mechanism_.coordinates) {
@@ -19,6 +21,7 @@ InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, Ev
 const EvaluationState& InterpretedMechanism::at(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
   state_.q.assign(q.begin(), q.end());
   state_.qd.assign(u.begin(), u.end());
+  table_.apply(state_);
   return state_;
 }
 

@@ -9,6 +9,7 @@
 #include "alembert/constrained_dynamics.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "simulation/dynamics_evaluator.hpp"
+#include "simulation/input_table.hpp"
 
 namespace alembert {
 
@@ -19,7 +20,8 @@ class InterpretedMechanism {
   static constexpr int kNq = Eigen::Dynamic, kNv = Eigen::Dynamic, kNc = Eigen::Dynamic;
 
   /// \param inputs  time, parameters and wrenches; its q and qd are not used
-  InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs);
+  /// \param table   what inputs are over time, in place of those
+  InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs, InputTable table = {});
 
   int nq() const { return mechanism_.nq; }
   int nv() const { return mechanism_.nv; }
@@ -51,6 +53,7 @@ class InterpretedMechanism {
   const Mechanism& mechanism_;
   std::vector<ConstraintRow> rows_;
   std::vector<int> quaternion_offsets_;
+  InputTable table_;
   mutable EvaluationState state_;
   mutable DynamicsEvaluator evaluator_;  // its scratch memory changes
 };

@@ -22,10 +22,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 /// A motion as it goes on.
 class MovingMechanism {
  public:
-  MovingMechanism(const CompiledMechanism& compiled, const EvaluationState& start)
+  MovingMechanism(const CompiledMechanism& compiled, const EvaluationState& start, const InputTable& inputs)
       : mechanism_(*compiled.mechanism),
         evaluator_(compiled),
-        system_(compiled, start),
+        system_(compiled, start, inputs),
         monitor_(compiled),
         q_(vector_of(start.q)),
         u_(vector_of(start.qd)) {}
@@ -194,7 +194,7 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
     throw InputError(compiled.mechanism->where,
                      "--duration and --step make no sensible number of steps (at most 1e9)");
   }
-  MovingMechanism motion(compiled, start);
+  MovingMechanism motion(compiled, start, options.inputs);
   bool noted = false;
   const auto give = [&](long steps) -> std::optional<InputError> {
     TrajectoryPoint point;

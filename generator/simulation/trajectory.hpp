@@ -10,6 +10,7 @@
 
 #include "pipeline.hpp"
 #include "simulation/dynamics_evaluator.hpp"
+#include "simulation/input_table.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -33,6 +34,7 @@ struct TrajectoryOptions {
   double step = 1e-3;    ///< s
   long every = 10;       ///< a point each so many steps, besides the first and the last
   IntegrationMethod method = IntegrationMethod::rk4;
+  InputTable inputs;                          ///< what inputs are over time
   std::function<void(double done)> progress;  ///< called now and then with the fraction that is done, 0 to 1
   std::function<void(const std::string&)> note;  ///< told what is worth knowing: redundant rows, once
 };

@@ -77,6 +77,40 @@ TEST(Forces, StatesGiveInputsByName) {
   EXPECT_DOUBLE_EQ(second["applied_forces"]["Q"][0].get<double>(), 10 - 15) << "initial values";
 }
 
+TEST(Forces, ATableGivesInputsOverTime) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("cart.yaml", R"(alembert: 1
+name: cart
+inputs: [brake, push]
+coordinates: [x]
+bodies: [{name: cart, transform: [{translate: [x, 0, 0]}], mass: 2}]
+forces: [{name: engine, on: x, value: push - brake*d(x)}]
+)");
+  const std::string table = folder.write("inputs.csv", "t, push\n0,0\n 1 , 4\n\n2,4\n");
+  const CommandResult result =
+      alembert(folder, "simulate " + file + " --duration 3 --every 1000 --inputs " + table);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Csv rows(result.out);
+  EXPECT_NEAR(rows.rows[1][2], 1, 1e-9) << "a ramp for a second";
+  EXPECT_NEAR(rows.rows[1][1], 1.0 / 3, 1e-9);
+  EXPECT_NEAR(rows.rows[2][2], 3, 1e-9);
+  EXPECT_NEAR(rows.rows[3][2], 5, 1e-9) << "the last row holds on";
+  const auto said = [&](const std::string& text) {
+    const CommandResult wrong =
+        alembert(folder, "simulate " + file + " --duration 0.1 --inputs " + folder.write("wrong.csv", text));
+    EXPECT_EQ(wrong.exit_code, 1) << text;
+    return wrong.err;
+  };
+  EXPECT_THAT(said("t,pusch\n0,1\n"),
+              HasSubstr("wrong.csv:1:3: error: there is no input 'pusch' (did you mean 'push'?)"));
+  EXPECT_THAT(said("time,push\n0,1\n"), HasSubstr("wrong.csv:1:1: error: expected t as the first column"));
+  EXPECT_THAT(said("t,push\n0,1\n0,2\n"), HasSubstr("wrong.csv:3:1: error: the time 0 does not follow 0"));
+  EXPECT_THAT(said("t,push\n0,much\n"), HasSubstr("wrong.csv:2:3: error: expected a number, found 'much'"));
+  EXPECT_THAT(said("t,push\n0\n"), HasSubstr("wrong.csv:2:1: error: expected 2 numbers, found 1"));
+  EXPECT_THAT(said("t,push,push\n"), HasSubstr("wrong.csv:1:8: error: a second column 'push'"));
+  EXPECT_THAT(said("t,push\n"), HasSubstr("no rows of numbers"));
+}
+
 TEST(Forces, InputsThatAreWrongAreToldAtTheirPlace) {
   const TemporaryFolder folder;
   const std::string file = folder.write("oscillator.yaml", kOscillator);
