@@ -10,14 +10,13 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 
 #include "oracles/nasty_mechanism.hpp"
 #include "oracles/reference.hpp"
 
 namespace {
-
-constexpr int kStates = 6;
 
 struct Summary {
   int compared = 0, failed = 0;
@@ -52,9 +51,14 @@ int main(int argc, char** argv) {
     std::vector<Comparison> bad;
     Summary& kind = kinds["kind " + mechanism.kind];
     ++kind.compared;
-    for (const Comparison& line : compare_functions(executable, file.string(), description,
-                                                    nasty_states(mechanism, description, here, kStates),
-                                                    comparable_functions(description))) {
+    const std::vector<State> states = nasty_states(mechanism, description, here);
+    const std::set<std::string> asked = comparable_functions(description);
+    const std::vector<Reference> references = taylor_references(description, states, asked);
+    std::vector<Comparison> lines =
+        compare_functions(executable, file.string(), description.name, states, references, asked);
+    if (!description.constraints.empty())
+      lines.push_back(compare_constrained(executable, file.string(), description, states, references));
+    for (const Comparison& line : lines) {
       const bool fails = line.verdict == Comparison::Verdict::fail;
       if (fails) bad.push_back(line);
       for (Summary* summary : {&functions[line.function], &kind})
