@@ -6,6 +6,7 @@
 // were built.
 #include "program/lower.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -15,19 +16,35 @@
 #include "program/value_graph.hpp"
 #include "support/error.hpp"
 #include "support/operation.hpp"
-#include "symbolic/evaluate.hpp"
+#include "symbolic/extended.hpp"
 #include "symbolic/postorder.hpp"
 #include "symbolic/to_string.hpp"
 
 namespace alembert {
 namespace {
 
-// A sum of constants that cancels to this fraction of its terms is zero: what is left is rounding of
-// irrational constants.
+// A sum of constants that cancels to less of its terms has no longer the digits of a double.
+constexpr long double kLostDigits = 0x1p-11L;
+// A sum with constants that were rounded to doubles is zero where it cancels to this fraction of its terms.
 constexpr long double kCancellation = 0x1p-58L;
 
+bool has_rounded(const Expr& constant) {
+  const ExprGraph& graph = constant.graph();
+  const std::vector<std::uint32_t> nodes = postorder({&constant, 1});
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](std::uint32_t id) { return graph.node(id).op == Operation::real; });
+}
+
+// What is left of the sum where its terms, of which `term` is one, cancel to `left`. With 50 digits it is told
+// whether that is zero or a small number, as it is for axes that are parallel to 1e-19.
+long double remainder_of(const Expr& sum, long double term, long double left) {
+  if (has_rounded(sum)) return std::abs(left) < kCancellation * std::abs(term) ? 0 : left;
+  const Extended value = extended_value_of(sum);
+  return abs(value) < kExtendedRounding * std::abs(term) ? 0 : value.convert_to<long double>();
+}
+
 // Extended precision leaves one rounding, to double, that matters.
-long double fold(const ExprGraph& graph, std::uint32_t id, const std::vector<long double>& folded) {
+long double fold(ExprGraph& graph, std::uint32_t id, const std::vector<long double>& folded) {
   const Node& n = graph.node(id);
   const auto value = [&folded](Ref r) { return r.negative() ? -folded[r.node()] : folded[r.node()]; };
   if (n.op == Operation::rational) {
@@ -42,7 +59,8 @@ long double fold(const ExprGraph& graph, std::uint32_t id, const std::vector<lon
   if (n.op == Operation::real) return graph.real_value(id);
   if (n.op == Operation::add) {
     const long double a = value(n.a), b = value(n.b), sum = a + b;
-    return std::abs(sum) < kCancellation * std::abs(a) ? 0 : sum;
+    return std::abs(sum) < kLostDigits * std::abs(a) ? remainder_of(Expr(graph, Ref(id, false)), a, sum)
+                                                     : sum;
   }
   return apply(n.op, value(n.a), n.arity() == 2 ? value(n.b) : 0.0L);
 }

@@ -34,18 +34,24 @@ struct NastyMechanism {
 /// axes       mirrored axes, axis vectors of length 1e12 and 1e-6, tilted ones
 /// scales     masses from 1e-7 to 10 kg and lengths from 1e-6 to 1 m in one mechanism
 /// units      the whole in micrometres and milligrams, or in kilometres and tonnes
-/// late       functions that change far from 0: steps, bumps, detents of coordinates, time and parameters
-/// curved     the same in curves, surfaces, matrices and inverses
-/// trees      branches, massless links, point masses, functions of other coordinates, quaternions, free
-/// bodies mixed      all of these at once
+/// late       functions that change far from 0: steps, bumps, detents, splines of coordinates, time and
+///            parameters
+/// curved     the same in curves, surfaces, mates, matrices and inverses
+/// trees      branches, massless links, point masses, quaternions, free bodies
+/// mixed      all of these at once
 ///
-/// M scaled to a unit diagonal has a condition below 1e9 at nasty_states of the seed. The same seed gives the
-/// same text everywhere.
+/// All have joints of every type, armatures, coordinates that several joints share, splines, motions of time
+/// alone and, a quarter of them, runtime parameters in the place of numbers. Half of them have constraints:
+/// loops, gears, couplings, and rolling in `curved`.
+///
+/// At nasty_states of the seed, M and P M^-1 P^T scaled to a unit diagonal have conditions below 1e9. The same
+/// seed gives the same text everywhere.
+inline constexpr int kNastyStates = 6;
 NastyMechanism nasty_mechanism(std::uint64_t seed);
 
 /// States over the ranges of the coordinates, the first at rest, some fast for the mechanism's size; every
 /// other one is in the middle of an event, if there are events.
 std::vector<State> nasty_states(const NastyMechanism& mechanism, const Description& description,
-                                std::uint64_t seed, int count);
+                                std::uint64_t seed, int count = kNastyStates);
 
 }  // namespace alembert::oracles

@@ -28,6 +28,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "oracles/reference.hpp"
 #include "oracles/urdf/newton_euler.hpp"
@@ -76,10 +77,12 @@ double children_seconds() {
   return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
+/// Of what was said: the error, not the warnings before it; paths before the message are of no interest.
 std::string first_line(const std::string& text) {
-  // Paths before the message are of no interest.
-  std::string line = text.substr(0, text.find('\n'));
-  if (const std::size_t at = line.find("error: "); at != std::string::npos) line = line.substr(at + 7);
+  constexpr std::string_view kError = "error: ";
+  const std::size_t error = text.find(kError);
+  std::string line = error == std::string::npos ? text : text.substr(error + kError.size());
+  line = line.substr(0, line.find('\n'));
   std::replace(line.begin(), line.end(), '\t', ' ');
   return line;
 }

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ namespace {
 
 using namespace alembert::oracles;
 
-constexpr int kStates = 6, kForcedStates = 3;
+constexpr int kForcedStates = 3;
 /// Of so many with forces one is hard on numbers, and one is compared in each formulation too.
 constexpr std::uint64_t kForcedKinds = 5;
 
@@ -41,7 +42,7 @@ Case nasty_case(std::uint64_t seed) {
               mechanism.parameters,
               parse_description(mechanism.text, mechanism.parameters),
               {}};
-  result.states = nasty_states(mechanism, result.description, seed, kStates);
+  result.states = nasty_states(mechanism, result.description, seed);
   return result;
 }
 
@@ -106,9 +107,14 @@ int main(int argc, char** argv) {
     const std::uint64_t here = seed + static_cast<std::uint64_t>(i);
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
     std::ofstream(file) << mechanism.text;
-    std::vector<Comparison> lines =
-        compare_functions(executable, file.string(), mechanism.description, mechanism.states,
-                          comparable_functions(mechanism.description));
+    const std::set<std::string> asked = comparable_functions(mechanism.description);
+    const std::vector<Reference> references =
+        taylor_references(mechanism.description, mechanism.states, asked);
+    std::vector<Comparison> lines = compare_functions(executable, file.string(), mechanism.description.name,
+                                                      mechanism.states, references, asked);
+    if (!mechanism.description.constraints.empty())
+      lines.push_back(compare_constrained(executable, file.string(), mechanism.description, mechanism.states,
+                                          references));
     if (forces && here % kForcedKinds == 1) {
       for (const Comparison& line : compare(executable, file.string(), 2, here, "", mechanism.parameters))
         lines.push_back(line);

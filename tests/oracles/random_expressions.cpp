@@ -48,9 +48,14 @@ std::string RandomExpressions::constant(double low, double high) {
   const std::string value = decimal(between(low, high));
   if (!chance(0.25)) return value;
   const std::string name = "p" + std::to_string(parameter_count_++);
-  const bool runtime = chance(0.5);
-  parameters_[name] = "  " + name + ": " + (runtime ? "{value: " + value + ", runtime: true}" : value) + "\n";
+  if (chance(0.5))
+    declare_parameter(name, value);
+  else
+    parameters_[name] = "  " + name + ": " + value + "\n";
   return name;
+}
+void RandomExpressions::declare_parameter(const std::string& name, const std::string& usual) {
+  parameters_[name] = "  " + name + ": {value: " + usual + ", runtime: true}\n";
 }
 
 void RandomExpressions::begin_transform() {

@@ -24,6 +24,8 @@ class RandomExpressions {
   bool chance(double p);
   /// A number, or the name of a new parameter.
   std::string constant(double low, double high);
+  /// Declares a runtime parameter with its default.
+  void declare_parameter(const std::string& name, const std::string& usual);
 
   /// Begins a transform. What it depends on is counted, since it may have six speeds at most.
   void begin_transform();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
 namespace alembert::oracles {
@@ -140,14 +141,56 @@ Judged judge_rates(const Reference& state, const Eigen::VectorXd& found) {
   const Wide size = expected.cwiseAbs().maxCoeff();
   const Wide off = (given - expected).cwiseAbs().maxCoeff();
   if (off == 0) return result;
-  const Wide cancelled = unit.cwiseProduct(tau.cwiseAbs() + c.cwiseAbs()).maxCoeff() /
-                         (scaled.cwiseAbs() * expected.cwiseAbs()).maxCoeff();
-  const double allowed = static_cast<double>(stable * scaled_condition(M) * (1 + cancelled));
+  const double allowed = stable_accelerations({tau, M, c}, expected.cwiseProduct(unit));
   keep_worse(result, {static_cast<double>(off / size), std::max(kAgreement, allowed)});
   return result;
 }
 
+/// Accelerations and reactions under constraints at one state.
+Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& rows, const Answer& answer) {
+  const Eigen::Index n = state.dynamics.bias.size(), m = rows.gamma.size();
+  if (answer.rates.size() != n || answer.multipliers.size() != m || !answer.rates.allFinite() ||
+      !answer.multipliers.allFinite())
+    return {kInfinity, kAgreement};
+  const MatrixOf<Wide>& M = state.dynamics.mass_matrix;
+  const VectorOf<Wide>& c = state.dynamics.bias;
+  const VectorOf<Wide> tau = state.exact.at("inverse_dynamics").at("tau").cast<Wide>();
+  const VectorOf<Wide> qdd = answer.rates.cast<Wide>(), lambda = answer.multipliers.cast<Wide>();
+  const double stable = kStableFactor * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  // Lengths of rows in the metric of M^-1, of the motion and of the reactions in that of M.
+  const VectorOf<Wide> row = (rows.P * M.ldlt().solve(rows.P.transpose())).diagonal().cwiseSqrt();
+  const Wide motion = std::sqrt(qdd.dot(M * qdd)), reaction = row.dot(lambda.cwiseAbs());
+
+  const VectorOf<Wide> forces = M.cwiseAbs() * qdd.cwiseAbs();
+  const VectorOf<Wide> reactions = rows.P.cwiseAbs().transpose() * lambda.cwiseAbs();
+  const Wide largest = std::max(
+      {tau.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff(), reactions.maxCoeff(), forces.maxCoeff() * stable});
+  const Wide rounding = stable * (forces.maxCoeff() + std::sqrt(M.diagonal().maxCoeff()) * reaction);
+  const Wide left = (M * qdd + c - tau - rows.P.transpose() * lambda).cwiseAbs().maxCoeff();
+  Judged worst;
+  if (left > 0)
+    worst = {static_cast<double>(left / largest), kAgreement + static_cast<double>(rounding / largest)};
+  const VectorOf<Wide> slip = (rows.P * qdd + rows.gamma).cwiseAbs();
+  const VectorOf<Wide> terms = rows.P.cwiseAbs() * qdd.cwiseAbs() + rows.gamma.cwiseAbs();
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (slip[i] > 0)
+      keep_worse(worst, {static_cast<double>(slip[i] / terms[i]),
+                         kAgreement + static_cast<double>(stable * row[i] * motion / terms[i])});
+  }
+  return worst;
+}
+
 }  // namespace
+
+double stable_accelerations(const DynamicsOf<long double>& dynamics, const VectorOf<long double>& rates) {
+  const VectorOf<Wide> unit = dynamics.mass_matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixOf<Wide> scaled = unit.asDiagonal() * dynamics.mass_matrix * unit.asDiagonal();
+  const Wide cancelled = unit.cwiseProduct(dynamics.tau.cwiseAbs() + dynamics.bias.cwiseAbs()).maxCoeff() /
+                         (scaled.cwiseAbs() * rates.cwiseQuotient(unit).cwiseAbs()).maxCoeff();
+  const double n = static_cast<double>(rates.size());
+  return kStableFactor * n * std::numeric_limits<double>::epsilon() *
+         static_cast<double>(scaled_condition(dynamics.mass_matrix) * (1 + cancelled));
+}
 
 long double scaled_condition(const MatrixOf<long double>& M) {
   const long double infinity = std::numeric_limits<long double>::infinity();
@@ -228,6 +271,30 @@ std::vector<Comparison> compare_functions(const std::string& executable, const s
     lines.push_back(line);
   }
   return lines;
+}
+
+Comparison compare_constrained(const std::string& executable, const std::string& file,
+                               const Description& description, const std::vector<State>& states,
+                               const std::vector<Reference>& references) {
+  Comparison line;
+  line.mechanism = description.name;
+  line.function = "constrained_dynamics";
+  line.oracle = "Taylor";
+  line.formulation = "auto";
+  try {
+    const std::vector<Answer> answers = ask_alembert(executable, file, states, "auto");
+    Judged worst;
+    for (std::size_t i = 0; i < states.size(); ++i)
+      keep_worse(worst, judge_constrained(references[i], numeric_constraints<Wide>(description, states[i]),
+                                          answers[i]));
+    line.error = worst.error;
+    line.tolerance = worst.allowed;
+  } catch (const std::runtime_error& failure) {
+    line.error = kInfinity;
+    line.note = failure.what();
+  }
+  if (!(line.error <= line.tolerance)) line.verdict = Comparison::Verdict::fail;
+  return line;
 }
 
 }  // namespace alembert::oracles

@@ -21,6 +21,10 @@ namespace alembert::oracles {
 /// force and, as the residual of a backward stable solution is, 64 n eps |M| |qdd|. Scaled to a unit diagonal
 /// of M they are right to 1e-9 or, if that is more, 64 n eps times the condition of M so scaled, times how
 /// much the forces that cancel exceed their sum.
+///
+/// Accelerations and reactions under constraints are put into the equations. They must leave no force above
+/// 1e-9 of the largest force, no acceleration of a row above 1e-9 of the terms that it is made of, and 64 n eps
+/// times the lengths of motions and reactions in the metric of M more.
 inline constexpr double kAgreement = 1e-9;
 inline constexpr double kPlainLimit = 1e-10;
 inline constexpr double kPlainFactor = 16;
@@ -48,6 +52,16 @@ std::vector<Comparison> compare_functions(const std::string& executable, const s
                                           const std::string& mechanism, const std::vector<State>& states,
                                           const std::vector<Reference>& references,
                                           const std::set<std::string>& functions, int seconds = 0);
+
+/// Accelerations and reactions under constraints and the forces of inverse dynamics: one line, of which the
+/// function is "constrained_dynamics".
+Comparison compare_constrained(const std::string& executable, const std::string& file,
+                               const Description& description, const std::vector<State>& states,
+                               const std::vector<Reference>& references);
+
+/// What a backward stable solution may be off by, relative to the largest rate, all scaled to a unit diagonal of
+/// M: 64 n eps times the condition of M so scaled, times how much the forces that cancel exceed their sum.
+double stable_accelerations(const DynamicsOf<long double>& dynamics, const VectorOf<long double>& rates);
 
 /// Condition of M scaled to a unit diagonal; infinite where it is not positive definite.
 long double scaled_condition(const MatrixOf<long double>& M);

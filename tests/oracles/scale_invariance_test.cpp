@@ -1,6 +1,10 @@
 // A mechanism in other units gives the same digits: lengths times 2^k and masses times 2^m change every
-// result by a power of two, because no decision of the generator knows how long a metre is. The last bit may
-// differ: the order of the terms of a sum follows the constants in them.
+// result by a power of two, because no decision of the generator knows how long a metre is.
+//
+// The last bits may differ. Terms of a sum stand in an order that follows the content of the constants in them,
+// and constants are exact fractions as long as 64 bits suffice for numerator and denominator, doubles after:
+// powers of two change the one, and move where the other ends. With an order that knows mantissas only, two
+// thirds of the arrays that differ still do, because of the second.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -35,15 +39,19 @@ std::vector<std::map<std::string, Arrays>> results(const std::string& text, cons
   return ask_functions(ALEMBERT_EXECUTABLE, file.path.string(), states, tau, functions);
 }
 
-/// To 1e-12 of an array's largest entry; accelerations to 1e-9, for the condition of M.
-void expect_same(const std::string& function, const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) {
+/// Of an array's largest entry: 64 units in its last place. What is solved for may differ as two backward stable
+/// solutions do.
+constexpr double kRounding = 0x1p-46;
+
+void expect_same(const std::string& function, const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected,
+                 double allowed) {
   ASSERT_EQ(found.size(), expected.size()) << function;
   const double largest = expected.size() == 0 ? 0 : expected.cwiseAbs().maxCoeff();
-  const double within = (function == "forward_dynamics" ? 1e-9 : 1e-12) * largest;
   for (Eigen::Index k = 0; k < expected.size(); ++k) {
     const double a = found.reshaped()[k], b = expected.reshaped()[k];
-    EXPECT_LE(std::abs(a - b), within) << function << " [" << k << "]: " << a << " for " << b << ", off by "
-                                       << (a - b) / largest << " of the largest";
+    EXPECT_LE(std::abs(a - b), allowed * largest)
+        << function << " [" << k << "]: " << a << " for " << b << ", off by " << (a - b) / largest
+        << " of the largest, of which " << allowed << " is allowed";
   }
 }
 
@@ -54,9 +62,15 @@ void expect_powers_of_two(const std::string& given) {
   std::mt19937_64 random(3);
   std::vector<State> states;
   std::vector<Eigen::VectorXd> tau;
+  std::vector<double> of_rates;
+  std::vector<Eigen::VectorXd> units;
   for (int i = 0; i < 2; ++i) {
     states.push_back(random_state(description, random));
-    tau.push_back(numeric_lagrangian(description, states.back()).tau);
+    const auto dynamics = numeric_lagrangian<long double>(description, states.back());
+    tau.emplace_back(dynamics.tau.cast<double>());
+    const Eigen::Map<const Eigen::VectorXd> rates(states.back().rates.data(), description.nv);
+    of_rates.push_back(kRounding + stable_accelerations(dynamics, rates.cast<long double>()));
+    units.emplace_back(dynamics.mass_matrix.diagonal().cwiseSqrt().cast<double>());
   }
   std::set<std::string> wanted = comparable_functions(description);
   wanted.erase("coordinate_rates");  // of quaternions and speeds alone
@@ -79,10 +93,13 @@ void expect_powers_of_two(const std::string& given) {
     for (std::size_t i = 0; i < states.size(); ++i) {
       for (const auto& [function, arrays] : before[i]) {
         for (const auto& [name, values] : arrays) {
-          expect_same(
-              function,
-              scaled_array(function, after[i].at(function).at(name), back, {-scale.length, -scale.mass}),
-              values);
+          Eigen::MatrixXd again =
+              scaled_array(function, after[i].at(function).at(name), back, {-scale.length, -scale.mass});
+          if (function != "forward_dynamics") {
+            expect_same(function, again, values, kRounding);
+          } else {
+            expect_same(function, units[i].asDiagonal() * again, units[i].asDiagonal() * values, of_rates[i]);
+          }
         }
       }
     }
@@ -112,7 +129,7 @@ class ScaleOfNastyMechanisms : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(ScaleOfNastyMechanisms, KeepsTheDigits) {
   std::uint64_t seed = GetParam();
   NastyMechanism mechanism = nasty_mechanism(seed);
-  while (!mechanism.parameters.empty()) mechanism = nasty_mechanism(seed += 10);
+  while (mechanism.text.find("runtime: true") != std::string::npos) mechanism = nasty_mechanism(seed += 10);
   expect_powers_of_two(mechanism.text);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, ScaleOfNastyMechanisms, testing::Range<std::uint64_t>(1, 11));

@@ -34,7 +34,11 @@ class Scaler {
     wrap_all(root_["gravity"], scale_.length);
     for (auto entry : root_["definitions"]) entry.second = inside(entry.second.as<std::string>());
     for (YAML::Node coordinate : root_["coordinates"]) {
-      if (!coordinate.IsMap() || result_.lengths.count(coordinate["name"].as<std::string>()) == 0) continue;
+      if (!coordinate.IsMap()) continue;
+      const bool is_length = result_.lengths.count(coordinate["name"].as<std::string>()) != 0;
+      if (coordinate["armature"])
+        wrap(coordinate["armature"], scale_.mass + (is_length ? 0 : 2 * scale_.length));
+      if (!is_length) continue;
       for (const char* key : {"initial", "initial_speed"})
         if (coordinate[key]) wrap(coordinate[key], scale_.length);
       if (coordinate["limits"]) wrap_all(coordinate["limits"], scale_.length);

@@ -59,6 +59,16 @@ TEST_F(Lower, CancelledConstantsAreZero) {
   EXPECT_EQ(count(program).arithmetic(), 0u) << dump(program);
 }
 
+TEST_F(Lower, CancelledConstantsKeepTheirDigits) {
+  // 1 - cos(1e-10) is 5e-21, of which long double has nothing left.
+  const Expr angle = graph.rational(*make_rational(1, 10'000'000'000));
+  const Expr left = graph.one() - cos(angle);
+  const Program program = program_of({a / sqrt(left * left), left * b});
+  const std::vector<double> out = run(program, std::vector<double>{1, 1, 0, 0});
+  EXPECT_DOUBLE_EQ(out[0], 2e20);
+  EXPECT_DOUBLE_EQ(out[1], 5e-21);
+}
+
 TEST_F(Lower, ConstantsWithoutAValueAreRefused) {
   const Expr bad = exp(graph.integer(1000));  // finite in extended precision, not in double
   EXPECT_THROW(program_of({bad * a}), InternalError);
