@@ -250,12 +250,8 @@ TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
   for (std::size_t i = 0; i < variables.size(); ++i) change += gradient(0, i) * rates[i];
 
   std::vector<std::pair<Expr, Expr>> no_wrench;
-  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, *loaded.graph)) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      no_wrench.emplace_back(wrench.force[i], loaded.graph->zero());
-      no_wrench.emplace_back(wrench.torque[i], loaded.graph->zero());
-    }
-  }
+  for (const auto& [body, wrench] : wrench_symbols(mechanism, *loaded.graph))
+    for (std::size_t i = 0; i < 6; ++i) no_wrench.emplace_back(wrench[i], loaded.graph->zero());
   const std::vector<Expr> free_force = substitute(equations.Q, no_wrench);
   Expr power = loaded.graph->zero();
   for (std::size_t k = 0; k < nv; ++k)

@@ -84,25 +84,17 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   mass.moment = {{entry(6), entry(7), entry(8)}};
   mass.mass = entry(9);
 
-  std::array<ForceMoment, 4> at;
+  std::array<Wrench, 4> at;
   for (std::size_t k = 0; k < 4; ++k) {
-    at[k] = {zeros<3, 1>(g), zeros<3, 1>(g)};
+    at[k] = zero_wrench(g);
     if ((p.points & bit(k)) != 0) at[k].force = number() * motions[k].acc;
-    if (kMassFrames[k] == p.frame) {
-      const ForceMoment inertia = inertia_forces(motions[k], mass, g);
-      at[k] = {at[k].force + inertia.force, at[k].moment + inertia.moment};
-    }
+    if (kMassFrames[k] == p.frame) at[k] = at[k] + inertia_forces(motions[k], mass, g);
   }
-  ForceMoment total{zeros<3, 1>(g), zeros<3, 1>(g)};
-  if (p.child) total = {symbols(g, "f"), symbols(g, "n")};
-  const auto gather = [&](std::size_t k) {
-    total = {total.force + at[k].force, total.moment + at[k].moment};
-  };
-  gather(3);
-  total.moment = total.moment + cross(offset, total.force);
-  gather(2);
-  total.moment = total.moment + cross(length, total.force);
-  gather(1);
+  Wrench total = zero_wrench(g);
+  if (p.child) total = {symbols(g, "n"), symbols(g, "f")};
+  total = at_offset(total + at[3], offset);
+  total = at_offset(total + at[2], length);
+  total = total + at[1];
   std::vector<Expr> roots;
   if (p.first) {
     // Turned back by the twist, only the moment about the axis is wanted.
@@ -114,7 +106,7 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
       roots.insert(roots.end(), at[0].force.entries.begin(), at[0].force.entries.end());
       roots.insert(roots.end(), at[0].moment.entries.begin(), at[0].moment.entries.end());
     } else {
-      gather(0);
+      total = total + at[0];
     }
     roots.insert(roots.end(), total.force.entries.begin(), total.force.entries.end());
     roots.insert(roots.end(), total.moment.entries.begin(), total.moment.entries.end());

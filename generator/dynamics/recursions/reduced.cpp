@@ -3,7 +3,6 @@
 
 #include "dynamics/recursions/armature.hpp"
 #include "dynamics/recursions/body_forces.hpp"
-#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 
@@ -52,7 +51,7 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
 
 /// Q, to which the forces of the tree's masses and of the wrenches are added.
 std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree,
-                              const std::vector<WrenchSymbols>& wrenches, std::vector<Expr> Q,
+                              const std::vector<NodeWrench>& wrenches, std::vector<Expr> Q,
                               ExprGraph& graph) {
   const std::size_t count = tree.nodes.size();
   const Vec3 zero = zeros<3, 1>(graph);
@@ -68,54 +67,28 @@ std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree
     motions.push_back(next(from, node, scales[i], angular[i], graph));
   }
 
-  // External wrenches are given in world axes: the world rotations of the nodes are made only if there are
-  // any.
-  std::vector<Pose> poses;
-  if (!wrenches.empty()) {
-    for (const MotionNode& node : tree.nodes) {
-      const Pose from = node.parent < 0 ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
-      poses.push_back(node.motion.kind == MotionKind::translation ? from : moved(from, node.motion));
-    }
-  }
-
-  std::vector<Vec3> force(count, zero), moment(count, zero);  // as stored
+  std::vector<Wrench> loads(count, zero_wrench(graph));  // as stored
   for (std::size_t i = 0; i < count; ++i) {
-    const FrameMotion& s = motions[i].frame;
-    if (tree.masses[i].is_zero()) continue;
-    const ForceMoment inertia = inertia_forces(s, tree.masses[i], graph);
-    force[i] = force[i] + inertia.force;
-    moment[i] = moment[i] + inertia.moment;
+    if (!tree.masses[i].is_zero())
+      loads[i] = loads[i] + inertia_forces(motions[i].frame, tree.masses[i], graph);
   }
-  for (const WrenchSymbols& wrench : wrenches) {
-    const BodyPlace& place = tree.places[static_cast<std::size_t>(wrench.body)];
-    if (place.node < 0) continue;
-    const std::size_t i = static_cast<std::size_t>(place.node);
-    const Mat3 world_to_node = transpose(poses[i].rotation);
-    const Vec3 f = world_to_node * wrench.force;
-    const Vec3 c = center_at_node(mechanism.bodies[static_cast<std::size_t>(wrench.body)], place);
-    force[i] = force[i] - scaled_by(scales[i], f);
-    moment[i] = moment[i] - scaled_by(scales[i], world_to_node * wrench.torque + cross(c, f));
+  for (const auto& [i, point, wrench] : wrenches) {
+    const Wrench there = at_offset(wrench, point);
+    loads[i] = {loads[i].moment - scaled_by(scales[i], there.moment),
+                loads[i].force - scaled_by(scales[i], there.force)};
   }
 
   for (std::size_t i = count; i-- > 0;) {
     const MotionNode& node = tree.nodes[i];
-    const bool linear = node.motion.kind == MotionKind::translation;
     const Scale& own = scales[i];
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
       const Vec3 direction = scaled_by(inverse(own), partial.direction);
-      Q[static_cast<std::size_t>(partial.speed)] += dot(direction, linear ? force[i] : moment[i]);
+      Q[static_cast<std::size_t>(partial.speed)] += power_along(node.motion, direction, loads[i]);
     }
     if (node.parent < 0) continue;
     const std::size_t p = static_cast<std::size_t>(node.parent);
-    if (linear) {
-      force[p] = force[p] + force[i];
-      moment[p] = moment[p] + (moment[i] + scaled_cross(node.motion.offset, force[i], own));
-    } else {
-      const ScaledTurn turn(node, scales[p], own);
-      force[p] = force[p] + turn.inward(force[i]);
-      moment[p] = moment[p] + turn.inward(moment[i]);
-    }
+    loads[p] = loads[p] + ScaledTurn(node, scales[p], own).inward(loads[i]);
   }
   return Q;
 }
@@ -124,7 +97,8 @@ std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree
 
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
                                            ExprGraph& graph) {
-  return tree_forces(mechanism, tree, wrench_symbols(mechanism, graph), armature_forces(mechanism), graph);
+  return tree_forces(mechanism, tree, external_wrenches(mechanism, tree, graph), armature_forces(mechanism),
+                     graph);
 }
 
 std::vector<Expr> gravity_forces(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {

@@ -76,6 +76,18 @@ Scale scale_after(const MotionTree& tree, std::size_t k, const Scale& parent) {
   return own;
 }
 
+/// D (t x D^-1 f): the moment of a stored force, as stored.
+Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale) {
+  Vec3 out;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+    const Expr first = times(scale[x] / scale[z], t[y]) * f[z];
+    const Expr second = times(scale[x] / scale[y], t[z]) * f[y];
+    out[x] = first - second;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<int> scalable_turns(const MotionTree& tree) {
@@ -201,6 +213,12 @@ Vec3 ScaledTurn::inward(const Vec3& v) const {
   return out;
 }
 
+Wrench ScaledTurn::inward(const Wrench& x) const {
+  if (node_.motion.kind == MotionKind::translation)
+    return {x.moment + scaled_cross(node_.motion.offset, x.force, own_), x.force};
+  return {inward(x.moment), inward(x.force)};
+}
+
 Scale carried_inward(const MotionNode& node, const Scale& scale, const Scale& parent, bool begun) {
   const Motion& motion = node.motion;
   switch (motion.kind) {
@@ -234,17 +252,6 @@ Expr times(double factor, Expr x) {
 Vec3 scaled_by(const Scale& factor, const Vec3& v) {
   Vec3 out;
   for (std::size_t k = 0; k < 3; ++k) out[k] = times(factor[k], v[k]);
-  return out;
-}
-
-Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale) {
-  Vec3 out;
-  for (std::size_t x = 0; x < 3; ++x) {
-    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
-    const Expr first = times(scale[x] / scale[z], t[y]) * f[z];
-    const Expr second = times(scale[x] / scale[y], t[z]) * f[y];
-    out[x] = first - second;
-  }
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
@@ -45,6 +46,8 @@ class ScaledTurn {
       : node_(node), parent_(parent), own_(own), scaled_(node.scaled && begun) {}
   Vec3 outward(const Vec3& v) const;
   Vec3 inward(const Vec3& v) const;
+  /// The same wrench about the parent's origin.
+  Wrench inward(const Wrench& x) const;
 
  private:
   Expr cosine(std::size_t k) const;
@@ -58,8 +61,6 @@ Expr times(double factor, Expr x);
 /// factor v, component by component.
 Vec3 scaled_by(const Scale& factor, const Vec3& v);
 Scale inverse(const Scale& scale);
-/// D (t x D^-1 f): the moment of a stored force, as stored.
-Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale);
 
 /// The scale of a force that is carried inward through a node from `scale`, where it need not be that of the
 /// accelerations: what it makes of a moving rotation's sine and cosine is what D of the parent asks for, if
