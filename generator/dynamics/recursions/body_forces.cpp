@@ -40,8 +40,7 @@ namespace {
 
 /// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may
 /// be written with J instead.
-Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g) {
-  const Mat3& J = mass.inertia;
+Vec3 rotational_moment(const FrameMotion& s, const Mat3& J, const MomentForms& forms, ExprGraph& g) {
   const Expr half = g.rational(Rational(1, 2));
   Expr trace = J(0, 0) + J(1, 1);
   trace += J(2, 2);
@@ -58,7 +57,7 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
     n[x] += s.U(y, x) * times(d, J(x, z));
     const Expr difference = squares[z] - squares[y];  // U_zz - U_yy
     n[x] -= difference * times(d, J(y, z));
-    switch (mass.forms[x]) {
+    switch (forms[x]) {
       case MomentForm::pseudo_inertia:
         n[x] += s.U(z, y) * times(d, K[y]);
         n[x] -= s.U(y, z) * times(d, K[z]);
@@ -74,10 +73,11 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
 
 }  // namespace
 
-Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph) {
+Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
+                      ExprGraph& graph) {
   const Scale& d = motion.scale;
   const Vec3& h = mass.moment;
-  Wrench out{rotational_moment(motion, mass, graph), {}};
+  Wrench out{rotational_moment(motion, mass.inertia, forms, graph), {}};
   for (std::size_t x = 0; x < 3; ++x) {
     const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
     Expr sum = motion.U(x, 0) * times(d[x], h[0]);

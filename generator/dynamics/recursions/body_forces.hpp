@@ -7,6 +7,7 @@
 #pragma once
 
 #include "dynamics/rewrites/scaled_vectors.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
 
@@ -27,7 +28,8 @@ struct FrameMotion {
 };
 
 /// f = m acc + U h;  n = J al + om x J om + h x acc, about the frame's origin; as stored: D f, D n.
-Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph);
+Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
+                      ExprGraph& graph);
 
 /// An external wrench on a body that is fixed to a node, in the node's axes: about the centre of mass at `point`.
 struct NodeWrench {

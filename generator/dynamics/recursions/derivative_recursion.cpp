@@ -62,10 +62,11 @@ struct MovingComposite {
 
 class Recursion {
  public:
-  Recursion(const Mechanism& mechanism, const MotionTree& tree, const SpeedDerivatives& derivatives,
+  Recursion(const Mechanism& mechanism, const WrittenTree& written, const SpeedDerivatives& derivatives,
             ExprGraph& graph, FarPairs far)
       : mechanism_(mechanism),
-        tree_(tree),
+        tree_(written.tree),
+        moments_(written.moments),
         derivatives_(derivatives),
         graph_(graph),
         none_(zeros<3, 1>(graph)),
@@ -123,6 +124,7 @@ class Recursion {
 
   const Mechanism& mechanism_;
   const MotionTree& tree_;
+  const std::vector<MomentForms>& moments_;
   const SpeedDerivatives& derivatives_;
   ExprGraph& graph_;
   Vec3 none_;
@@ -228,8 +230,9 @@ MovingComposite Recursion::own(std::size_t i) const {
 void Recursion::collect_own() {
   for (std::size_t i = 0; i < size(); ++i) {
     composites_.push_back(own(i));
-    loads_.push_back(tree_.masses[i].is_zero() ? zero_wrench(graph_)
-                                               : inertia_forces(frames_[i], tree_.masses[i], graph_));
+    loads_.push_back(tree_.masses[i].is_zero()
+                         ? zero_wrench(graph_)
+                         : inertia_forces(frames_[i], tree_.masses[i], moments_[i], graph_));
   }
   for (const auto& [i, point, wrench] : external_wrenches(mechanism_, tree_, graph_)) {
     const Vec3 torque = none_ - wrench.moment;
@@ -408,10 +411,10 @@ void Recursion::add_pairs(std::size_t i, const Mover& mover) {
 
 }  // namespace
 
-std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const MotionTree& tree,
+std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const WrittenTree& written,
                                               const SpeedDerivatives& derivatives, ExprGraph& graph,
                                               FarPairs far) {
-  return Recursion(mechanism, tree, derivatives, graph, far).run();
+  return Recursion(mechanism, written, derivatives, graph, far).run();
 }
 
 }  // namespace alembert

@@ -37,19 +37,19 @@ std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& 
 
 }  // namespace
 
-std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,
-                                        FarPairs far) {
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const WrittenTree& written,
+                                        ExprGraph& graph, FarPairs far) {
+  const auto& [tree, moments, scaling] = written;
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   const std::size_t count = tree.nodes.size();
   std::vector<Composite> composites(count, {graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)});
   UnitMotions units;
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
-  const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far), graph);
+  const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far, scaling), graph);
   for (std::size_t i = 0; i < count; ++i) {
     composites[i] = composite(tree.masses[i], graph);
   }
 
-  const std::vector<Scale> scales = node_scales(tree);
   std::vector<Expr> M(nv * nv, graph.zero());
   const auto add = [&](const UnitMotion& x, const UnitMotion& y, bool same, Expr value) {
     for (const auto& [k, wk] : x.weights) {
@@ -92,9 +92,10 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
           break;
         }
         begun = begun || (j != i && !at.partials.empty());
+        const bool scaled = scaling.is_scaled(j);
         j = static_cast<std::size_t>(at.parent);
-        const Scale next = carried_inward(at, scale, scales[j], begun);
-        momentum = ScaledTurn(at, next, scale, begun).inward(momentum);
+        const Scale next = carried_inward(at, scaled, scale, scaling.of_vectors(j), begun);
+        momentum = ScaledTurn(at.motion, scaled && begun, next, scale).inward(momentum);
         scale = next;
         for (const UnitMotion& unit : units[j]) {
           const Vec3 direction = scaled_by(inverse(scale), unit.direction);

@@ -32,14 +32,13 @@ struct MotionCosts {
   Cost carried;  ///< a momentum to the parent's frame
   Cost posed;    ///< a pose from one frame to the next
 };
-MotionCosts costs_of(const MotionNode& node) {
-  const Motion& motion = node.motion;
+MotionCosts costs_of(const Motion& motion, bool scaled) {
   switch (motion.kind) {
     case MotionKind::translation:
       return {4 * nonzeros(motion.offset), 6 * nonzeros(motion.offset)};
     case MotionKind::axis_rotation:
       if (is_quarter_turn(motion)) return {0, 0};
-      return {node.scaled ? 8 : 12, 18};
+      return {scaled ? 8 : 12, 18};
     case MotionKind::rotation:
       return {30, 45};
   }
@@ -77,10 +76,10 @@ UnitCosts costs_of(const MotionNode& node, std::span<const UnitMotion> units) {
 
 class Planner {
  public:
-  Planner(const MotionTree& tree, const UnitMotions& units, TurningCosts turning)
+  Planner(const MotionTree& tree, const UnitMotions& units, const Scaling& scaling, TurningCosts turning)
       : tree_(tree), turning_(turning), count_(tree.nodes.size()) {
     for (std::size_t k = 0; k < count_; ++k) {
-      motions_.push_back(costs_of(tree.nodes[k]));
+      motions_.push_back(costs_of(tree.nodes[k].motion, scaling.is_scaled(k)));
       units_.push_back(costs_of(tree.nodes[k], units[k]));
       numbers_.push_back(units_[k].number);
       const int parent = tree.nodes[k].parent;
@@ -245,14 +244,15 @@ std::size_t point_on_axis(const MotionTree& tree, std::size_t node) {
 
 }  // namespace
 
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far) {
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far,
+                          const Scaling& scaling) {
   switch (far) {
     case FarPairs::carry:
       return MeetingPlan(tree.nodes.size(), -1);
     case FarPairs::meet:
-      return Planner(tree, units, kGeneric).plan();
+      return Planner(tree, units, scaling, kGeneric).plan();
     case FarPairs::meet_sooner:
-      return Planner(tree, units, kSparse).plan();
+      return Planner(tree, units, scaling, kSparse).plan();
   }
   return {};
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/rewrites/scaled_vectors.hpp"
 #include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
@@ -38,7 +39,8 @@ using MeetingPlan = std::vector<int>;
 
 /// The plan that takes the fewest operations by an estimate; -1 for all where carrying takes no more. Between
 /// simple joints poses and momenta have zeros; `meet_sooner` counts on them.
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far);
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far,
+                          const Scaling& scaling = {});
 
 /// Poses and twists in the meeting frames of a plan.
 class MeetingFrames {

@@ -16,8 +16,9 @@ struct NodeMotion {
   Scale angular;
 };
 
-NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& scale, const Scale& angular,
-                ExprGraph& g) {
+NodeMotion next(const NodeMotion& before, const WrittenTree& written, std::size_t i, ExprGraph& g) {
+  const MotionNode& node = written.tree.nodes[i];
+  const Scale &scale = written.scaling.of_vectors(i), &angular = written.scaling.of_angular(i);
   const FrameMotion& from = before.frame;
   if (node.motion.kind == MotionKind::translation) {
     // acc + U t + 2 om x tdot + tddot
@@ -30,7 +31,7 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
     out.frame.acc = acc;
     return out;
   }
-  const Vec3 acc = ScaledTurn(node, from.scale, scale).outward(from.acc);
+  const Vec3 acc = ScaledTurn(node.motion, written.scaling.is_scaled(i), from.scale, scale).outward(from.acc);
   Vec3 om, al;
   const bool scaled = before.angular != kUnscaled || angular != kUnscaled;
   if (node.motion.kind == MotionKind::rotation || !scaled) {
@@ -39,7 +40,7 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
     al = node.motion.to_child(from.al) + cross(om, node.velocity);
   } else {
     // The same about an axis, which the rotation leaves as it is: al = E^T (al_p + om_p x omJ) + d(omJ)/dt
-    const ScaledTurn turn(node, before.angular, angular, false);
+    const ScaledTurn turn(node.motion, false, before.angular, angular);
     om = turn.outward(before.om);
     al = turn.outward(before.al + scaled_by(inverse(before.angular), cross(from.om, node.velocity)));
   }
@@ -50,9 +51,10 @@ NodeMotion next(const NodeMotion& before, const MotionNode& node, const Scale& s
 }
 
 /// Q, to which the forces of the tree's masses and of the wrenches are added.
-std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree,
+std::vector<Expr> tree_forces(const Mechanism& mechanism, const WrittenTree& written,
                               const std::vector<NodeWrench>& wrenches, std::vector<Expr> Q,
                               ExprGraph& graph) {
+  const auto& [tree, moments, scaling] = written;
   const std::size_t count = tree.nodes.size();
   const Vec3 zero = zeros<3, 1>(graph);
   const Vec3 acceleration{{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}};
@@ -60,27 +62,27 @@ std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree
 
   std::vector<NodeMotion> motions;
   motions.reserve(count);
-  const std::vector<Scale> scales = node_scales(tree), angular = angular_scales(tree);
   for (std::size_t i = 0; i < count; ++i) {
     const MotionNode& node = tree.nodes[i];
     const NodeMotion& from = node.parent < 0 ? root : motions[static_cast<std::size_t>(node.parent)];
-    motions.push_back(next(from, node, scales[i], angular[i], graph));
+    motions.push_back(next(from, written, i, graph));
   }
 
   std::vector<Wrench> loads(count, zero_wrench(graph));  // as stored
   for (std::size_t i = 0; i < count; ++i) {
     if (!tree.masses[i].is_zero())
-      loads[i] = loads[i] + inertia_forces(motions[i].frame, tree.masses[i], graph);
+      loads[i] = loads[i] + inertia_forces(motions[i].frame, tree.masses[i], moments[i], graph);
   }
   for (const auto& [i, point, wrench] : wrenches) {
     const Wrench there = at_offset(wrench, point);
-    loads[i] = {loads[i].moment - scaled_by(scales[i], there.moment),
-                loads[i].force - scaled_by(scales[i], there.force)};
+    const Scale& scale = scaling.of_vectors(i);
+    loads[i] = {loads[i].moment - scaled_by(scale, there.moment),
+                loads[i].force - scaled_by(scale, there.force)};
   }
 
   for (std::size_t i = count; i-- > 0;) {
     const MotionNode& node = tree.nodes[i];
-    const Scale& own = scales[i];
+    const Scale& own = scaling.of_vectors(i);
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
       const Vec3 direction = scaled_by(inverse(own), partial.direction);
@@ -88,22 +90,23 @@ std::vector<Expr> tree_forces(const Mechanism& mechanism, const MotionTree& tree
     }
     if (node.parent < 0) continue;
     const std::size_t p = static_cast<std::size_t>(node.parent);
-    loads[p] = loads[p] + ScaledTurn(node, scales[p], own).inward(loads[i]);
+    const ScaledTurn turn(node.motion, scaling.is_scaled(i), scaling.of_vectors(p), own);
+    loads[p] = loads[p] + turn.inward(loads[i]);
   }
   return Q;
 }
 
 }  // namespace
 
-std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
+std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const WrittenTree& written,
                                            ExprGraph& graph) {
-  return tree_forces(mechanism, tree, external_wrenches(mechanism, tree, graph), armature_forces(mechanism),
-                     graph);
+  return tree_forces(mechanism, written, external_wrenches(mechanism, written.tree, graph),
+                     armature_forces(mechanism), graph);
 }
 
-std::vector<Expr> gravity_forces(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
-  MotionTree still = tree;
-  for (MotionNode& node : still.nodes) node.velocity = node.acceleration = zeros<3, 1>(graph);
+std::vector<Expr> gravity_forces(const Mechanism& mechanism, const WrittenTree& written, ExprGraph& graph) {
+  WrittenTree still = written;
+  for (MotionNode& node : still.tree.nodes) node.velocity = node.acceleration = zeros<3, 1>(graph);
   const std::vector<Expr> none(static_cast<std::size_t>(mechanism.nv), graph.zero());
   return tree_forces(mechanism, still, {}, none, graph);
 }
