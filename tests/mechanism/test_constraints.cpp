@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/loaded.hpp"
+#include "mechanism/mate.hpp"
 #include "symbolic/coefficient.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/substitute.hpp"
@@ -183,7 +184,7 @@ TEST(Constraints, FindTheMateThatRolls) {
       const Body& body = loaded.mechanism.bodies.at(static_cast<std::size_t>(constraint.body));
       EXPECT_EQ(body.name, inverted ? "ground" : "ball");
       EXPECT_EQ(constraint.factor, 2u);
-      EXPECT_TRUE(std::holds_alternative<Mate>(body.transform.factors.at(constraint.factor).value));
+      EXPECT_TRUE(mate_at(body.transform, constraint.factor).has_value());
     }
 }
 
