@@ -198,6 +198,17 @@ TEST(Constraints, RollOnTheWorld) {
   EXPECT_EQ(loaded.mechanism.constraints.at(0).factor, 0u);
 }
 
+TEST(Constraints, FindAMateThatIsWrittenOut) {
+  Loaded loaded(
+      "alembert: 1\nname: one\ncoordinates: [u1, v1, u2, v2, s]\nbodies:\n"
+      "  - {name: ball, mass: 1, transform: [{surface: {point: [u2, v2, 0], along: [u2, v2]}}, "
+      "{rotate: {axis: z, angle: s}}, {inverse: [{surface: {point: [u1, v1, u1*v1], along: [u1, v1]}}]}]}\n"
+      "constraints:\n  - {name: roll, type: rolling, of: [ball, u1, v1], on: [world, u2, v2]}\n");
+  const Mate mate = mate_at(loaded.mechanism.bodies.at(0).transform, 0).value();
+  EXPECT_EQ(mate.spin, loaded.symbol("s"));
+  EXPECT_EQ(mate.second.u, loaded.symbol("u1"));
+}
+
 TEST(Constraints, RefuseMatesThatMoveOtherwise) {
   EXPECT_NE(error_of(rolling("of: [ball, u1, v1], on: [ground, u2, v2]", false, "{translate: [t, 0, 0]}, "))
                 .find("moves apart from the mate"),
