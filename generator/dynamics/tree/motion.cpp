@@ -126,6 +126,16 @@ Motion quaternion_rotation(const Mechanism& mechanism, int coordinate) {
   return motion;
 }
 
+Vec3 turned_about(int axis, Expr cosine, Expr sine, const Vec3& v) {
+  const std::size_t i = static_cast<std::size_t>(axis + 1) % 3, j = static_cast<std::size_t>(axis + 2) % 3;
+  Vec3 out = v;
+  const Expr ci = cosine * v[i], sj = sine * v[j];
+  out[i] = ci - sj;
+  const Expr si = sine * v[i], cj = cosine * v[j];
+  out[j] = si + cj;
+  return out;
+}
+
 bool is_identity(const Motion& motion, ExprGraph& g) {
   switch (motion.kind) {
     case MotionKind::translation:
@@ -165,16 +175,8 @@ Vec3 Motion::to_parent(const Vec3& v) const {
   switch (kind) {
     case MotionKind::translation:
       return v;
-    case MotionKind::axis_rotation: {
-      const std::size_t i = static_cast<std::size_t>(axis + 1) % 3,
-                        j = static_cast<std::size_t>(axis + 2) % 3;
-      Vec3 out = v;
-      const Expr ci = cosine * v[i], sj = sine * v[j];
-      out[i] = ci - sj;
-      const Expr si = sine * v[i], cj = cosine * v[j];
-      out[j] = si + cj;
-      return out;
-    }
+    case MotionKind::axis_rotation:
+      return turned_about(axis, cosine, sine, v);
     case MotionKind::rotation:
       return matrix * v;
   }
@@ -185,16 +187,8 @@ Vec3 Motion::to_child(const Vec3& v) const {
   switch (kind) {
     case MotionKind::translation:
       return v;
-    case MotionKind::axis_rotation: {
-      const std::size_t i = static_cast<std::size_t>(axis + 1) % 3,
-                        j = static_cast<std::size_t>(axis + 2) % 3;
-      Vec3 out = v;
-      const Expr ci = cosine * v[i], sj = sine * v[j];
-      out[i] = ci + sj;
-      const Expr si = sine * v[i], cj = cosine * v[j];
-      out[j] = cj - si;
-      return out;
-    }
+    case MotionKind::axis_rotation:
+      return turned_about(axis, cosine, -sine, v);
     case MotionKind::rotation:
       return transpose(matrix) * v;
   }
