@@ -34,17 +34,23 @@ struct Ingredients {
 /// The entries of each result, row by row.
 using Results = std::vector<std::vector<Expr>>;
 
-/// What `make` gives for a tree of motions: for the one that takes the fewest operations.
+/// What `make(i)` gives for one of so many trees of motions: for the one that takes the fewest operations.
+/// Unweighted and without sines and cosines, as lengths are (ProgramLengths).
 template <class Make>
-Results for_shortest_tree(const Ingredients& given, Make make) {
-  std::vector<Expr> shortest = make(given.mechanism(), *given.trees.front(), given.graph());
-  if (given.trees.size() == 1) return {shortest};
+Results shortest_of(std::size_t trees, Make make) {
+  std::vector<Expr> shortest = make(0);
+  if (trees == 1) return {shortest};
   shortest = value_number(shortest);
-  for (std::size_t i = 1; i < given.trees.size(); ++i) {
-    std::vector<Expr> other = value_number(make(given.mechanism(), *given.trees[i], given.graph()));
+  for (std::size_t i = 1; i < trees; ++i) {
+    std::vector<Expr> other = value_number(make(i));
     if (count_operations(other).total() < count_operations(shortest).total()) shortest = std::move(other);
   }
   return {shortest};
+}
+template <class Make>
+Results for_shortest_tree(const Ingredients& given, Make make) {
+  return shortest_of(given.trees.size(),
+                     [&](std::size_t i) { return make(given.mechanism(), *given.trees[i], given.graph()); });
 }
 
 /// M^-1 of the right side, by the way that takes fewer operations.
@@ -85,9 +91,12 @@ Results build_forward_dynamics(const Ingredients& given) {
 }
 
 Results build_gravity(const Ingredients& given) {
-  Ingredients with_regrouped = given;
-  if (given.equations->tree) with_regrouped.trees.push_back(&*given.equations->tree);
-  return for_shortest_tree(with_regrouped, gravity_forces);
+  std::vector<WrittenTree> trees;
+  for (const MotionTree* tree : given.trees) trees.emplace_back(*tree);
+  if (given.equations->tree) trees.push_back(*given.equations->tree);
+  return shortest_of(trees.size(), [&](std::size_t i) {
+    return gravity_forces(given.mechanism(), trees[i], given.graph());
+  });
 }
 
 Results build_applied_forces(const Ingredients& given) {

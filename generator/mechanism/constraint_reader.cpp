@@ -10,6 +10,7 @@
 
 #include "mechanism/bodies.hpp"
 #include "mechanism/coordinates.hpp"
+#include "mechanism/mate.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
 #include "mechanism/symbols_below.hpp"
@@ -96,7 +97,7 @@ std::string along(const SurfaceFrame& surface) {
 void check_rolling(const Mechanism& mechanism, const Constraint& constraint, const SymbolsBelow& below) {
   const Body& body = mechanism.bodies[static_cast<std::size_t>(constraint.body)];
   for (std::size_t i = 0; i < body.transform.factors.size(); ++i) {
-    if (i == constraint.factor) continue;
+    if (i >= constraint.factor && i < constraint.factor + kMateFactors) continue;
     for (const Expr& x : expressions_of(body.transform.factors[i], mechanism))
       if (moves(below.kinds(x)))
         throw InputError(
@@ -107,7 +108,7 @@ void check_rolling(const Mechanism& mechanism, const Constraint& constraint, con
             "them");
   }
   const Factor& factor = body.transform.factors[constraint.factor];
-  const Mate& mate = std::get<Mate>(factor.value);
+  const Mate mate = *mate_at(body.transform, constraint.factor);
   for (const SurfaceFrame* surface : {&mate.first, &mate.second}) {
     std::vector<int> own = below.coordinates(surface->u);
     SymbolsBelow::merge(own, below.coordinates(surface->v));
@@ -186,17 +187,17 @@ struct RollingReader {
   /// Looks in the transform of `child` for the mate of its surface, the second, with its parent's.
   void find_mate(const Side& child, const Side& parent) const {
     const Body& body = loading.mechanism.bodies[static_cast<std::size_t>(child.body)];
-    const Mate* other = nullptr;
+    std::optional<Mate> other;
     for (std::size_t i = 0; i < body.transform.factors.size(); ++i) {
-      const Mate* mate = std::get_if<Mate>(&body.transform.factors[i].value);
-      if (mate == nullptr) continue;
+      const std::optional<Mate> mate = mate_at(body.transform, i);
+      if (!mate) continue;
       other = mate;
       if (!lies_along(mate->first, parent) || !lies_along(mate->second, child)) continue;
       constraint.body = child.body;
       constraint.factor = i;
       return;
     }
-    if (other == nullptr)
+    if (!other)
       fail(*of.node, fmt::format("the transform of body '{}' has no mate that could roll", body.name),
            "a mate inside of 'inverse' is not looked for");
     const bool first_fits = lies_along(other->first, parent);

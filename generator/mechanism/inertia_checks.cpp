@@ -15,6 +15,8 @@
 #include "mechanism/symbols_below.hpp"
 #include "mechanism/transform_checks.hpp"
 #include "mechanism/transforms.hpp"
+#include "support/error.hpp"
+#include "support/overloaded.hpp"
 #include "symbolic/evaluate.hpp"
 
 namespace alembert {
@@ -120,7 +122,9 @@ class InertiaChecks {
     std::vector<Expr> entries;
     for (const Body& body : bodies_) {
       constant.push_back(is_constant(body.transform, below));
-      if (constant.back()) append_entries(body.transform, entries);
+      if (!constant.back()) continue;
+      const std::vector<Expr> own = expressions_of(body.transform.factors, loading_.mechanism);
+      entries.insert(entries.end(), own.begin(), own.end());
     }
     const std::vector<double> values = evaluate(entries, symbols_);
     const double* next = values.data();
@@ -140,57 +144,38 @@ class InertiaChecks {
   }
 
   bool is_constant(const Transform& transform, const SymbolsBelow& below) const {
-    return std::ranges::none_of(transform.factors, [&](const Factor& factor) {
-      return std::ranges::any_of(expressions_of(factor, loading_.mechanism),
-                                 [&](const Expr& x) { return moves(below.kinds(x)); });
-    });
+    return std::ranges::none_of(expressions_of(transform.factors, loading_.mechanism),
+                                [&](const Expr& x) { return moves(below.kinds(x)); });
   }
 
-  /// What the pose of factors that are constant is made of, in the order in which pose_of takes it.
-  static void append_entries(const Transform& transform, std::vector<Expr>& out) {
-    const auto append = [&](const auto& matrix) {
-      out.insert(out.end(), matrix.entries.begin(), matrix.entries.end());
-    };
-    for (const Factor& factor : transform.factors) {
-      if (const auto* shift = std::get_if<Translation>(&factor.value)) {
-        append(shift->offset);
-      } else if (const auto* turn = std::get_if<AxisRotation>(&factor.value)) {
-        out.push_back(turn->angle);
-      } else if (const auto* about = std::get_if<VectorRotation>(&factor.value)) {
-        append(about->axis);
-        out.push_back(about->angle);
-      } else if (const auto* matrix = std::get_if<RigidMatrix>(&factor.value)) {
-        append(matrix->rotation);
-        append(matrix->translation);
-      } else if (const auto* inverse = std::get_if<Inverse>(&factor.value)) {
-        append_entries(*inverse->of, out);
-      }
-    }
-  }
-
+  /// The pose of factors that are constant, from the values of their expressions, which are read off `next`.
   static Eigen::Isometry3d pose_of(const Transform& transform, const double*& next) {
+    using Eigen::Isometry3d, Eigen::Vector3d, Eigen::AngleAxisd;
     const auto vector = [&] {
       next += 3;
-      return Eigen::Vector3d(next - 3);
+      return Vector3d(next - 3);
     };
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    const Overloaded pose_of_value{
+        [&](const Translation&) { return Isometry3d(Eigen::Translation3d(vector())); },
+        [&](const AxisRotation& turn) { return Isometry3d(AngleAxisd(*next++, Vector3d::Unit(turn.axis))); },
+        [&](const VectorRotation&) {
+          const Vector3d axis = vector();
+          return Isometry3d(AngleAxisd(*next++, axis.normalized()));
+        },
+        [&](const RigidMatrix&) {
+          Isometry3d rigid = Isometry3d::Identity();
+          rigid.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(next);
+          next += 9;
+          rigid.translation() = vector();
+          return rigid;
+        },
+        [](const OneOf<QuaternionRotation, CurveFrame, SurfaceFrame> auto&) -> Isometry3d {
+          throw InternalError("a frame that always moves is taken for a constant");
+        }};
+    Isometry3d pose = Isometry3d::Identity();
     for (const Factor& factor : transform.factors) {
-      if (std::holds_alternative<Translation>(factor.value)) {
-        pose.translate(vector());
-      } else if (const auto* turn = std::get_if<AxisRotation>(&factor.value)) {
-        pose.rotate(Eigen::AngleAxisd(*next++, Eigen::Vector3d::Unit(turn->axis)));
-      } else if (std::holds_alternative<VectorRotation>(factor.value)) {
-        const Eigen::Vector3d axis = vector();
-        pose.rotate(Eigen::AngleAxisd(*next++, axis.normalized()));
-      } else if (std::holds_alternative<RigidMatrix>(factor.value)) {
-        Eigen::Isometry3d rigid = Eigen::Isometry3d::Identity();
-        rigid.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(next);
-        next += 9;
-        rigid.translation() = vector();
-        pose = pose * rigid;
-      } else if (const auto* inverse = std::get_if<Inverse>(&factor.value)) {
-        pose = pose * pose_of(*inverse->of, next).inverse();
-      }
+      const Isometry3d own = std::visit(pose_of_value, factor.value);
+      pose = pose * (factor.inverse ? own.inverse() : own);
     }
     return pose;
   }

@@ -14,40 +14,10 @@
 namespace alembert {
 namespace {
 
-/// What a type of joint takes. `coordinates` names them in order.
-struct JointType {
-  std::string_view name;
-  std::string_view coordinates;
-  int count;
-  bool axis, axes, pitch;
-};
-constexpr std::array kJointTypes = {
-    JointType{"revolute", "[angle]", 1, true, false, false},
-    JointType{"prismatic", "[shift]", 1, true, false, false},
-    JointType{"helical", "[angle]", 1, true, false, true},
-    JointType{"cylindrical", "[angle, shift]", 2, true, false, false},
-    JointType{"universal", "[first angle, second angle]", 2, false, true, false},
-    JointType{"planar", "[x, y, angle]", 3, false, false, false},
-    JointType{"spherical", "[quaternion]", 1, false, false, false},
-    JointType{"free", "[x, y, z, quaternion]", 4, false, false, false},
-};
-
-const JointType& read_joint_type(const Document& document, const YamlNode& node) {
-  const std::string& text = expect_text(document, node, "the type of a joint");
-  for (const JointType& type : kJointTypes)
-    if (type.name == text) return type;
-  std::vector<std::string> known;
-  for (const JointType& type : kJointTypes) known.emplace_back(type.name);
-  throw InputError(document.where(node),
-                   fmt::format("unknown joint type '{}'{}", printable(text), did_you_mean(text, known)),
-                   fmt::format("joints are {}", fmt::join(known, ", ")));
-}
-
 /// One joint while its factors are being made.
 struct JointReader {
   Loading& loading;
   const Section& section;
-  const JointType& type;
   std::string what;
   const std::vector<const YamlNode*>& names;
   SourceLocation where;
@@ -64,7 +34,20 @@ struct JointReader {
                            : coordinate_axis(loading.graph, 2);
   }
   void append(Factor factor) const { transform.factors.push_back(std::move(factor)); }
+  void turn(const Axis& axis, std::size_t i) const { append(rotation_about(axis, real(i), where)); }
+  void slide(const Axis& axis, const Expr& distance) const { append(shift_along(axis, distance, where)); }
+  void turn_by_quaternion(std::size_t i) const { append(rotation_by_quaternion(loading, *names[i], what)); }
 
+  void helix() const {
+    const Axis about = axis();
+    const Expr angle = real(0);
+    const Expr pitch =
+        loading.reader
+            .read(section.require("pitch"), Allowed::parameters, fmt::format("the pitch of {}", what))
+            .expr;
+    append(rotation_about(about, angle, where));
+    slide(about, pitch * angle);
+  }
   void universal() const {
     Axis first = coordinate_axis(loading.graph, 0), second = coordinate_axis(loading.graph, 1);
     if (const YamlNode* node = section.find("axes")) {
@@ -76,15 +59,65 @@ struct JointReader {
       if (normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero())
         throw InputError(loading.document.where(*node), fmt::format("{} are parallel", what_axes));
     }
-    append(rotation_about(first, real(0), where));
-    append(rotation_about(second, real(1), where));
+    turn(first, 0);
+    turn(second, 1);
   }
-  Factor shift(std::size_t count) const {
+  void shift(std::size_t count) const {
     Vec3 offset = zeros<3, 1>(loading.graph);
     for (std::size_t i = 0; i < count; ++i) offset[i] = real(i);
-    return {Translation{offset}, where};
+    append({Translation{offset}, where});
   }
 };
+
+/// What a type of joint takes, and the factors it stands for. `coordinates` names them in order.
+struct JointType {
+  std::string_view name;
+  std::string_view coordinates;
+  int count;
+  bool axis, axes, pitch;
+  void (*append)(const JointReader& joint);
+};
+constexpr std::array kJointTypes = {
+    JointType{"revolute", "[angle]", 1, true, false, false,
+              [](const JointReader& joint) { joint.turn(joint.axis(), 0); }},
+    JointType{"prismatic", "[shift]", 1, true, false, false,
+              [](const JointReader& joint) {
+                const Axis axis = joint.axis();
+                joint.slide(axis, joint.real(0));
+              }},
+    JointType{"helical", "[angle]", 1, true, false, true, [](const JointReader& joint) { joint.helix(); }},
+    JointType{"cylindrical", "[angle, shift]", 2, true, false, false,
+              [](const JointReader& joint) {
+                const Axis axis = joint.axis();
+                joint.turn(axis, 0);
+                joint.slide(axis, joint.real(1));
+              }},
+    JointType{"universal", "[first angle, second angle]", 2, false, true, false,
+              [](const JointReader& joint) { joint.universal(); }},
+    JointType{"planar", "[x, y, angle]", 3, false, false, false,
+              [](const JointReader& joint) {
+                joint.shift(2);
+                joint.turn(coordinate_axis(joint.loading.graph, 2), 2);
+              }},
+    JointType{"spherical", "[quaternion]", 1, false, false, false,
+              [](const JointReader& joint) { joint.turn_by_quaternion(0); }},
+    JointType{"free", "[x, y, z, quaternion]", 4, false, false, false,
+              [](const JointReader& joint) {
+                joint.shift(3);
+                joint.turn_by_quaternion(3);
+              }},
+};
+
+const JointType& read_joint_type(const Document& document, const YamlNode& node) {
+  const std::string& text = expect_text(document, node, "the type of a joint");
+  for (const JointType& type : kJointTypes)
+    if (type.name == text) return type;
+  std::vector<std::string> known;
+  for (const JointType& type : kJointTypes) known.emplace_back(type.name);
+  throw InputError(document.where(node),
+                   fmt::format("unknown joint type '{}'{}", printable(text), did_you_mean(text, known)),
+                   fmt::format("joints are {}", fmt::join(known, ", ")));
+}
 
 }  // namespace
 
@@ -107,37 +140,7 @@ void append_joint(Loading& loading, const YamlNode& node, const std::string& wha
         throw InputError(document.where(*names[i]),
                          fmt::format("coordinate '{}' twice in {}", printable(names[i]->text), what_joint));
 
-  const JointReader joint{loading, section, type, what_joint, names, document.where(node), transform};
-  if (type.name == "revolute") {
-    const Axis axis = joint.axis();
-    joint.append(rotation_about(axis, joint.real(0), joint.where));
-  } else if (type.name == "prismatic") {
-    const Axis axis = joint.axis();
-    joint.append(shift_along(axis, joint.real(0), joint.where));
-  } else if (type.name == "helical") {
-    const Axis axis = joint.axis();
-    const Expr angle = joint.real(0);
-    const Expr pitch =
-        loading.reader
-            .read(section.require("pitch"), Allowed::parameters, fmt::format("the pitch of {}", what_joint))
-            .expr;
-    joint.append(rotation_about(axis, angle, joint.where));
-    joint.append(shift_along(axis, pitch * angle, joint.where));
-  } else if (type.name == "cylindrical") {
-    const Axis axis = joint.axis();
-    joint.append(rotation_about(axis, joint.real(0), joint.where));
-    joint.append(shift_along(axis, joint.real(1), joint.where));
-  } else if (type.name == "universal") {
-    joint.universal();
-  } else if (type.name == "planar") {
-    joint.append(joint.shift(2));
-    joint.append(rotation_about(coordinate_axis(loading.graph, 2), joint.real(2), joint.where));
-  } else if (type.name == "spherical") {
-    joint.append(rotation_by_quaternion(loading, *names[0], what_joint));
-  } else {
-    joint.append(joint.shift(3));
-    joint.append(rotation_by_quaternion(loading, *names[3], what_joint));
-  }
+  type.append({loading, section, what_joint, names, document.where(node), transform});
 }
 
 }  // namespace alembert

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -50,8 +49,6 @@ struct Coordinate {
   SourceLocation where;
 };
 
-struct Transform;
-
 /// Shift by `offset`, in the axes reached so far.
 struct Translation {
   Vec3 offset;
@@ -88,21 +85,15 @@ struct SurfaceFrame {
   Expr u, v;
   bool flip = false;
 };
-/// S1 Rz(spin) S2^-1.
-struct Mate {
-  SurfaceFrame first, second;
-  Expr spin;
-};
-/// Inverse of a product of factors.
-struct Inverse {
-  std::shared_ptr<const Transform> of;
-};
 
+/// A rigid motion, or its inverse. Mates, inverses of products and joints in descriptions are products of these
+/// (transforms.cpp).
 struct Factor {
   std::variant<Translation, AxisRotation, VectorRotation, QuaternionRotation, RigidMatrix, CurveFrame,
-               SurfaceFrame, Mate, Inverse>
+               SurfaceFrame>
       value;
   SourceLocation where;
+  bool inverse = false;
 };
 
 /// Product of factors, left to right, from parent to child.
@@ -181,7 +172,7 @@ struct Constraint {
   std::vector<Expr> equations;  ///< pfaffian: over coordinates, speed symbols and t; holonomic: coordinates,
                                 ///< t, and positions of Mechanism::frame_symbols; rolling: none
   int body = -1;                ///< rolling: the body whose transform has the mate, ...
-  std::size_t factor = 0;       ///< ... and which factor that is
+  std::size_t factor = 0;       ///< ... and which factor it begins with (mate.hpp)
   std::size_t rows() const { return type == ConstraintType::rolling ? 2 : equations.size(); }
   SourceLocation where;
 };

@@ -51,8 +51,6 @@ std::vector<double> symbol_values(const Loading& loading) {
   return values;
 }
 
-void collect(const Transform& transform, const Mechanism& mechanism, std::vector<Expr>& out);
-
 /// Appends the expressions of one factor; frames move with their `along` coordinates by way of their points.
 struct Collector {
   const Mechanism& mechanism;
@@ -60,7 +58,10 @@ struct Collector {
   void vector(const Vec3& v) const { out.insert(out.end(), v.entries.begin(), v.entries.end()); }
   void operator()(const Translation& f) const { vector(f.offset); }
   void operator()(const AxisRotation& f) const { out.push_back(f.angle); }
-  void operator()(const VectorRotation& f) const { out.push_back(f.angle); }
+  void operator()(const VectorRotation& f) const {
+    vector(f.axis);
+    out.push_back(f.angle);
+  }
   void operator()(const QuaternionRotation& f) const {
     out.push_back(mechanism.coordinates[static_cast<std::size_t>(f.coordinate)].symbols[0]);
   }
@@ -70,17 +71,7 @@ struct Collector {
   }
   void operator()(const CurveFrame& f) const { vector(f.point); }
   void operator()(const SurfaceFrame& f) const { vector(f.point); }
-  void operator()(const Mate& f) const {
-    vector(f.first.point);
-    vector(f.second.point);
-    out.push_back(f.spin);
-  }
-  void operator()(const Inverse& f) const { collect(*f.of, mechanism, out); }
 };
-
-void collect(const Transform& transform, const Mechanism& mechanism, std::vector<Expr>& out) {
-  for (const Factor& factor : transform.factors) std::visit(Collector{mechanism, out}, factor.value);
-}
 
 }  // namespace
 
@@ -130,10 +121,13 @@ void check_matrices(const Loading& loading) {
                      fmt::format("the left 3x3 part of the matrix is not a rotation {}", objection));
 }
 
-std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism) {
+std::vector<Expr> expressions_of(std::span<const Factor> factors, const Mechanism& mechanism) {
   std::vector<Expr> out;
-  std::visit(Collector{mechanism, out}, factor.value);
+  for (const Factor& factor : factors) std::visit(Collector{mechanism, out}, factor.value);
   return out;
+}
+std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism) {
+  return expressions_of(std::span(&factor, 1), mechanism);
 }
 
 bool depends_on(const Vec3& point, const Expr& symbol) {
@@ -145,12 +139,10 @@ void check_coordinates(const Loading& loading, const std::vector<const Body*>& b
   const Mechanism& mechanism = loading.mechanism;
   const SymbolsBelow below(loading.graph, mechanism);
   std::vector<bool> moves_a_body(mechanism.coordinates.size(), false);
-  std::vector<Expr> expressions;
   for (const Body* body : bodies_in_file_order) {
-    expressions.clear();
-    collect(body->transform, mechanism, expressions);
     std::vector<int> used;
-    for (const Expr& x : expressions) SymbolsBelow::merge(used, below.coordinates(x));
+    for (const Expr& x : expressions_of(body->transform.factors, mechanism))
+      SymbolsBelow::merge(used, below.coordinates(x));
     int speeds = 0;
     std::vector<std::string> names;
     for (const int c : used) {

@@ -1,6 +1,7 @@
 // Checks of transforms: rotations, and which coordinates move what.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mechanism/loading.hpp"
@@ -11,7 +12,9 @@ namespace alembert {
 /// (transform_checks.cpp).
 void check_matrices(const Loading& loading);
 
-/// All expressions of a factor; those of a quaternion by its first symbol.
+/// All expressions of factors, one after another as model.hpp has them (of a rotation matrix row by row); of a
+/// quaternion its first symbol, of a frame the point.
+std::vector<Expr> expressions_of(std::span<const Factor> factors, const Mechanism& mechanism);
 std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
 /// Whether an expression has a symbol below it.
 bool depends_on(const Vec3& point, const Expr& symbol);

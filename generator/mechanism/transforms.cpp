@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mechanism/coordinates.hpp"
 #include "mechanism/joints.hpp"
@@ -15,9 +18,6 @@
 
 namespace alembert {
 namespace {
-
-constexpr std::string_view kFactorKeys[] = {"translate", "rotate", "matrix",  "curve",
-                                            "surface",   "mate",   "inverse", "joint"};
 
 Expr named_coordinate(Loading& loading, const YamlNode& node, const std::string& what) {
   const int index = expect_coordinate(loading, node, CoordinateType::real, what);
@@ -117,64 +117,92 @@ SurfaceFrame read_surface(Loading& loading, const YamlNode& node, const std::str
   return surface;
 }
 
-Factor read_mate(Loading& loading, const YamlNode& node, const YamlNode* spin, const std::string& what) {
+/// S1 Rz(spin) S2^-1.
+void append_mate(Loading& loading, const YamlNode& node, const YamlNode* spin, const std::string& what,
+                 Transform& transform) {
   const auto& sides =
       expect_list(loading.document, node, fmt::format("the surfaces of a mate in {}", what), 2);
-  Mate mate;
   const auto side = [&](std::size_t i) {
     const Section section(loading.document, *sides[i], fmt::format("a side of a mate in {}", what),
                           {"surface"});
     return read_surface(loading, section.require("surface"), what);
   };
-  mate.first = side(0);
-  mate.second = side(1);
-  mate.spin =
+  const SurfaceFrame first = side(0), second = side(1);
+  const Expr angle =
       spin != nullptr
           ? loading.reader.read(*spin, Allowed::transform, fmt::format("the spin of a mate in {}", what)).expr
           : loading.graph.zero();
-  return {mate, loading.document.where(node)};
+  const SourceLocation where = loading.document.where(node);
+  transform.factors.push_back({first, where});
+  transform.factors.push_back({AxisRotation{2, angle}, where});
+  transform.factors.push_back({second, where, true});
 }
+
+void append_inverse(Transform of, Transform& transform) {
+  for (auto factor = of.factors.rbegin(); factor != of.factors.rend(); ++factor) {
+    factor->inverse = !factor->inverse;
+    transform.factors.push_back(std::move(*factor));
+  }
+}
+
+/// A factor of a description while the primitive factors that it stands for are being made.
+struct FactorReader {
+  Loading& loading;
+  const YamlNode& value;
+  const YamlNode* spin;
+  const std::string& what;
+  Transform& transform;
+
+  void append(Factor factor) const { transform.factors.push_back(std::move(factor)); }
+  SourceLocation where() const { return loading.document.where(value); }
+};
+
+struct FactorKind {
+  std::string_view key;
+  void (*append)(const FactorReader& factor);
+};
+constexpr FactorKind kFactorKinds[] = {
+    {"translate",
+     [](const FactorReader& f) {
+       const std::string what = fmt::format("a translation in {}", f.what);
+       f.append({Translation{f.loading.reader.read_vector(f.value, Allowed::transform, what)}, f.where()});
+     }},
+    {"rotate", [](const FactorReader& f) { f.append(read_rotation(f.loading, f.value, f.what)); }},
+    {"matrix", [](const FactorReader& f) { f.append(read_matrix(f.loading, f.value, f.what)); }},
+    {"curve", [](const FactorReader& f) { f.append(read_curve(f.loading, f.value, f.what)); }},
+    {"surface",
+     [](const FactorReader& f) {
+       f.append({read_surface(f.loading, f.value, f.what), f.where()});
+     }},
+    {"mate", [](const FactorReader& f) { append_mate(f.loading, f.value, f.spin, f.what, f.transform); }},
+    {"inverse",
+     [](const FactorReader& f) { append_inverse(read_transform(f.loading, f.value, f.what), f.transform); }},
+    {"joint", [](const FactorReader& f) { append_joint(f.loading, f.value, f.what, f.transform); }},
+};
 
 void append_factor(Loading& loading, const YamlNode& node, const std::string& what, Transform& transform) {
   const Document& document = loading.document;
   const Section section(
       document, node, fmt::format("a factor of {}", what),
       {"translate", "rotate", "matrix", "curve", "surface", "mate", "spin", "inverse", "joint"});
-  std::string_view kind;
-  for (const std::string_view key : kFactorKeys) {
-    if (section.find(key) == nullptr) continue;
-    if (!kind.empty())
-      throw InputError(
-          section.where_key(key),
-          fmt::format("'{}' and '{}' in one factor of {}; each is an item of the list", kind, key, what));
-    kind = key;
+  const FactorKind* found = nullptr;
+  std::vector<std::string_view> keys;
+  for (const FactorKind& kind : kFactorKinds) {
+    keys.push_back(kind.key);
+    if (section.find(kind.key) == nullptr) continue;
+    if (found != nullptr)
+      throw InputError(section.where_key(kind.key),
+                       fmt::format("'{}' and '{}' in one factor of {}; each is an item of the list",
+                                   found->key, kind.key, what));
+    found = &kind;
   }
-  if (kind.empty())
+  if (found == nullptr)
     throw InputError(document.where(node), fmt::format("expected a factor of {}, found none", what),
-                     fmt::format("its key is one of {}", fmt::join(kFactorKeys, ", ")));
-  if (section.find("spin") != nullptr && kind != "mate")
+                     fmt::format("its key is one of {}", fmt::join(keys, ", ")));
+  const YamlNode* spin = section.find("spin");
+  if (spin != nullptr && found->key != "mate")
     throw InputError(section.where_key("spin"), "'spin' without 'mate'");
-  const YamlNode& value = section.require(kind);
-  if (kind == "translate") {
-    transform.factors.push_back({Translation{loading.reader.read_vector(
-                                     value, Allowed::transform, fmt::format("a translation in {}", what))},
-                                 document.where(value)});
-  } else if (kind == "rotate") {
-    transform.factors.push_back(read_rotation(loading, value, what));
-  } else if (kind == "matrix") {
-    transform.factors.push_back(read_matrix(loading, value, what));
-  } else if (kind == "curve") {
-    transform.factors.push_back(read_curve(loading, value, what));
-  } else if (kind == "surface") {
-    transform.factors.push_back({read_surface(loading, value, what), document.where(value)});
-  } else if (kind == "mate") {
-    transform.factors.push_back(read_mate(loading, value, section.find("spin"), what));
-  } else if (kind == "inverse") {
-    auto inner = std::make_shared<const Transform>(read_transform(loading, value, what));
-    transform.factors.push_back({Inverse{std::move(inner)}, document.where(value)});
-  } else {
-    append_joint(loading, value, what, transform);
-  }
+  found->append({loading, section.require(found->key), spin, what, transform});
 }
 
 }  // namespace

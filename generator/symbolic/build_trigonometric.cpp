@@ -100,11 +100,7 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
       return signed_as(exact_sine(*add(kHalf, negated(turned.multiple))), negative);
     }
   }
-  Ref argument = turned.rest;
-  if (turned.multiple.numerator != 0) {
-    const Ref offset = pi(turned.multiple);
-    argument = sum(offset, argument);
-  }
+  const Ref argument = unsigned_angle(turned);
   const Node n = node(argument);
   if (!too_deep()) {
     Ref out;
@@ -131,6 +127,10 @@ Ref Builder::sine_or_cosine(bool cosine, Ref x) {
     return signed_as(real(cosine ? std::cos(value) : std::sin(value)), negative);
   }
   return signed_as(intern(cosine ? Operation::cos : Operation::sin, argument, Ref()), negative);
+}
+
+Ref Builder::unsigned_angle(const Angle& angle) {
+  return angle.multiple.numerator == 0 ? angle.rest : sum(pi(angle.multiple), angle.rest);
 }
 
 Ref Builder::complement_root(Ref x, bool plus) {
@@ -164,11 +164,7 @@ Ref Builder::tangent(Ref x) {
       return signed_as(out, negative != mirrored);
     }
   }
-  Ref argument = turned.rest;
-  if (turned.multiple.numerator != 0) {
-    const Ref offset = pi(turned.multiple);
-    argument = sum(offset, argument);
-  }
+  const Ref argument = unsigned_angle(turned);
   const Node n = node(argument);
   if (!too_deep()) {
     if (n.op == Operation::atan) return signed_as(n.a, negative);

@@ -93,6 +93,7 @@ struct Builder {
     bool negative;
   };
   Angle angle(Ref x);
+  Ref unsigned_angle(const Angle& angle);  // rest + multiple * pi
   Ref sine(Ref x);
   Ref cosine(Ref x);
   Ref sine_or_cosine(bool cosine, Ref x);

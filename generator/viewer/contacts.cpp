@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "support/overloaded.hpp"
 #include "symbolic/postorder.hpp"
 #include "viewer/looks.hpp"
 #include "viewer/shapes.hpp"
@@ -38,33 +39,31 @@ class ContactFinder {
       const Body& body = mechanism_.bodies[b];
       const std::span<const Factor> factors(body.transform.factors);
       for (std::size_t i = 0; i < factors.size(); ++i) {
-        if (const auto* curve = std::get_if<CurveFrame>(&factors[i].value)) {
-          on_parent(body, factors.first(i), curve->point, {curve->along});
-        } else if (const auto* surface = std::get_if<SurfaceFrame>(&factors[i].value)) {
-          on_parent(body, factors.first(i), surface->point, {surface->u, surface->v});
-        } else if (const auto* mate = std::get_if<Mate>(&factors[i].value)) {
-          on_parent(body, factors.first(i), mate->first.point, {mate->first.u, mate->first.v});
-          // The second surface is given in the axes reached after the mate.
-          if (const auto rest = constant_pose(factors.subspan(i + 1)))
-            add({static_cast<int>(b),
-                 rest->inverse(),
-                 &mate->second.point,
-                 {mate->second.u, mate->second.v}});
-        }
+        const auto add = [&](const Vec3& point, std::vector<Expr> along) {
+          add_contact(static_cast<int>(b), i, point, std::move(along));
+        };
+        std::visit(Overloaded{[&](const CurveFrame& curve) { add(curve.point, {curve.along}); },
+                              [&](const SurfaceFrame& surface) {
+                                add(surface.point, {surface.u, surface.v});
+                              },
+                              [](const OneOf<Translation, AxisRotation, VectorRotation, QuaternionRotation,
+                                             RigidMatrix> auto&) {}},
+                   factors[i].value);
       }
     }
     return std::move(contacts_);
   }
 
  private:
-  void on_parent(const Body& body, std::span<const Factor> before, const Vec3& point,
-                 std::vector<Expr> along) {
-    if (const auto placement = constant_pose(before))
-      add({body.parent, *placement, &point, std::move(along)});
-  }
-
-  void add(Contact contact) {
-    if (depends_only_on(contact.point->entries, contact.along)) contacts_.push_back(std::move(contact));
+  /// A curve or surface is given in the axes reached before its factor, the one of an inverse in those after it.
+  void add_contact(int b, std::size_t i, const Vec3& point, std::vector<Expr> along) {
+    const Body& body = mechanism_.bodies[static_cast<std::size_t>(b)];
+    const std::span<const Factor> factors(body.transform.factors);
+    const bool inverse = factors[i].inverse;
+    const auto pose = constant_pose(inverse ? factors.subspan(i + 1) : factors.first(i));
+    if (pose && depends_only_on(point.entries, along))
+      contacts_.push_back(
+          {inverse ? b : body.parent, inverse ? pose->inverse() : *pose, &point, std::move(along)});
   }
 
   std::optional<Isometry3d> constant_pose(std::span<const Factor> factors) {

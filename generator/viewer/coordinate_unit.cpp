@@ -29,8 +29,6 @@ class Uses {
   void operator()(const Translation& f) { (shifts_by_one(f.offset) ? shift_ : other_) = true; }
   void operator()(const AxisRotation& f) { angle_ = angle_ || has({&f.angle, 1}); }
   void operator()(const VectorRotation& f) { angle_ = angle_ || has({&f.angle, 1}); }
-  void operator()(const Mate& f) { (has({&f.spin, 1}) ? angle_ : other_) = true; }
-  void operator()(const Inverse& f) { add(*f.of); }
   void operator()(const QuaternionRotation&) { other_ = true; }
   void operator()(const RigidMatrix&) { other_ = true; }
   void operator()(const CurveFrame&) { other_ = true; }

@@ -15,6 +15,7 @@
 #include "dynamics/sleigh.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/mate.hpp"
 #include "program/lower.hpp"
 #include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
@@ -191,7 +192,7 @@ ConstrainedMechanism rolling(const std::string& description) {
 void expect_no_slip(ConstrainedMechanism& mechanism) {
   const int child = mechanism.mechanism().constraints[0].body;
   const Body& body = mechanism.mechanism().bodies[static_cast<std::size_t>(child)];
-  const Mate& mate = std::get<Mate>(body.transform.factors[0].value);
+  const Mate mate = mate_at(body.transform, 0).value();
   const auto point = [&](const SurfaceFrame& surface) {
     const VectorXd p = mechanism.value(surface.point.entries);
     return Vector4d(p(0), p(1), p(2), 1);

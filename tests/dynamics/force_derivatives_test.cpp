@@ -18,8 +18,7 @@ constexpr FarPairs kFarPairs[] = {FarPairs::carry, FarPairs::meet, FarPairs::mee
 void expect_recursions(const LoadedMechanism& loaded, std::span<const FarPairs> far_pairs, unsigned states) {
   const Kinematics kinematics = loaded.kinematics();
   const std::vector<Expr> Q = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, *loaded.graph);
-  for (MotionTree& tree : trees_of(loaded, kinematics)) {
-    mark_scaled(tree, {});
+  for (const WrittenTree& tree : trees_of(loaded, kinematics)) {
     for (const FarPairs far : far_pairs) {
       SCOPED_TRACE(static_cast<int>(far));
       const std::vector<Expr> found =

@@ -151,8 +151,8 @@ TEST_P(Laws, ReducedFormIsTheFactoredForm) {
 
 TEST_P(Laws, BothMomentFormsAgree) {
   const auto by = [&](MomentForm form) {
-    MotionTree tree = kinematics.tree;
-    for (NodeMass& mass : tree.masses) mass.forms.fill(form);
+    WrittenTree tree = kinematics.tree;
+    for (MomentForms& forms : tree.moments) forms.fill(form);
     return reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph);
   };
   expect_equal(by(MomentForm::pseudo_inertia), by(MomentForm::inertia));
@@ -163,16 +163,16 @@ TEST_P(Laws, BothMomentFormsAgree) {
 TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
   const std::vector<Expr> Q = reduced_inverse_dynamics(*loaded.mechanism, kinematics.tree, *loaded.graph);
   const std::vector<Expr> M = composite_mass_matrix(*loaded.mechanism, kinematics.tree, *loaded.graph);
-  const auto expect_same = [&](const MotionTree& tree) {
+  const auto expect_same = [&](const WrittenTree& tree) {
     expect_equal(reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph), Q, 1e-11);
     expect_equal(composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph), M, 1e-11);
   };
-  const auto expect_same_scaled = [&](MotionTree tree) {
-    const std::vector<int> turns = scalable_turns(tree);
-    mark_scaled(tree, turns);
-    expect_same(tree);
-    mark_scaled(tree, turns, turns);
-    expect_same(tree);
+  const auto expect_same_scaled = [&](WrittenTree written) {
+    const std::vector<int> turns = scalable_turns(written.tree);
+    written.scaling = Scaling(written.tree, turns);
+    expect_same(written);
+    written.scaling = Scaling(written.tree, turns, turns);
+    expect_same(written);
   };
   std::vector<MotionTree> trees{kinematics.tree};
   if (kinematics.peeled) {
@@ -185,7 +185,7 @@ TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
     const std::vector<Regrouping> as_given(links.links().size());
     for (const std::vector<Regrouping>& how :
          {as_given, choose_regroupings(links), minimal_regroupings(links)}) {
-      const MotionTree placed = links.link_tree(how, *loaded.graph);
+      const WrittenTree placed = links.link_tree(how, *loaded.graph);
       expect_same(placed);
       expect_same_scaled(placed);
     }
@@ -251,12 +251,8 @@ TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
   for (std::size_t i = 0; i < variables.size(); ++i) change += gradient(0, i) * rates[i];
 
   std::vector<std::pair<Expr, Expr>> no_wrench;
-  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, *loaded.graph)) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      no_wrench.emplace_back(wrench.force[i], loaded.graph->zero());
-      no_wrench.emplace_back(wrench.torque[i], loaded.graph->zero());
-    }
-  }
+  for (const auto& [body, wrench] : wrench_symbols(mechanism, *loaded.graph))
+    for (std::size_t i = 0; i < 6; ++i) no_wrench.emplace_back(wrench[i], loaded.graph->zero());
   std::vector<Expr> free_force = substitute(equations.Q, no_wrench);
   const std::vector<Expr>& applied = kinematics.applied.Q;
   for (std::size_t k = 0; k < applied.size(); ++k) free_force[k] += applied[k];

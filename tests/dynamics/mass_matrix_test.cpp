@@ -29,7 +29,7 @@ TEST_P(FarPairsOf, MeetAsTheyAreCarried) {
         LoadedMechanism::text(TreeWriter(seed).description(shape.bodies, shape.reach, shape.revolute));
     const Kinematics kinematics = loaded.kinematics();
     std::size_t least_met = ~std::size_t{0}, least_carried = ~std::size_t{0};
-    for (const MotionTree& tree : trees_of(loaded, kinematics)) {
+    for (const WrittenTree& tree : trees_of(loaded, kinematics)) {
       const std::vector<Expr> carried =
           composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, FarPairs::carry);
       const FarPairs far = seed % 2 == 0 ? FarPairs::meet_sooner : FarPairs::meet;
@@ -57,7 +57,7 @@ TEST(MeetingFrames, TakeElevenOperationsAPair) {
     const LoadedMechanism loaded = LoadedMechanism::text(TreeWriter(1).description(n, 1, true));
     const Kinematics kinematics = loaded.kinematics();
     const RigidLinks links(*loaded.mechanism, kinematics.tree, *loaded.graph);
-    const MotionTree tree = links.link_tree(minimal_regroupings(links), *loaded.graph);
+    const WrittenTree tree = links.link_tree(minimal_regroupings(links), *loaded.graph);
     return static_cast<double>(
         operations(composite_mass_matrix(*loaded.mechanism, tree, *loaded.graph, far)));
   };

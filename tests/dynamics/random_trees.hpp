@@ -13,7 +13,7 @@
 #include "dynamics/choice/regrouping.hpp"
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
-#include "dynamics/rewrites/scaled_vectors.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 
 namespace alembert::test {
 
@@ -114,14 +114,15 @@ inline const std::vector<TreeShape> kTreeShapes{{"chain_of_8", 8, 1, true},
                                                 {"tree_of_30_of_every_kind", 30, 4, false}};
 
 /// All trees of motions that the equations are written from.
-inline std::vector<MotionTree> trees_of(const LoadedMechanism& loaded, const Kinematics& kinematics) {
-  std::vector<MotionTree> trees{kinematics.tree};
+inline std::vector<WrittenTree> trees_of(const LoadedMechanism& loaded, const Kinematics& kinematics) {
+  std::vector<WrittenTree> trees{kinematics.tree};
   if (kinematics.peeled) trees.push_back(*kinematics.peeled);
-  const MotionTree given = trees.back();
+  const MotionTree given = trees.back().tree;
   const RigidLinks links(*loaded.mechanism, given, *loaded.graph);
   trees.push_back(links.link_tree(minimal_regroupings(links), *loaded.graph));
   trees.push_back(trees.back());
-  mark_scaled(trees.back(), scalable_turns(trees.back()));
+  const MotionTree& last = trees.back().tree;
+  trees.back().scaling = Scaling(last, scalable_turns(last));
   return trees;
 }
 

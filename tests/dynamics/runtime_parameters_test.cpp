@@ -134,7 +134,7 @@ bool expect_same_dynamics(const LoadedMechanism& given, const RuntimeMaker& made
   const std::vector<Expr> given_M = composite_mass_matrix(*given.mechanism, numbers.tree, graph);
   const std::vector<Expr> Q = reduced_inverse_dynamics(mechanism, kinematics.tree, graph);
   const std::vector<Expr> M = composite_mass_matrix(mechanism, kinematics.tree, graph);
-  const auto expect_same = [&](const MotionTree& tree, const char* how) {
+  const auto expect_same = [&](const WrittenTree& tree, const char* how) {
     const std::vector<Expr> here_Q = reduced_inverse_dynamics(mechanism, tree, graph);
     const std::vector<Expr> here_M = composite_mass_matrix(mechanism, tree, graph);
     EXPECT_LE(worst_difference(here_Q, given_Q, mechanism, graph, 0), kTolerance) << how << ", Q at defaults";
@@ -153,12 +153,12 @@ bool expect_same_dynamics(const LoadedMechanism& given, const RuntimeMaker& made
         {"minimal, terms stay", minimal_regroupings(links)},
         {"minimal, terms move", minimal_regroupings(links, true)}};
     for (const auto& [how, regroupings] : ways) {
-      MotionTree placed = links.link_tree(regroupings, graph);
+      WrittenTree placed = links.link_tree(regroupings, graph);
       expect_same(placed, how);
-      const std::vector<int> turns = scalable_turns(placed);
-      mark_scaled(placed, turns);
+      const std::vector<int> turns = scalable_turns(placed.tree);
+      placed.scaling = Scaling(placed.tree, turns);
       expect_same(placed, how);
-      mark_scaled(placed, turns, turns);
+      placed.scaling = Scaling(placed.tree, turns, turns);
       expect_same(placed, how);
     }
   }

@@ -67,7 +67,7 @@ bodies:
 TEST(ScaledVectors, GiveTheSameDynamicsWhereBranchesShareAJoint) {
   const LoadedMechanism loaded = LoadedMechanism::text(kBranches);
   const Kinematics kinematics = loaded.kinematics();
-  MotionTree tree = kinematics.tree;
+  WrittenTree tree = kinematics.tree;
   const auto dynamics = [&] {
     std::vector<Expr> values = reduced_inverse_dynamics(*loaded.mechanism, tree, *loaded.graph);
     const std::vector<Expr> M =
@@ -76,10 +76,11 @@ TEST(ScaledVectors, GiveTheSameDynamicsWhereBranchesShareAJoint) {
     return values;
   };
   const std::vector<Expr> given = dynamics();
-  const std::vector<int> turns = scalable_turns(tree);
-  mark_scaled(tree, turns, turns);
-  const auto scaled_for_a_turn = [](const MotionNode& node) { return node.ahead >= 0; };
-  EXPECT_EQ(std::count_if(tree.nodes.begin(), tree.nodes.end(), scaled_for_a_turn), 2);
+  const std::vector<int> turns = scalable_turns(tree.tree);
+  tree.scaling = Scaling(tree.tree, turns, turns);
+  int scaled_for_a_turn = 0;
+  for (std::size_t i = 0; i < tree.tree.nodes.size(); ++i) scaled_for_a_turn += tree.scaling.scales_ahead(i);
+  EXPECT_EQ(scaled_for_a_turn, 2);
   const std::vector<Expr> scaled = dynamics();
   ASSERT_EQ(scaled.size(), given.size());
   for (unsigned seed = 0; seed < 8; ++seed) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/loaded.hpp"
+#include "mechanism/mate.hpp"
 #include "symbolic/coefficient.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/substitute.hpp"
@@ -183,7 +184,7 @@ TEST(Constraints, FindTheMateThatRolls) {
       const Body& body = loaded.mechanism.bodies.at(static_cast<std::size_t>(constraint.body));
       EXPECT_EQ(body.name, inverted ? "ground" : "ball");
       EXPECT_EQ(constraint.factor, 2u);
-      EXPECT_TRUE(std::holds_alternative<Mate>(body.transform.factors.at(constraint.factor).value));
+      EXPECT_TRUE(mate_at(body.transform, constraint.factor).has_value());
     }
 }
 
@@ -195,6 +196,17 @@ TEST(Constraints, RollOnTheWorld) {
       "constraints:\n  - {name: roll, type: rolling, of: [ball, u1, v1], on: [world, u2, v2]}\n");
   EXPECT_EQ(loaded.mechanism.constraints.at(0).body, 0);
   EXPECT_EQ(loaded.mechanism.constraints.at(0).factor, 0u);
+}
+
+TEST(Constraints, FindAMateThatIsWrittenOut) {
+  Loaded loaded(
+      "alembert: 1\nname: one\ncoordinates: [u1, v1, u2, v2, s]\nbodies:\n"
+      "  - {name: ball, mass: 1, transform: [{surface: {point: [u2, v2, 0], along: [u2, v2]}}, "
+      "{rotate: {axis: z, angle: s}}, {inverse: [{surface: {point: [u1, v1, u1*v1], along: [u1, v1]}}]}]}\n"
+      "constraints:\n  - {name: roll, type: rolling, of: [ball, u1, v1], on: [world, u2, v2]}\n");
+  const Mate mate = mate_at(loaded.mechanism.bodies.at(0).transform, 0).value();
+  EXPECT_EQ(mate.spin, loaded.symbol("s"));
+  EXPECT_EQ(mate.second.u, loaded.symbol("u1"));
 }
 
 TEST(Constraints, RefuseMatesThatMoveOtherwise) {

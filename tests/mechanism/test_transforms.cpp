@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mechanism/loaded.hpp"
+#include "mechanism/mate.hpp"
 
 namespace alembert {
 namespace {
@@ -122,22 +123,24 @@ TEST(Transforms, Mate) {
       "mate: [{surface: {point: [u, v, 0], along: [u, v]}}, {surface: {point: [a, b, 0], along: [a, b], "
       "flip: true}}]";
   Loaded loaded(with_transform("[{" + sides + ", spin: 2*s}]", "[u, v, a, b, s]"));
-  const Mate& mate = only<Mate>(loaded);
+  ASSERT_EQ(factors(loaded).size(), kMateFactors);
+  const Mate mate = mate_at(loaded.mechanism.bodies.at(0).transform, 0).value();
   EXPECT_FALSE(mate.first.flip);
   EXPECT_TRUE(mate.second.flip);
   EXPECT_EQ(mate.second.u, loaded.symbol("a"));
   EXPECT_EQ(mate.spin, loaded.number(2) * loaded.symbol("s"));
   Loaded without(with_transform("[{" + sides + "}]", "[u, v, a, b]"));
-  EXPECT_TRUE(only<Mate>(without).spin.is_zero());
+  EXPECT_TRUE(mate_at(without.mechanism.bodies.at(0).transform, 0).value().spin.is_zero());
 }
 
 TEST(Transforms, Inverse) {
   Loaded loaded(
       with_transform("[{inverse: [{translate: [1, 0, 0]}, {inverse: [{rotate: {axis: x, angle: q}}]}]}]"));
-  const Inverse& inverse = only<Inverse>(loaded);
-  ASSERT_EQ(inverse.of->factors.size(), 2u);
-  const Inverse& inner = std::get<Inverse>(inverse.of->factors[1].value);
-  EXPECT_EQ(std::get<AxisRotation>(inner.of->factors.at(0).value).axis, 0);
+  ASSERT_EQ(factors(loaded).size(), 2u);
+  EXPECT_EQ(std::get<AxisRotation>(factors(loaded)[0].value).axis, 0);
+  EXPECT_FALSE(factors(loaded)[0].inverse) << "inverted twice";
+  EXPECT_TRUE(std::holds_alternative<Translation>(factors(loaded)[1].value));
+  EXPECT_TRUE(factors(loaded)[1].inverse);
 }
 
 TEST(Transforms, CoordinatesInsideAnInverseAreUsed) {

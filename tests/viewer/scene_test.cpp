@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "viewer/found_joint.hpp"
 #include "viewer/looks.hpp"
 #include "viewer/small_scene.hpp"
@@ -157,6 +160,28 @@ bodies:
   EXPECT_TRUE(watertight(torus));
   EXPECT_NEAR(volume(torus), 2 * 9.8696 * 1.1 * 0.35 * 0.35, 0.04);
   EXPECT_EQ(mechanism.scenery[0].placement.translation(), Vector3d(0, 0, 3));
+}
+
+TEST(Scene, DrawsASurfaceInAnInverseOnItsBody) {
+  const SmallScene small(R"(alembert: 1
+name: ring
+coordinates: [{name: u, initial: 0.1}, {name: v, initial: 0.2}]
+bodies:
+  - name: ring
+    transform:
+      - inverse:
+          - translate: [0, 0, 3]
+          - surface: {point: [(1.1 + 0.35*cos(v))*cos(u), (1.1 + 0.35*cos(v))*sin(u), 0.35*sin(v)], along: [u, v]}
+    mass: 1
+)",
+                         {0.1, 0.3});
+  const SceneMechanism& mechanism = small.scene.mechanisms.at(0);
+  EXPECT_TRUE(mechanism.scenery.empty());
+  const auto is_torus = [&](const ScenePart& part) {
+    return std::abs(volume(small.scene.meshes[part.mesh]) - 2 * 9.8696 * 1.1 * 0.35 * 0.35) < 0.04 &&
+           part.placement.translation().isApprox(Vector3d(0, 0, 3), 1e-12);
+  };
+  EXPECT_EQ(std::ranges::count_if(mechanism.bodies.at(0).parts, is_torus), 1);
 }
 
 TEST(Scene, DrawsShapesOfTheDescription) {

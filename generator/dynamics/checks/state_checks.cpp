@@ -55,9 +55,9 @@ std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k) {
     set(kinematics.derivatives.rate(i), uniform(random));
     set(tau_symbol(mechanism, i, graph), uniform(random));
   }
-  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, graph)) {
+  for (const auto& [body, wrench] : wrench_symbols(mechanism, graph)) {
     for (const Expr e : wrench.force.entries) set(e, uniform(random));
-    for (const Expr e : wrench.torque.entries) set(e, uniform(random));
+    for (const Expr e : wrench.moment.entries) set(e, uniform(random));
   }
   set(mechanism.time, k % 5 == 2 ? 0.0 : 5 + 5 * uniform(random));
   for (const Parameter& parameter : mechanism.parameters) {

@@ -8,6 +8,7 @@
 
 #include "dynamics/choice/program_lengths.hpp"
 #include "dynamics/recursions/applied_forces.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 #include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
@@ -55,7 +56,7 @@ struct EquationsOfMotion {
   /// Motions and masses that M is of, if forward dynamics may be by articulated bodies.
   std::optional<MotionTree> articulated = {};
   /// Motions and masses that Q is of, in the reduced form.
-  std::optional<MotionTree> tree = {};
+  std::optional<WrittenTree> tree = {};
 };
 
 }  // namespace alembert

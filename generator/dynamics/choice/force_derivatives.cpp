@@ -8,7 +8,6 @@
 #include "differentiation/jacobian.hpp"
 #include "dynamics/recursions/derivative_recursion.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
-#include "dynamics/rewrites/scaled_vectors.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
 
@@ -55,8 +54,7 @@ std::vector<Expr> force_derivatives(const Kinematics& kinematics, const Equation
     const std::size_t operations = count_operations(numbered).total();
     found.emplace_back(operations, std::move(numbered));
   };
-  const auto add_recursions = [&](MotionTree tree) {
-    mark_scaled(tree, {});
+  const auto add_recursions = [&](const WrittenTree& tree) {
     for (const FarPairs far : {FarPairs::meet, FarPairs::meet_sooner, FarPairs::carry}) {
       std::vector<Expr> both = recursive_force_derivatives(kinematics.mechanism, tree, kinematics.derivatives,
                                                            kinematics.graph, far);

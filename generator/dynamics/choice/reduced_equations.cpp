@@ -26,8 +26,8 @@ namespace {
 constexpr double kWork = 100'000;
 
 Length length_of(std::span<const Expr> values) {
-  const ExprCount n = count_operations(values);
-  return {n.total() + n.trig, n.total()};
+  const OperationCount n = count_operations(values);
+  return {n.all(), n.total()};
 }
 
 std::vector<Expr> joined(std::vector<Expr> values, const std::vector<Expr>& others) {
@@ -46,19 +46,20 @@ struct Form {
   std::vector<int> ahead;               ///< those of them for which the rotations before them scale
 };
 
-MotionTree tree_of(const Form& form, ExprGraph& graph) {
-  MotionTree tree = form.links != nullptr ? form.links->link_tree(form.regroupings, graph) : *form.tree;
+WrittenTree tree_of(const Form& form, ExprGraph& graph) {
+  WrittenTree written =
+      form.links != nullptr ? form.links->link_tree(form.regroupings, graph) : WrittenTree(*form.tree);
   if (form.inertia_moments) {
-    for (NodeMass& mass : tree.masses) mass.forms.fill(MomentForm::inertia);
+    for (MomentForms& forms : written.moments) forms.fill(MomentForm::inertia);
   }
-  mark_scaled(tree, form.scaled, form.ahead);
-  return tree;
+  written.scaling = Scaling(written.tree, form.scaled, form.ahead);
+  return written;
 }
 
 /// Constant turns of a form that can be scaled: all of them, and without those of the first link, of whose
 /// force only the moment about one axis is wanted.
 std::vector<std::vector<int>> scalings(const Form& form, ExprGraph& graph) {
-  const MotionTree tree = tree_of(form, graph);
+  const MotionTree tree = tree_of(form, graph).tree;
   const std::vector<int> turns = scalable_turns(tree);
   std::vector<int> later;
   std::vector<int> moving;  // moving frames on the way to the world
@@ -88,7 +89,7 @@ void toggle(std::vector<int>& list, int element) {
 /// form it came from.
 class Search {
  public:
-  using Equations = std::vector<Expr> (*)(const Mechanism&, const MotionTree&, ExprGraph&, FarPairs);
+  using Equations = std::vector<Expr> (*)(const Mechanism&, const WrittenTree&, ExprGraph&, FarPairs);
   /// `has_pairs`: the equations depend on Form::far.
   Search(const Kinematics& kinematics, Equations equations, bool has_pairs)
       : kinematics_(kinematics),
@@ -98,7 +99,7 @@ class Search {
                       equations(kinematics.mechanism, kinematics.tree, kinematics.graph, FarPairs::carry)) {}
 
   bool try_form(const Form& form) {
-    const MotionTree tree = tree_of(form, kinematics_.graph);
+    const WrittenTree tree = tree_of(form, kinematics_.graph);
     const std::vector<Expr> raw = equations_(kinematics_.mechanism, tree, kinematics_.graph, form.far);
     std::vector<Expr> values = value_number(raw);
     work_ += static_cast<double>(postorder(raw).size());
@@ -154,7 +155,7 @@ class Search {
     const double limit = work_ + passes.effort * kWork;
     const auto room = [&] { return work_ < limit; };
     std::vector<int> turns;
-    if (passes.scaling) turns = scalable_turns(tree_of(form_, kinematics_.graph));
+    if (passes.scaling) turns = scalable_turns(best_tree().tree);
     for (bool better = true; better && room();) {
       better = false;
       for (const int turn : turns) {
@@ -190,7 +191,7 @@ class Search {
   }
 
   std::vector<Expr> best() const { return best_; }
-  MotionTree best_tree() const { return tree_of(form_, kinematics_.graph); }
+  WrittenTree best_tree() const { return tree_of(form_, kinematics_.graph); }
   /// Other lists that are hardly longer, the shortest first.
   std::vector<std::vector<Expr>> near_ones() const {
     std::vector<std::vector<Expr>> out;
@@ -266,7 +267,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
 
   Search forces(
       kinematics,
-      [](const Mechanism& m, const MotionTree& t, ExprGraph& g, FarPairs) {
+      [](const Mechanism& m, const WrittenTree& t, ExprGraph& g, FarPairs) {
         return reduced_inverse_dynamics(m, t, g);
       },
       false);
@@ -314,7 +315,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   equations.formulation = Formulation::reduced;
   equations.Q = forces.best();
   equations.tree = forces.best_tree();
-  if (passes.articulation) equations.articulated = masses.best_tree();
+  if (passes.articulation) equations.articulated = masses.best_tree().tree;
   Shortest M([&](const std::vector<Expr>& values) { return masses.measure(values); });
   Shortest c([&](const std::vector<Expr>& values) { return forces.measure(values); });
   M.add(masses.best());

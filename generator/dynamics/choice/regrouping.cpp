@@ -42,7 +42,7 @@ Vec3 symbols(ExprGraph& g, const std::string& name) {
 
 /// Operations of the forces of one link: the inertia's, the shifts of acceleration towards the main child and
 /// of forces back.
-std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& forms) {
+std::size_t pattern_cost(const LinkPattern& p, const MomentForms& forms) {
   ExprGraph g;
   const Expr zero = g.zero();
   // Constants of no particular value: sums and products of them are folded, as they are in the real
@@ -65,7 +65,7 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   motions[2].acc = twist.at(length);
   motions[3].acc = motions[2].at(offset);
 
-  NodeMass mass{zero, zeros<3, 1>(g), zeros<3, 3>(g), forms};
+  NodeMass mass{zero, zeros<3, 1>(g), zeros<3, 3>(g)};
   const auto is_term = [&](std::size_t e) { return (p.terms & bit(e)) != 0; };
   const auto entry = [&](std::size_t e) {
     if (is_term(e)) return g.symbol("e" + std::to_string(e));
@@ -84,25 +84,17 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
   mass.moment = {{entry(6), entry(7), entry(8)}};
   mass.mass = entry(9);
 
-  std::array<ForceMoment, 4> at;
+  std::array<Wrench, 4> at;
   for (std::size_t k = 0; k < 4; ++k) {
-    at[k] = {zeros<3, 1>(g), zeros<3, 1>(g)};
+    at[k] = zero_wrench(g);
     if ((p.points & bit(k)) != 0) at[k].force = number() * motions[k].acc;
-    if (kMassFrames[k] == p.frame) {
-      const ForceMoment inertia = inertia_forces(motions[k], mass, g);
-      at[k] = {at[k].force + inertia.force, at[k].moment + inertia.moment};
-    }
+    if (kMassFrames[k] == p.frame) at[k] = at[k] + inertia_forces(motions[k], mass, forms, g);
   }
-  ForceMoment total{zeros<3, 1>(g), zeros<3, 1>(g)};
-  if (p.child) total = {symbols(g, "f"), symbols(g, "n")};
-  const auto gather = [&](std::size_t k) {
-    total = {total.force + at[k].force, total.moment + at[k].moment};
-  };
-  gather(3);
-  total.moment = total.moment + cross(offset, total.force);
-  gather(2);
-  total.moment = total.moment + cross(length, total.force);
-  gather(1);
+  Wrench total = zero_wrench(g);
+  if (p.child) total = {symbols(g, "n"), symbols(g, "f")};
+  total = at_offset(total + at[3], offset);
+  total = at_offset(total + at[2], length);
+  total = total + at[1];
   std::vector<Expr> roots;
   if (p.first) {
     // Turned back by the twist, only the moment about the axis is wanted.
@@ -114,13 +106,13 @@ std::size_t pattern_cost(const LinkPattern& p, const std::array<MomentForm, 3>& 
       roots.insert(roots.end(), at[0].force.entries.begin(), at[0].force.entries.end());
       roots.insert(roots.end(), at[0].moment.entries.begin(), at[0].moment.entries.end());
     } else {
-      gather(0);
+      total = total + at[0];
     }
     roots.insert(roots.end(), total.force.entries.begin(), total.force.entries.end());
     roots.insert(roots.end(), total.moment.entries.begin(), total.moment.entries.end());
   }
   if (p.child) roots.insert(roots.end(), motions[3].acc.entries.begin(), motions[3].acc.entries.end());
-  return count_operations(roots).total();
+  return count_operations(roots).weight;
 }
 
 /// The search over one mechanism's links.
@@ -194,7 +186,7 @@ class RegroupingSearch {
   std::size_t cost(const LinkPattern& p) {
     const auto [entry, inserted] = costs_.try_emplace(p.key(), 0);
     if (inserted) {
-      std::array<MomentForm, 3> forms;
+      MomentForms forms;
       forms.fill(MomentForm::pseudo_inertia);
       entry->second = pattern_cost(p, forms);
       forms.fill(MomentForm::inertia);
@@ -279,11 +271,11 @@ class RegroupingSearch {
     return better;
   }
 
-  std::array<MomentForm, 3> best_forms(const LinkPattern& p) {
-    std::array<MomentForm, 3> best{};
+  MomentForms best_forms(const LinkPattern& p) {
+    MomentForms best{};
     std::size_t least = ~std::size_t{0};
     for (unsigned mask = 0; mask < 8; ++mask) {
-      std::array<MomentForm, 3> forms;
+      MomentForms forms;
       for (std::size_t k = 0; k < 3; ++k)
         forms[k] = (mask >> k & 1u) != 0 ? MomentForm::inertia : MomentForm::pseudo_inertia;
       const std::size_t here = pattern_cost(p, forms);

@@ -25,11 +25,11 @@
 namespace alembert {
 namespace {
 
-/// Force at the origin of a frame and torque on it, in its axes or the world's.
+/// A wrench about the origin of a frame, in its axes or the world's.
 struct AppliedWrench {
   int frame;
   bool frame_axes;
-  Vec3 force, torque;
+  Wrench wrench;
 };
 
 class AppliedForcesBuilder {
@@ -60,26 +60,26 @@ class AppliedForcesBuilder {
 
   Expr inserted(const Expr& given) const { return inserted(std::vector<Expr>{given}).front(); }
 
-  void add(int speed, const Expr& value) {
-    if (speed != derivatives_.time_index()) Q_[static_cast<std::size_t>(speed)] += value;
+  void add(int speed, const Expr& value, std::vector<Expr>& Q) const {
+    if (speed != derivatives_.time_index()) Q[static_cast<std::size_t>(speed)] += value;
   }
 
   void add(const Force& force) {
     switch (force.kind) {
       case ForceKind::on_speed:
-        add(force.speed, inserted(force.value));
+        add(force.speed, inserted(force.value), Q_);
         break;
       case ForceKind::potential: {
         const Expr energy = inserted(force.value);
         potential_ += energy;
         for (const SpeedPartial& partial : derivatives_.partials(std::span(&energy, 1)))
-          add(partial.speed, -partial.values.front());
+          add(partial.speed, -partial.values.front(), Q_);
         break;
       }
       case ForceKind::path: {
         const Expr length = inserted(force.length), tension = inserted(force.value);
         for (const SpeedPartial& lever : derivatives_.partials(std::span(&length, 1)))
-          add(lever.speed, -(tension * lever.values.front()));
+          add(lever.speed, -(tension * lever.values.front()), Q_);
         break;
       }
       case ForceKind::wrench:
@@ -102,7 +102,8 @@ class AppliedForcesBuilder {
 
   void add_wrench(const Force& force) {
     const FramePlace place = frame_place(force.frame, mechanism_, tree_, graph_);
-    const AppliedWrench wrench{force.frame, force.frame_axes, inserted(force.force), inserted(force.torque)};
+    const AppliedWrench wrench{
+        force.frame, force.frame_axes, {inserted(force.torque), inserted(force.force)}};
     const bool moves = std::ranges::any_of(place.motions, [&](const Motion& motion) {
       return derivatives_.moves(moved(identity_pose(graph_), motion).rotation.entries) ||
              derivatives_.moves(moved(identity_pose(graph_), motion).origin.entries);
@@ -113,58 +114,38 @@ class AppliedForcesBuilder {
       wrenches_.push_back(wrench);
   }
 
-  /// Q_k = f . v_k + n . om_k in world axes.
-  void add_by_twists(const AppliedWrench& wrench, std::vector<Expr>& Q) const {
-    const auto in_world = [&](const Vec3& x) { return wrench.frame_axes ? rotation(wrench.frame) * x : x; };
-    const Vec3 f = in_world(wrench.force), n = in_world(wrench.torque);
-    for (const FrameTwist& twist : frame_twists(derivatives_, pose_of(wrench.frame))) {
-      if (twist.speed == derivatives_.time_index()) continue;
-      const Expr power = dot(f, twist.linear);
-      Q[static_cast<std::size_t>(twist.speed)] += power + dot(n, twist.angular);
+  /// Its power along each speed, in world axes.
+  void add_by_twists(const AppliedWrench& given, std::vector<Expr>& Q) const {
+    Wrench wrench = given.wrench;
+    if (given.frame_axes) {
+      const Mat3 R = rotation(given.frame);
+      wrench = {R * wrench.moment, R * wrench.force};
     }
+    for (const FrameTwist& along : frame_twists(derivatives_, pose_of(given.frame)))
+      add(along.speed, dot(along.twist, wrench), Q);
   }
 
   /// All at once, handed from node to node towards the world.
   void add_inward(std::span<const AppliedWrench> wrenches, std::vector<Expr>& Q) const {
-    const std::size_t count = tree_.nodes.size();
-    std::vector<Vec3> force(count, zeros<3, 1>(graph_)), moment = force;
-    for (const AppliedWrench& wrench : wrenches) {
-      const FramePlace place = frame_place(wrench.frame, mechanism_, tree_, graph_);
-      const std::size_t i = static_cast<std::size_t>(place.node);
-      Vec3 f = wrench.force, n = wrench.torque;
-      if (!wrench.frame_axes) {
-        const Mat3 to_frame = transpose(rotation(wrench.frame));
-        f = to_frame * f;
-        n = to_frame * n;
+    std::vector<Wrench> loads(tree_.nodes.size(), zero_wrench(graph_));
+    for (const AppliedWrench& given : wrenches) {
+      const FramePlace place = frame_place(given.frame, mechanism_, tree_, graph_);
+      Wrench wrench = given.wrench;
+      if (!given.frame_axes) {
+        const Mat3 to_frame = transpose(rotation(given.frame));
+        wrench = {to_frame * wrench.moment, to_frame * wrench.force};
       }
-      for (std::size_t m = place.motions.size(); m-- > 0;) {
-        const Motion& motion = place.motions[m];
-        if (motion.kind == MotionKind::translation) {
-          n = n + cross(motion.offset, f);
-        } else {
-          f = motion.to_parent(f);
-          n = motion.to_parent(n);
-        }
-      }
-      force[i] = force[i] + f;
-      moment[i] = moment[i] + n;
+      for (std::size_t m = place.motions.size(); m-- > 0;) wrench = inward(place.motions[m], wrench);
+      Wrench& load = loads[static_cast<std::size_t>(place.node)];
+      load = load + wrench;
     }
-    for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t i = loads.size(); i-- > 0;) {
       const MotionNode& node = tree_.nodes[i];
-      const bool linear = node.motion.kind == MotionKind::translation;
-      for (const TwistPartial& partial : node.partials) {
-        if (partial.speed == derivatives_.time_index()) continue;
-        Q[static_cast<std::size_t>(partial.speed)] += dot(partial.direction, linear ? force[i] : moment[i]);
-      }
+      for (const TwistPartial& partial : node.partials)
+        add(partial.speed, power_along(node.motion, partial.direction, loads[i]), Q);
       if (node.parent < 0) continue;
-      const std::size_t p = static_cast<std::size_t>(node.parent);
-      if (linear) {
-        force[p] = force[p] + force[i];
-        moment[p] = moment[p] + (moment[i] + cross(node.motion.offset, force[i]));
-      } else {
-        force[p] = force[p] + node.motion.to_parent(force[i]);
-        moment[p] = moment[p] + node.motion.to_parent(moment[i]);
-      }
+      Wrench& load = loads[static_cast<std::size_t>(node.parent)];
+      load = load + inward(node.motion, loads[i]);
     }
   }
 
@@ -197,9 +178,8 @@ class AppliedForcesBuilder {
 
   void check_values(const Force& force) const {
     std::vector<Expr> all = Q_;
-    for (const AppliedWrench& wrench : wrenches_)
-      for (const Vec3* vector : {&wrench.force, &wrench.torque})
-        all.insert(all.end(), vector->entries.begin(), vector->entries.end());
+    for (const AppliedWrench& given : wrenches_)
+      for (std::size_t i = 0; i < 6; ++i) all.push_back(given.wrench[i]);
     const std::vector<double> values = evaluate(all, state_values(mechanism_, graph_, 0));
     if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
     throw InputError(

@@ -21,39 +21,11 @@
 #include <optional>
 
 #include "dynamics/recursions/armature.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
 namespace {
-
-/// A pair of an angular and a linear vector: twist and acceleration (al, acc), or moment and force (n, f).
-using Pair = Matrix<6, 1>;
-
-Pair pair(const Vec3& x, const Vec3& y) {
-  return {{x[0], x[1], x[2], y[0], y[1], y[2]}};
-}
-Vec3 first(const Pair& x) {
-  return {{x[0], x[1], x[2]}};
-}
-Vec3 second(const Pair& x) {
-  return {{x[3], x[4], x[5]}};
-}
-Expr dot(const Pair& x, const Pair& y) {
-  return dot(first(x), first(y)) + dot(second(x), second(y));
-}
-
-/// y of the next frame's origin, in its axes.
-Pair outward(const Motion& motion, const Pair& y) {
-  if (motion.kind == MotionKind::translation)
-    return pair(first(y), second(y) + cross(first(y), motion.offset));
-  return pair(motion.to_child(first(y)), motion.to_child(second(y)));
-}
-/// x about the previous frame's origin, in its axes.
-Pair inward(const Motion& motion, const Pair& x) {
-  if (motion.kind == MotionKind::translation)
-    return pair(first(x) + cross(motion.offset, second(x)), second(x));
-  return pair(motion.to_parent(first(x)), motion.to_parent(second(x)));
-}
 
 struct ArticulatedInertia {
   Mat3 J, H, M;  ///< J and M symmetric, all nine entries kept
@@ -147,14 +119,14 @@ ArticulatedInertia plus(ArticulatedInertia x, const ArticulatedInertia& y) {
   return x;
 }
 
-Pair operator*(const ArticulatedInertia& I, const Pair& s) {
-  return pair(I.J * first(s) + I.H * second(s), transpose(I.H) * first(s) + I.M * second(s));
+Wrench operator*(const ArticulatedInertia& I, const Twist& s) {
+  return {I.J * s.angular + I.H * s.linear, transpose(I.H) * s.angular + I.M * s.linear};
 }
 
 /// A speed as one joint.
 struct Joint {
   int speed;
-  Pair twist;  ///< in the axes of the frame where it is taken
+  Twist twist;  ///< in the axes of the frame where it is taken
 };
 
 /// Joints of each node. A speed that several nodes depend on is taken at the outermost, with the sum of their
@@ -178,16 +150,13 @@ std::optional<std::vector<std::vector<Joint>>> joints_of(const MotionTree& tree,
     std::vector<std::size_t> nodes = nodes_of[static_cast<std::size_t>(speed)];
     if (nodes.empty()) return std::nullopt;
     const std::size_t outermost = nodes.back();
-    Pair sum = zeros<6, 1>(g);
+    Twist sum = zero_twist(g);
     std::vector<std::size_t> path;  // from the outermost to the frame before
     for (std::size_t at = outermost;;) {
       if (at == nodes.back()) {
-        Pair twist = zeros<6, 1>(g);
-        for (const TwistPartial& partial : tree.nodes[at].partials) {
-          if (partial.speed != speed) continue;
-          const bool linear = tree.nodes[at].motion.kind == MotionKind::translation;
-          for (std::size_t k = 0; k < 3; ++k) twist[linear ? k + 3 : k] += partial.direction[k];
-        }
+        Twist twist = zero_twist(g);
+        for (const TwistPartial& partial : tree.nodes[at].partials)
+          if (partial.speed == speed) twist = twist + twist_along(tree.nodes[at].motion, partial.direction);
         for (std::size_t k = path.size(); k-- > 0;) twist = outward(tree.nodes[path[k]].motion, twist);
         sum = sum + twist;
         nodes.pop_back();
@@ -204,7 +173,7 @@ std::optional<std::vector<std::vector<Joint>>> joints_of(const MotionTree& tree,
 }
 
 /// Component of a twist that has only one, otherwise 6.
-std::size_t only_component(const Pair& twist) {
+std::size_t only_component(const Twist& twist) {
   std::size_t found = 6;
   for (std::size_t k = 0; k < 6; ++k) {
     if (twist[k].is_zero()) continue;
@@ -215,7 +184,7 @@ std::size_t only_component(const Pair& twist) {
 }
 
 /// What is left of I after a joint, with the row and column of its own component exactly zero.
-ArticulatedInertia without(const ArticulatedInertia& I, const Pair& U, const Pair& U_over_D,
+ArticulatedInertia without(const ArticulatedInertia& I, const Wrench& U, const Wrench& U_over_D,
                            std::size_t own) {
   ArticulatedInertia out = I;
   const auto entry = [&](std::size_t r, std::size_t c) -> Expr& {
@@ -245,24 +214,24 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
   if (!joints) return std::nullopt;
 
   struct Solved {
-    Pair U_over_D;
+    Wrench U_over_D;
     Expr u_over_D;
   };
   std::vector<ArticulatedInertia> inertias;
   for (const NodeMass& mass : tree.masses) inertias.push_back(rigid_body(mass, graph));
-  std::vector<Pair> forces(count, zeros<6, 1>(graph));
+  std::vector<Wrench> forces(count, zero_wrench(graph));
   std::vector<std::vector<Solved>> solved(count);
   const std::vector<Expr> armature = armatures(mechanism);
   for (std::size_t i = count; i-- > 0;) {
     ArticulatedInertia& I = inertias[i];
-    Pair& p = forces[i];
+    Wrench& p = forces[i];
     for (const Joint& joint : (*joints)[i]) {
-      const Pair& s = joint.twist;
-      const Pair U = I * s;
+      const Twist& s = joint.twist;
+      const Wrench U = I * s;
       const Expr a = armature[static_cast<std::size_t>(joint.speed)];
       const Expr inverse_D = graph.one() / (dot(s, U) + a);
       const Expr u = right_side[static_cast<std::size_t>(joint.speed)] - dot(s, p);
-      const Pair U_over_D = inverse_D * U;
+      const Wrench U_over_D = inverse_D * U;
       const std::size_t own = a.is_zero() ? only_component(s) : 6;  // with armature, some of it stays
       I = without(I, U, U_over_D, own);
       for (std::size_t k = 0; k < 6; ++k) {
@@ -279,14 +248,14 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
   }
 
   std::vector<Expr> rates(static_cast<std::size_t>(mechanism.nv), graph.zero());
-  std::vector<Pair> accelerations;
+  std::vector<Twist> accelerations;
   for (std::size_t i = 0; i < count; ++i) {
     const MotionNode& node = tree.nodes[i];
-    Pair y = node.parent < 0 ? zeros<6, 1>(graph)
-                             : outward(node.motion, accelerations[static_cast<std::size_t>(node.parent)]);
+    Twist y = node.parent < 0 ? zero_twist(graph)
+                              : outward(node.motion, accelerations[static_cast<std::size_t>(node.parent)]);
     for (std::size_t k = (*joints)[i].size(); k-- > 0;) {
       const Joint& joint = (*joints)[i][k];
-      const Expr rate = solved[i][k].u_over_D - dot(solved[i][k].U_over_D, y);
+      const Expr rate = solved[i][k].u_over_D - dot(y, solved[i][k].U_over_D);
       rates[static_cast<std::size_t>(joint.speed)] = rate;
       y = y + rate * joint.twist;
     }

@@ -1,5 +1,7 @@
-// Inertia forces of a rigid body in a moving frame (see the header).
+// Forces of rigid bodies (see the header).
 #include "dynamics/recursions/body_forces.hpp"
+
+#include "dynamics/tree/symbols.hpp"
 
 namespace alembert {
 
@@ -38,8 +40,7 @@ namespace {
 
 /// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may
 /// be written with J instead.
-Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g) {
-  const Mat3& J = mass.inertia;
+Vec3 rotational_moment(const FrameMotion& s, const Mat3& J, const MomentForms& forms, ExprGraph& g) {
   const Expr half = g.rational(Rational(1, 2));
   Expr trace = J(0, 0) + J(1, 1);
   trace += J(2, 2);
@@ -56,7 +57,7 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
     n[x] += s.U(y, x) * times(d, J(x, z));
     const Expr difference = squares[z] - squares[y];  // U_zz - U_yy
     n[x] -= difference * times(d, J(y, z));
-    switch (mass.forms[x]) {
+    switch (forms[x]) {
       case MomentForm::pseudo_inertia:
         n[x] += s.U(z, y) * times(d, K[y]);
         n[x] -= s.U(y, z) * times(d, K[z]);
@@ -72,10 +73,11 @@ Vec3 rotational_moment(const FrameMotion& s, const NodeMass& mass, ExprGraph& g)
 
 }  // namespace
 
-ForceMoment inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph) {
+Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
+                      ExprGraph& graph) {
   const Scale& d = motion.scale;
   const Vec3& h = mass.moment;
-  ForceMoment out{{}, rotational_moment(motion, mass, graph)};
+  Wrench out{rotational_moment(motion, mass.inertia, forms, graph), {}};
   for (std::size_t x = 0; x < 3; ++x) {
     const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
     Expr sum = motion.U(x, 0) * times(d[x], h[0]);
@@ -86,6 +88,27 @@ ForceMoment inertia_forces(const FrameMotion& motion, const NodeMass& mass, Expr
     Expr lever = times(d[x] * d[z], h[y]) * motion.acc[z];
     lever -= times(d[x] * d[y], h[z]) * motion.acc[y];
     out.moment[x] += lever;
+  }
+  return out;
+}
+
+std::vector<NodeWrench> external_wrenches(const Mechanism& mechanism, const MotionTree& tree,
+                                          ExprGraph& graph) {
+  const std::vector<WrenchSymbols> given = wrench_symbols(mechanism, graph);
+  std::vector<NodeWrench> out;
+  if (given.empty()) return out;
+  std::vector<Pose> poses;  // rotations only: wrenches are given in world axes
+  for (const MotionNode& node : tree.nodes) {
+    const Pose from = node.parent < 0 ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
+    poses.push_back(node.motion.kind == MotionKind::translation ? from : moved(from, node.motion));
+  }
+  for (const auto& [body, wrench] : given) {
+    const BodyPlace& place = tree.places[static_cast<std::size_t>(body)];
+    if (place.node < 0) continue;
+    const std::size_t i = static_cast<std::size_t>(place.node);
+    const Mat3 to_node = transpose(poses[i].rotation);
+    const Vec3 center = center_at_node(mechanism.bodies[static_cast<std::size_t>(body)], place);
+    out.push_back({i, center, {to_node * wrench.moment, to_node * wrench.force}});
   }
   return out;
 }

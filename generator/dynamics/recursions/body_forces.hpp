@@ -1,5 +1,5 @@
-// Inertia forces of a rigid body in a moving frame: the part of the reduced form that belongs to one frame
-// alone.
+// Forces of rigid bodies in moving frames: the part of the reduced form that belongs to one frame alone. In: the
+// motion and masses of a frame, external wrenches. Out: the wrenches in the frame.
 //
 // Letters, here and in the other recursions: om, al angular velocity and its rate, acc acceleration of a frame's
 // origin, f, n force and moment, all in the axes of the frame they belong to; U = skew(al) + skew(om)^2; h = m c first
@@ -7,7 +7,9 @@
 #pragma once
 
 #include "dynamics/rewrites/scaled_vectors.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
@@ -25,11 +27,17 @@ struct FrameMotion {
   Vec3 at(const Vec3& t) const;
 };
 
-struct ForceMoment {
-  Vec3 force, moment;
-};
-
 /// f = m acc + U h;  n = J al + om x J om + h x acc, about the frame's origin; as stored: D f, D n.
-ForceMoment inertia_forces(const FrameMotion& motion, const NodeMass& mass, ExprGraph& graph);
+Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
+                      ExprGraph& graph);
+
+/// An external wrench on a body that is fixed to a node, in the node's axes: about the centre of mass at `point`.
+struct NodeWrench {
+  std::size_t node;
+  Vec3 point;
+  Wrench wrench;
+};
+std::vector<NodeWrench> external_wrenches(const Mechanism& mechanism, const MotionTree& tree,
+                                          ExprGraph& graph);
 
 }  // namespace alembert

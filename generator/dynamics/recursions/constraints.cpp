@@ -10,6 +10,7 @@
 #include "dynamics/tree/contact_frames.hpp"
 #include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/mate.hpp"
 #include "symbolic/coefficient.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/simplify.hpp"
@@ -179,8 +180,8 @@ ConstraintEquations constraint_equations(const Mechanism& mechanism, const Motio
         return pfaffian_rows(constraint, equations, mechanism, derivatives, graph);
       case ConstraintType::rolling: {
         const Body& body = mechanism.bodies[static_cast<std::size_t>(constraint.body)];
-        const Factor& factor = body.transform.factors[constraint.factor];
-        return rolling_rows(std::get<Mate>(factor.value), factor.where, mechanism, derivatives, graph);
+        return rolling_rows(*mate_at(body.transform, constraint.factor),
+                            body.transform.factors[constraint.factor].where, mechanism, derivatives, graph);
       }
     }
     return SpeedRows{};

@@ -11,18 +11,18 @@
 #include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/recursions/composite.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
-#include "dynamics/tree/symbols.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
 namespace {
 
 /// What a change of a coordinate or a speed does to what moves with a frame, seen in the frame: accelerations
-/// change by angular_rate x r + linear + 2 angular x dr/dt, and all turns by `turn` in the world.
+/// change by acceleration.angular x r + acceleration.linear + 2 angular x dr/dt, and all turns by `turn` in the
+/// world.
 struct Change {
-  Vec3 angular;       ///< of the angular velocity om
-  Vec3 angular_rate;  ///< of its rate, plus om x angular
-  Vec3 linear;        ///< of the acceleration of the origin
+  Twist acceleration;  ///< angular: of the rate of om, plus om x `angular`; linear: of that of the origin
+  Vec3 angular;        ///< of the angular velocity om
   Vec3 turn;
 };
 
@@ -34,41 +34,39 @@ struct Mover {
   Change by_coordinate, by_speed;
 };
 
-/// A force and its moment about the origin; they pass from frame to frame as a momentum does.
-using Wrench = Momentum;
-
-/// The power of a change along one unit motion: n . angular_rate + f . linear + g . angular + e . turn.
+/// The power of a change along one unit motion: momentum . acceleration + g . angular + e . turn.
 struct Response {
-  Vec3 f, n, g, e;
+  Wrench momentum;
+  Vec3 g, e;
   Expr to(const Change& change) const {
-    const Expr steady = dot(n, change.angular_rate) + dot(f, change.linear);
+    const Expr steady = dot(change.acceleration, momentum);
     return steady + (dot(g, change.angular) + dot(e, change.turn));
   }
 };
 
 /// Forces whose directions are fixed in the world, with c from the origin to where they act.
 struct WorldForces {
-  Vec3 f, torque;  ///< sums of forces and of free torques
-  Vec3 moment;     ///< sum of c x f
-  Mat3 S;          ///< sum of f c^T + c f^T
+  Wrench wrench;  ///< sums of f and of c x f
+  Vec3 torque;    ///< sum of free torques
+  Mat3 S;         ///< sum of f c^T + c f^T
 };
 
 /// All that moves with a frame, and how; r and dr/dt of its particles are from the origin, in axes that do
 /// not turn.
 struct MovingComposite {
   Composite body;
-  Vec3 p;  ///< integral of dr/dt dm
-  Vec3 L;  ///< integral of r x dr/dt dm
-  Mat3 S;  ///< rate of K
+  Wrench momentum;  ///< p, integral of dr/dt dm, and L, of r x dr/dt dm
+  Mat3 S;           ///< rate of K
   WorldForces external;
 };
 
 class Recursion {
  public:
-  Recursion(const Mechanism& mechanism, const MotionTree& tree, const SpeedDerivatives& derivatives,
+  Recursion(const Mechanism& mechanism, const WrittenTree& written, const SpeedDerivatives& derivatives,
             ExprGraph& graph, FarPairs far)
       : mechanism_(mechanism),
-        tree_(tree),
+        tree_(written.tree),
+        moments_(written.moments),
         derivatives_(derivatives),
         graph_(graph),
         none_(zeros<3, 1>(graph)),
@@ -76,7 +74,7 @@ class Recursion {
         nv_(static_cast<std::size_t>(mechanism.nv)),
         along_(nv_ * nv_, graph.zero()),
         by_(nv_ * nv_, graph.zero()) {
-    outward();
+    move();
     collect_own();
     meet(far);
   }
@@ -104,7 +102,7 @@ class Recursion {
   bool is_linear(std::size_t i) const { return node(i).motion.kind == MotionKind::translation; }
   std::size_t size() const { return tree_.nodes.size(); }
 
-  void outward();
+  void move();
   FrameMotion next(const FrameMotion& from, const MotionNode& to) const;
   std::vector<Mover> movers(const FrameMotion& from, const MotionNode& at, const FrameMotion& frame) const;
   void collect_own();
@@ -115,18 +113,18 @@ class Recursion {
 
   Wrench change_of_wrench(std::size_t i, const Change& change) const;
   Response response(std::size_t i, const Vec3& twist) const;
-  Wrench carried(const Wrench& x, std::size_t i) const;
   Response carried(const Response& x, std::size_t i) const;
   Response at_meeting(const Response& x, std::size_t i) const;
   void add_pairs(std::size_t i, const Mover& mover);
 
   Expr along_motion(std::size_t i, const Vec3& twist, const Wrench& x) const {
-    return dot(twist, is_linear(i) ? x.f : x.n);
+    return power_along(node(i).motion, twist, x);
   }
   void add(std::vector<Expr>& to, std::size_t k, std::size_t l, Expr value) { to[k * nv_ + l] += value; }
 
   const Mechanism& mechanism_;
   const MotionTree& tree_;
+  const std::vector<MomentForms>& moments_;
   const SpeedDerivatives& derivatives_;
   ExprGraph& graph_;
   Vec3 none_;
@@ -155,7 +153,7 @@ FrameMotion Recursion::next(const FrameMotion& from, const MotionNode& to) const
   return FrameMotion(om + to.velocity, al + to.acceleration, to.motion.to_child(from.acc));
 }
 
-void Recursion::outward() {
+void Recursion::move() {
   const Vec3& gravity = mechanism_.gravity;
   const FrameMotion root(none_, none_, {{-gravity[0], -gravity[1], -gravity[2]}});
   for (std::size_t i = 0; i < size(); ++i) {
@@ -196,18 +194,19 @@ std::vector<Mover> Recursion::movers(const FrameMotion& from, const MotionNode& 
     Mover mover{static_cast<std::size_t>(partial.speed),
                 xi,
                 derivatives_.partials(xi.entries),
-                {none_, none_, none_, none_},
-                {none_, none_, none_, none_}};
+                {{none_, none_}, none_, none_},
+                {{none_, none_}, none_, none_}};
     if (at.motion.kind == MotionKind::translation) {
-      mover.by_coordinate.linear = from.U * xi + cross(from.om, two_ * velocity) + acceleration;
-      mover.by_speed.linear = cross(from.om, two_ * xi) + by_speed;
+      mover.by_coordinate.acceleration.linear = from.U * xi + cross(from.om, two_ * velocity) + acceleration;
+      mover.by_speed.acceleration.linear = cross(from.om, two_ * xi) + by_speed;
     } else {
       const Vec3 sum = at.motion.to_child(from.om) + frame.om;
       const Vec3 bent = velocity - cross(at.velocity, xi);
       const Vec3 bent_rate = acceleration - cross(at.acceleration, xi);
-      mover.by_coordinate = {cross(frame.om, xi) + bent, frame.U * xi + cross(sum, bent) + bent_rate,
-                             cross(frame.acc, xi), xi};
-      mover.by_speed = {xi, cross(sum, xi) + by_speed, none_, none_};
+      mover.by_coordinate = {{frame.U * xi + cross(sum, bent) + bent_rate, cross(frame.acc, xi)},
+                             cross(frame.om, xi) + bent,
+                             xi};
+      mover.by_speed = {{cross(sum, xi) + by_speed, none_}, xi, none_};
     }
     out.push_back(std::move(mover));
   }
@@ -223,40 +222,24 @@ MovingComposite Recursion::own(std::size_t i) const {
     for (std::size_t r = 0; r < 3; ++r) turning(r, c) = column[r];
   }
   return {body,
-          cross(om, body.h),
-          times_inertia(body.K, om),
+          {times_inertia(body.K, om), cross(om, body.h)},
           turning + transpose(turning),
-          {none_, none_, none_, zeros<3, 3>(graph_)}};
+          {{none_, none_}, none_, zeros<3, 3>(graph_)}};
 }
 
 void Recursion::collect_own() {
   for (std::size_t i = 0; i < size(); ++i) {
     composites_.push_back(own(i));
-    if (tree_.masses[i].is_zero()) {
-      loads_.push_back({none_, none_});
-    } else {
-      const ForceMoment forces = inertia_forces(frames_[i], tree_.masses[i], graph_);
-      loads_.push_back({forces.force, forces.moment});
-    }
+    loads_.push_back(tree_.masses[i].is_zero()
+                         ? zero_wrench(graph_)
+                         : inertia_forces(frames_[i], tree_.masses[i], moments_[i], graph_));
   }
-  const std::vector<WrenchSymbols> wrenches = wrench_symbols(mechanism_, graph_);
-  if (wrenches.empty()) return;
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < size(); ++i) {
-    const Pose from = node(i).parent < 0 ? identity_pose(graph_) : poses[parent(i)];
-    poses.push_back(is_linear(i) ? from : moved(from, node(i).motion));
-  }
-  for (const WrenchSymbols& wrench : wrenches) {
-    const BodyPlace& place = tree_.places[static_cast<std::size_t>(wrench.body)];
-    if (place.node < 0) continue;
-    const std::size_t i = static_cast<std::size_t>(place.node);
-    const Mat3 to_node = transpose(poses[i].rotation);
-    const Vec3 f = none_ - to_node * wrench.force, torque = none_ - to_node * wrench.torque;
-    const Vec3 c = center_at_node(mechanism_.bodies[static_cast<std::size_t>(wrench.body)], place);
-    const Vec3 moment = cross(c, f);
+  for (const auto& [i, point, wrench] : external_wrenches(mechanism_, tree_, graph_)) {
+    const Vec3 torque = none_ - wrench.moment;
+    const Wrench force = at_offset({none_, none_ - wrench.force}, point);
     WorldForces& all = composites_[i].external;
-    all = {all.f + f, all.torque + torque, all.moment + moment, plus_products(all.S, f, c)};
-    loads_[i] = {loads_[i].f + f, loads_[i].n + (torque + moment)};
+    all = {all.wrench + force, all.torque + torque, plus_products(all.S, force.force, point)};
+    loads_[i] = {loads_[i].moment + (torque + force.moment), loads_[i].force + force.force};
   }
 }
 
@@ -267,65 +250,61 @@ void Recursion::add_to_parent(std::size_t i) {
     const Vec3 &t = motion.offset, &w = shift_rates_[i];
     WorldForces& forces = x.external;
     x.body = shifted(x.body, t, graph_);
-    x.L = x.L + cross(t, x.p) + cross(x.body.h, w);
-    x.S = plus_products(plus_products(x.S, x.p, t), x.body.h, w);
-    x.p = x.p + x.body.mass * w;
-    forces.moment = forces.moment + cross(t, forces.f);
-    forces.S = plus_products(forces.S, forces.f, t);
+    x.S = plus_products(plus_products(x.S, x.momentum.force, t), x.body.h, w);
+    x.momentum = inward(motion, x.momentum);
+    x.momentum = {x.momentum.moment + cross(x.body.h, w), x.momentum.force + x.body.mass * w};
+    forces.wrench = inward(motion, forces.wrench);
+    forces.S = plus_products(forces.S, forces.wrench.force, t);
   } else {
     const WorldForces& forces = x.external;
-    x = {turned(x.body, motion),
-         motion.to_parent(x.p),
-         motion.to_parent(x.L),
-         turned_symmetric(x.S, motion),
-         {motion.to_parent(forces.f), motion.to_parent(forces.torque), motion.to_parent(forces.moment),
-          turned_symmetric(forces.S, motion)}};
+    x = {
+        turned(x.body, motion),
+        inward(motion, x.momentum),
+        turned_symmetric(x.S, motion),
+        {inward(motion, forces.wrench), motion.to_parent(forces.torque), turned_symmetric(forces.S, motion)}};
   }
   MovingComposite& sum = composites_[parent(i)];
   const WorldForces &one = sum.external, &other = x.external;
   sum = {plus(sum.body, x.body),
-         sum.p + x.p,
-         sum.L + x.L,
+         sum.momentum + x.momentum,
          plus_symmetric(sum.S, x.S),
-         {one.f + other.f, one.torque + other.torque, one.moment + other.moment,
-          plus_symmetric(one.S, other.S)}};
-  const Wrench load = carried(loads_[i], i);
-  loads_[parent(i)] = {loads_[parent(i)].f + load.f, loads_[parent(i)].n + load.n};
+         {one.wrench + other.wrench, one.torque + other.torque, plus_symmetric(one.S, other.S)}};
+  loads_[parent(i)] = loads_[parent(i)] + inward(motion, loads_[i]);
 }
 
 Wrench Recursion::change_of_wrench(std::size_t i, const Change& change) const {
-  const auto& [body, p, L, S, external] = composites_[i];
-  Wrench out{body.mass * change.linear, cross(body.h, change.linear)};
-  out.f = out.f + cross(change.angular_rate, body.h) + cross(two_ * change.angular, p);
-  out.n = out.n + times_inertia(body.K, change.angular_rate) + times_inertia(S, change.angular) +
-          cross(change.angular, L);
+  const auto& [body, momentum, S, external] = composites_[i];
+  const auto& [rate, linear] = change.acceleration;
+  Wrench out{cross(body.h, linear), body.mass * linear};
+  out.force = out.force + cross(rate, body.h) + cross(two_ * change.angular, momentum.force);
+  out.moment = out.moment + times_inertia(body.K, rate) + times_inertia(S, change.angular) +
+               cross(change.angular, momentum.moment);
   // World forces turn backwards in the frame.
   const Expr half = graph_.rational(Rational(1, 2));
-  out.f = out.f + cross(external.f, change.turn);
-  out.n = out.n + cross(external.torque + half * external.moment, change.turn) -
-          half * times_inertia(external.S, change.turn);
+  out.force = out.force + cross(external.wrench.force, change.turn);
+  out.moment = out.moment + cross(external.torque + half * external.wrench.moment, change.turn) -
+               half * times_inertia(external.S, change.turn);
   return out;
 }
 
 Response Recursion::response(std::size_t i, const Vec3& twist) const {
-  const auto& [body, p, L, S, external] = composites_[i];
+  const auto& [body, momentum, S, external] = composites_[i];
   if (is_linear(i))
-    return {body.mass * twist, cross(body.h, twist), cross(two_ * p, twist), cross(twist, external.f)};
+    return {{cross(body.h, twist), body.mass * twist},
+            cross(two_ * momentum.force, twist),
+            cross(twist, external.wrench.force)};
   const Expr half = graph_.rational(Rational(1, 2));
-  return {cross(twist, body.h), times_inertia(body.K, twist), times_inertia(S, twist) + cross(L, twist),
-          cross(twist, external.torque + half * external.moment) - half * times_inertia(external.S, twist)};
-}
-
-Wrench Recursion::carried(const Wrench& x, std::size_t i) const {
-  const Motion& motion = node(i).motion;
-  if (is_linear(i)) return {x.f, x.n + cross(motion.offset, x.f)};
-  return {motion.to_parent(x.f), motion.to_parent(x.n)};
+  return {{times_inertia(body.K, twist), cross(twist, body.h)},
+          times_inertia(S, twist) + cross(momentum.moment, twist),
+          cross(twist, external.torque + half * external.wrench.moment) -
+              half * times_inertia(external.S, twist)};
 }
 
 Response Recursion::carried(const Response& x, std::size_t i) const {
-  const auto [f, n] = carried(Wrench{x.f, x.n}, i);
-  if (is_linear(i)) return {f, n, x.g + cross(two_ * shift_rates_[i], x.f), x.e};
-  return {f, n, node(i).motion.to_parent(x.g), node(i).motion.to_parent(x.e)};
+  const Motion& motion = node(i).motion;
+  const Wrench momentum = inward(motion, x.momentum);
+  if (is_linear(i)) return {momentum, x.g + cross(two_ * shift_rates_[i], momentum.force), x.e};
+  return {momentum, motion.to_parent(x.g), motion.to_parent(x.e)};
 }
 
 void Recursion::meet(FarPairs far) {
@@ -358,10 +337,10 @@ void Recursion::meet(FarPairs far) {
 void Recursion::add_met(int frame, std::size_t i, const Vec3& velocity) {
   const Pose& pose = meetings_->pose(frame, i);
   const auto met = [&](const Change& change) {
-    const Vec3 angular = pose.rotation * change.angular, rate = pose.rotation * change.angular_rate;
-    Vec3 linear = pose.rotation * change.linear + cross(pose.origin, rate);
-    linear = linear + cross(two_ * velocity, angular);
-    return Change{angular, rate, linear, pose.rotation * change.turn};
+    const Vec3 angular = pose.rotation * change.angular;
+    Twist acceleration = inward(pose, change.acceleration);
+    acceleration.linear = acceleration.linear + cross(two_ * velocity, angular);
+    return Change{acceleration, angular, pose.rotation * change.turn};
   };
   Met out{velocity, {}, {}};
   for (const Mover& mover : movers_[i]) {
@@ -374,9 +353,10 @@ void Recursion::add_met(int frame, std::size_t i, const Vec3& velocity) {
 Response Recursion::at_meeting(const Response& x, std::size_t i) const {
   const int frame = meetings_->meeting_of(i);
   if (frame == static_cast<int>(i)) return x;
-  const auto [f, n] = meetings_->at_meeting(i, {x.f, x.n});
+  const Wrench momentum = meetings_->at_meeting(i, x.momentum);
   const Mat3& rotation = meetings_->pose(frame, i).rotation;
-  return {f, n, rotation * x.g + cross(two_ * met_.at({frame, i}).velocity, f), rotation * x.e};
+  return {momentum, rotation * x.g + cross(two_ * met_.at({frame, i}).velocity, momentum.force),
+          rotation * x.e};
 }
 
 void Recursion::add_pairs(std::size_t i, const Mover& mover) {
@@ -393,9 +373,9 @@ void Recursion::add_pairs(std::size_t i, const Mover& mover) {
   }
   // Inward of the node the load turns, or shifts, too.
   if (is_linear(i)) {
-    along.n = along.n + cross(mover.twist, load.f);
+    along.moment = along.moment + cross(mover.twist, load.force);
   } else {
-    along = {along.f + cross(mover.twist, load.f), along.n + cross(mover.twist, load.n)};
+    along = {along.moment + cross(mover.twist, load.moment), along.force + cross(mover.twist, load.force)};
   }
   Response power = response(i, mover.twist);
   for (std::size_t j = i; node(j).parent >= 0;) {
@@ -416,8 +396,8 @@ void Recursion::add_pairs(std::size_t i, const Mover& mover) {
       }
       return;
     }
-    along = carried(along, j);
-    by = carried(by, j);
+    along = inward(node(j).motion, along);
+    by = inward(node(j).motion, by);
     power = carried(power, j);
     j = parent(j);
     for (const Mover& other : movers_[j]) {
@@ -431,10 +411,10 @@ void Recursion::add_pairs(std::size_t i, const Mover& mover) {
 
 }  // namespace
 
-std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const MotionTree& tree,
+std::vector<Expr> recursive_force_derivatives(const Mechanism& mechanism, const WrittenTree& written,
                                               const SpeedDerivatives& derivatives, ExprGraph& graph,
                                               FarPairs far) {
-  return Recursion(mechanism, tree, derivatives, graph, far).run();
+  return Recursion(mechanism, written, derivatives, graph, far).run();
 }
 
 }  // namespace alembert

@@ -126,9 +126,9 @@ std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const Sp
     s.Wdd = s.Wdd + p.W * own;
   }
 
-  std::vector<WrenchSymbols> wrench_of_body(count, WrenchSymbols{-1, zeros<3, 1>(graph), zeros<3, 1>(graph)});
-  for (const WrenchSymbols& wrench : wrench_symbols(mechanism, graph))
-    wrench_of_body[static_cast<std::size_t>(wrench.body)] = wrench;
+  std::vector<Wrench> wrench_of_body(count, zero_wrench(graph));
+  for (const auto& [body, wrench] : wrench_symbols(mechanism, graph))
+    wrench_of_body[static_cast<std::size_t>(body)] = wrench;
 
   std::vector<Mat4> phi(count, zeros<4, 4>(graph));
   std::vector<Expr> Q = armature_forces(mechanism);
@@ -152,7 +152,7 @@ std::vector<Expr> factored_inverse_dynamics(const Mechanism& mechanism, const Sp
     const Vec3 al = vee(R_transposed * rotation_part(s.Wdd), graph);
     const Vec3 momentum = properties.inertia * om;
     const Vec3 turning =
-        properties.inertia * al + cross(om, momentum) - R_transposed * wrench_of_body[b].torque;
+        properties.inertia * al + cross(om, momentum) - R_transposed * wrench_of_body[b].moment;
 
     // phi_i = t_cm [a; 0]^T - 1/2 B U^T + sum over children of A_c phi_c
     Mat4 U = zeros<4, 4>(graph);

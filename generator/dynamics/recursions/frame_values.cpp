@@ -63,7 +63,7 @@ std::vector<FrameTwist> frame_twists(const SpeedDerivatives& derivatives, std::s
     };
     const Expr x = row_dot(2, 1), y = row_dot(0, 2), z = row_dot(1, 0);
     twists.push_back(
-        {partial.speed, {{x, y, z}}, {{partial.values[3], partial.values[7], partial.values[11]}}});
+        {partial.speed, {{{x, y, z}}, {{partial.values[3], partial.values[7], partial.values[11]}}}});
   }
   return twists;
 }
@@ -78,11 +78,12 @@ std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, cons
   for (const FrameSymbols& of_frame : mechanism.frame_symbols) {
     const std::span<const Expr> pose =
         std::span(poses).subspan(12 * static_cast<std::size_t>(of_frame.frame), 12);
-    const auto moving = [&](Vec3 FrameTwist::*part) {
-      Vec3 sum = zeros<3, 1>(graph);
-      for (const FrameTwist& twist : frame_twists(derivatives, pose))
-        sum = sum + derivatives.speed(twist.speed) * (twist.*part);
-      return std::vector<Expr>(sum.entries.begin(), sum.entries.end());
+    const auto moving = [&](Vec3 Twist::*part) {
+      Twist sum = zero_twist(graph);
+      for (const FrameTwist& along : frame_twists(derivatives, pose))
+        sum = sum + derivatives.speed(along.speed) * along.twist;
+      const Vec3& vector = sum.*part;
+      return std::vector<Expr>(vector.entries.begin(), vector.entries.end());
     };
     std::vector<Expr> found;
     switch (of_frame.quantity) {
@@ -90,14 +91,14 @@ std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, cons
         found = {pose[3], pose[7], pose[11]};
         break;
       case FrameQuantity::velocity:
-        found = moving(&FrameTwist::linear);
+        found = moving(&Twist::linear);
         break;
       case FrameQuantity::rotation:
         for (std::size_t r = 0; r < 3; ++r)
           for (std::size_t c = 0; c < 3; ++c) found.push_back(pose[4 * r + c]);
         break;
       case FrameQuantity::angular_velocity:
-        found = moving(&FrameTwist::angular);
+        found = moving(&Twist::angular);
         break;
     }
     for (std::size_t i = 0; i < found.size(); ++i) values.emplace_back(of_frame.symbols[i], found[i]);

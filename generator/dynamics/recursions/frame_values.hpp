@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 #include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/expr.hpp"
@@ -20,10 +21,10 @@ struct FramePlace {
 };
 FramePlace frame_place(int frame, const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
 
-/// Angular velocity of a frame and velocity of its origin, world axes, for a speed that is 1 (or for time).
+/// The twist of a frame in world axes, about its origin, for a speed that is 1 (or for time).
 struct FrameTwist {
   int speed;  ///< index of the speed, or Mechanism::nv for time
-  Vec3 angular, linear;
+  Twist twist;
 };
 /// Of a pose, 12 expressions: rows of [R | p]. In ascending order of the speeds.
 std::vector<FrameTwist> frame_twists(const SpeedDerivatives& derivatives, std::span<const Expr> pose);

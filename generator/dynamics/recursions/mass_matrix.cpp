@@ -35,27 +35,21 @@ std::vector<UnitMotion> unit_motions(const MotionNode& node, int nv, ExprGraph& 
   return result;
 }
 
-/// As stored: scale times what it is.
-struct ScaledMomentum {
-  Vec3 f, n;
-  Scale scale = kUnscaled;
-};
-
 }  // namespace
 
-std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,
-                                        FarPairs far) {
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const WrittenTree& written,
+                                        ExprGraph& graph, FarPairs far) {
+  const auto& [tree, moments, scaling] = written;
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   const std::size_t count = tree.nodes.size();
   std::vector<Composite> composites(count, {graph.zero(), zeros<3, 1>(graph), zeros<3, 3>(graph)});
   UnitMotions units;
   for (const MotionNode& node : tree.nodes) units.push_back(unit_motions(node, mechanism.nv, graph));
-  const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far), graph);
+  const MeetingFrames meetings(tree, units, plan_meetings(tree, units, far, scaling), graph);
   for (std::size_t i = 0; i < count; ++i) {
     composites[i] = composite(tree.masses[i], graph);
   }
 
-  const std::vector<Scale> scales = node_scales(tree);
   std::vector<Expr> M(nv * nv, graph.zero());
   const auto add = [&](const UnitMotion& x, const UnitMotion& y, bool same, Expr value) {
     for (const auto& [k, wk] : x.weights) {
@@ -76,19 +70,20 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
     const Composite& body = composites[i];
     for (std::size_t a = 0; a < units[i].size(); ++a) {
       const Vec3& d = units[i][a].direction;
-      ScaledMomentum momentum = linear ? ScaledMomentum{body.mass * d, cross(body.h, d)}
-                                       : ScaledMomentum{cross(d, body.h), times_inertia(body.K, d)};
+      Wrench momentum = linear ? Wrench{cross(body.h, d), body.mass * d}
+                               : Wrench{times_inertia(body.K, d), cross(d, body.h)};
+      Scale scale = kUnscaled;  // the momentum is stored as scale times what it is
       for (std::size_t b = 0; b <= a; ++b) {
-        add(units[i][a], units[i][b], a == b, dot(units[i][b].direction, linear ? momentum.f : momentum.n));
+        add(units[i][a], units[i][b], a == b, power_along(node.motion, units[i][b].direction, momentum));
       }
       // The first step is the one that the composite's own first moment makes: unscaled, it is shared.
       bool begun = false;
       for (std::size_t j = i; tree.nodes[j].parent >= 0;) {
         const MotionNode& at = tree.nodes[j];
         if (meetings.is_posed(j)) {
-          const Scale unscaled = inverse(momentum.scale);
-          const Momentum met =
-              meetings.at_meeting(j, {scaled_by(unscaled, momentum.f), scaled_by(unscaled, momentum.n)});
+          const Scale back = inverse(scale);
+          const Wrench met =
+              meetings.at_meeting(j, {scaled_by(back, momentum.moment), scaled_by(back, momentum.force)});
           for (int k = at.parent; k >= 0; k = tree.nodes[static_cast<std::size_t>(k)].parent) {
             const std::size_t to = static_cast<std::size_t>(k);
             for (std::size_t b = 0; b < units[to].size(); ++b)
@@ -97,18 +92,14 @@ std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const Motion
           break;
         }
         begun = begun || (j != i && !at.partials.empty());
+        const bool scaled = scaling.is_scaled(j);
         j = static_cast<std::size_t>(at.parent);
-        if (at.motion.kind == MotionKind::translation) {
-          momentum.n = momentum.n + scaled_cross(at.motion.offset, momentum.f, momentum.scale);
-        } else {
-          const Scale next = carried_inward(at, momentum.scale, scales[j], begun);
-          const ScaledTurn turn(at, next, momentum.scale, begun);
-          momentum = {turn.inward(momentum.f), turn.inward(momentum.n), next};
-        }
-        const bool parent_linear = tree.nodes[j].motion.kind == MotionKind::translation;
+        const Scale next = carried_inward(at, scaled, scale, scaling.of_vectors(j), begun);
+        momentum = ScaledTurn(at.motion, scaled && begun, next, scale).inward(momentum);
+        scale = next;
         for (const UnitMotion& unit : units[j]) {
-          const Vec3 direction = scaled_by(inverse(momentum.scale), unit.direction);
-          add(units[i][a], unit, false, dot(direction, parent_linear ? momentum.f : momentum.n));
+          const Vec3 direction = scaled_by(inverse(scale), unit.direction);
+          add(units[i][a], unit, false, power_along(tree.nodes[j].motion, direction, momentum));
         }
       }
     }

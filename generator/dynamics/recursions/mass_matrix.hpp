@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "dynamics/recursions/meeting_frames.hpp"
-#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
 
 /// M (nv x nv, row major, symmetric) by composite bodies over the tree, contracted where speeds are shared.
-std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph,
-                                        FarPairs far = FarPairs::carry);
+std::vector<Expr> composite_mass_matrix(const Mechanism& mechanism, const WrittenTree& written,
+                                        ExprGraph& graph, FarPairs far = FarPairs::carry);
 
 /// M by `coefficient` (lower triangle of Q, mirrored).
 std::vector<Expr> coefficient_mass_matrix(const Mechanism& mechanism, std::span<const Expr> Q);

@@ -32,14 +32,13 @@ struct MotionCosts {
   Cost carried;  ///< a momentum to the parent's frame
   Cost posed;    ///< a pose from one frame to the next
 };
-MotionCosts costs_of(const MotionNode& node) {
-  const Motion& motion = node.motion;
+MotionCosts costs_of(const Motion& motion, bool scaled) {
   switch (motion.kind) {
     case MotionKind::translation:
       return {4 * nonzeros(motion.offset), 6 * nonzeros(motion.offset)};
     case MotionKind::axis_rotation:
       if (is_quarter_turn(motion)) return {0, 0};
-      return {node.scaled ? 8 : 12, 18};
+      return {scaled ? 8 : 12, 18};
     case MotionKind::rotation:
       return {30, 45};
   }
@@ -77,10 +76,10 @@ UnitCosts costs_of(const MotionNode& node, std::span<const UnitMotion> units) {
 
 class Planner {
  public:
-  Planner(const MotionTree& tree, const UnitMotions& units, TurningCosts turning)
+  Planner(const MotionTree& tree, const UnitMotions& units, const Scaling& scaling, TurningCosts turning)
       : tree_(tree), turning_(turning), count_(tree.nodes.size()) {
     for (std::size_t k = 0; k < count_; ++k) {
-      motions_.push_back(costs_of(tree.nodes[k]));
+      motions_.push_back(costs_of(tree.nodes[k].motion, scaling.is_scaled(k)));
       units_.push_back(costs_of(tree.nodes[k], units[k]));
       numbers_.push_back(units_[k].number);
       const int parent = tree.nodes[k].parent;
@@ -245,14 +244,15 @@ std::size_t point_on_axis(const MotionTree& tree, std::size_t node) {
 
 }  // namespace
 
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far) {
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far,
+                          const Scaling& scaling) {
   switch (far) {
     case FarPairs::carry:
       return MeetingPlan(tree.nodes.size(), -1);
     case FarPairs::meet:
-      return Planner(tree, units, kGeneric).plan();
+      return Planner(tree, units, scaling, kGeneric).plan();
     case FarPairs::meet_sooner:
-      return Planner(tree, units, kSparse).plan();
+      return Planner(tree, units, scaling, kSparse).plan();
   }
   return {};
 }
@@ -266,50 +266,36 @@ MeetingFrames::MeetingFrames(const MotionTree& tree, const UnitMotions& units, M
     if (index(frame) != k) {
       const MotionNode& node = tree.nodes[k];
       poses_[k] = moved(poses_[index(node.parent)], node.motion);
-      add_twists(frame, k, poses_[k], units[k], graph);
+      add_twists(frame, k, poses_[k], units[k]);
       continue;
     }
     // The meeting frame and what lies inward of it.
     Pose pose = poses_[k];
     for (int at = frame; at >= 0; at = tree.nodes[index(at)].parent) {
-      add_twists(frame, index(at), pose, units[index(at)], graph);
+      add_twists(frame, index(at), pose, units[index(at)]);
       pose = moved(std::move(pose), tree.nodes[index(at)].motion.inverse());
     }
   }
 }
 
 void MeetingFrames::add_twists(int meeting, std::size_t node, const Pose& pose,
-                               std::span<const UnitMotion> units, ExprGraph& graph) {
+                               std::span<const UnitMotion> units) {
   std::vector<Twist>& twists =
       inside_.emplace(std::pair(meeting, static_cast<int>(node)), Inside{pose, {}}).first->second.twists;
-  const bool linear = tree_.nodes[node].motion.kind == MotionKind::translation;
   // Any point of the axis will do; one before the slide has more zeros near the meeting frame.
   const std::size_t point = point_on_axis(tree_, node);
   const Vec3& origin = plan_[point] == meeting && plan_[node] == meeting ? poses_[point].origin : pose.origin;
-  for (const UnitMotion& unit : units) {
-    const Vec3 direction = pose.rotation * unit.direction;
-    if (linear) {
-      twists.push_back({zeros<3, 1>(graph), direction});
-    } else {
-      twists.push_back({direction, cross(origin, direction)});
-    }
-  }
+  for (const UnitMotion& unit : units)
+    twists.push_back(inward({pose.rotation, origin}, twist_along(tree_.nodes[node].motion, unit.direction)));
 }
 
-Momentum MeetingFrames::at_meeting(std::size_t node, const Momentum& momentum) const {
-  if (plan_[node] == static_cast<int>(node)) return momentum;
-  const Pose& pose = poses_[node];
-  Momentum out{pose.rotation * momentum.f, pose.rotation * momentum.n};
-  out.n = out.n + cross(pose.origin, out.f);
-  return out;
+Wrench MeetingFrames::at_meeting(std::size_t node, const Wrench& momentum) const {
+  return plan_[node] == static_cast<int>(node) ? momentum : inward(poses_[node], momentum);
 }
 
 Expr MeetingFrames::along(std::size_t posed, std::size_t node, std::size_t unit,
-                          const Momentum& momentum) const {
-  const Twist& twist = inside_.at({plan_[posed], static_cast<int>(node)}).twists[unit];
-  const Expr angular = dot(twist.angular, momentum.n);
-  const Expr linear = dot(twist.linear, momentum.f);
-  return angular + linear;
+                          const Wrench& momentum) const {
+  return dot(inside_.at({plan_[posed], static_cast<int>(node)}).twists[unit], momentum);
 }
 
 }  // namespace alembert

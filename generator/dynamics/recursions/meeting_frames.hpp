@@ -13,8 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/rewrites/scaled_vectors.hpp"
 #include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
@@ -32,17 +34,13 @@ struct UnitMotion {
 };
 using UnitMotions = std::vector<std::vector<UnitMotion>>;  ///< of each node
 
-/// Momentum of a motion: linear f, and angular n about the origin of the frame in whose axes both are.
-struct Momentum {
-  Vec3 f, n;
-};
-
 /// For each node the one in whose frame it is posed: itself for a meeting frame, -1 for none.
 using MeetingPlan = std::vector<int>;
 
 /// The plan that takes the fewest operations by an estimate; -1 for all where carrying takes no more. Between
 /// simple joints poses and momenta have zeros; `meet_sooner` counts on them.
-MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far);
+MeetingPlan plan_meetings(const MotionTree& tree, const UnitMotions& units, FarPairs far,
+                          const Scaling& scaling = {});
 
 /// Poses and twists in the meeting frames of a plan.
 class MeetingFrames {
@@ -51,11 +49,11 @@ class MeetingFrames {
   MeetingFrames(const MotionTree& tree, const UnitMotions& units, MeetingPlan plan, ExprGraph& graph);
 
   bool is_posed(std::size_t node) const { return plan_[node] >= 0; }
-  /// From a posed node to its meeting frame: f' = R f, n' = R n + p x f'.
-  Momentum at_meeting(std::size_t node, const Momentum& momentum) const;
+  /// From a posed node to its meeting frame.
+  Wrench at_meeting(std::size_t node, const Wrench& momentum) const;
   /// Component of a momentum that is in the meeting frame of `posed` along a unit motion of `node`, which is
   /// `posed` or lies inward of it.
-  Expr along(std::size_t posed, std::size_t node, std::size_t unit, const Momentum& momentum) const;
+  Expr along(std::size_t posed, std::size_t node, std::size_t unit, const Wrench& momentum) const;
   /// The meeting frame of a posed node, and the pose there of that node or of one inward of it.
   int meeting_of(std::size_t posed) const { return plan_[posed]; }
   const Pose& pose(int meeting, std::size_t node) const {
@@ -63,17 +61,12 @@ class MeetingFrames {
   }
 
  private:
-  /// In a meeting frame: angular velocity a, and velocity of what moves along at its origin.
-  struct Twist {
-    Vec3 angular, linear;
-  };
   /// A node in a meeting frame, posed in it or inward of it.
   struct Inside {
     Pose pose;
     std::vector<Twist> twists;
   };
-  void add_twists(int meeting, std::size_t node, const Pose& pose, std::span<const UnitMotion> units,
-                  ExprGraph& graph);
+  void add_twists(int meeting, std::size_t node, const Pose& pose, std::span<const UnitMotion> units);
 
   const MotionTree& tree_;
   MeetingPlan plan_;

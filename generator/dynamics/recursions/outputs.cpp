@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/recursions/frame_values.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
 
@@ -40,21 +41,11 @@ void append_rows(std::vector<Expr>& out, const Pose& pose) {
 std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
   const Expr half = graph.rational(Rational(1, 2));
   const std::vector<Pose> poses = node_poses(tree, graph);
-  std::vector<Vec3> angular, linear;
+  std::vector<Twist> twists;
   Expr kinetic = graph.zero(), potential = graph.zero();
   for (const MotionNode& node : tree.nodes) {
-    const bool root = node.parent < 0;
-    Vec3 om = root ? zeros<3, 1>(graph) : angular[static_cast<std::size_t>(node.parent)];
-    Vec3 v = root ? zeros<3, 1>(graph) : linear[static_cast<std::size_t>(node.parent)];
-    if (node.motion.kind == MotionKind::translation) {
-      v = v + cross(om, node.motion.offset);
-      v = v + node.velocity;
-    } else {
-      om = node.motion.to_child(om) + node.velocity;
-      v = node.motion.to_child(v);
-    }
-    angular.push_back(om);
-    linear.push_back(v);
+    const Twist from = node.parent < 0 ? zero_twist(graph) : twists[static_cast<std::size_t>(node.parent)];
+    twists.push_back(outward(node.motion, from) + twist_along(node.motion, node.velocity));
   }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const Body& body = mechanism.bodies[b];
@@ -62,11 +53,12 @@ std::vector<Expr> energies(const Mechanism& mechanism, const MotionTree& tree, E
     Vec3 center = center_at_node(body, place);
     if (place.node >= 0) {
       const std::size_t i = static_cast<std::size_t>(place.node);
+      const auto& [om, v] = twists[i];
       const NodeMass mass = mass_at_node(body, place, graph);
       // T = 1/2 m v.v + v.(om x h) + 1/2 om.J om
-      const Expr translation = half * (mass.mass * dot(linear[i], linear[i]));
-      const Expr coupling = dot(linear[i], cross(angular[i], mass.moment));
-      const Expr rotation = half * dot(angular[i], mass.inertia * angular[i]);
+      const Expr translation = half * (mass.mass * dot(v, v));
+      const Expr coupling = dot(v, cross(om, mass.moment));
+      const Expr rotation = half * dot(om, mass.inertia * om);
       kinetic += translation + coupling;
       kinetic += rotation;
       center = poses[i].origin + poses[i].rotation * center;
@@ -110,13 +102,10 @@ std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivat
   std::vector<Expr> out(mechanism.frames.size() * 6 * nv, graph.zero());
   for (std::size_t f = 0; f < mechanism.frames.size(); ++f) {
     const std::span<const Expr> pose = poses.subspan(12 * f, 12);
-    for (const FrameTwist& twist : frame_twists(derivatives, pose)) {
-      if (twist.speed == derivatives.time_index()) continue;
-      const std::size_t k = static_cast<std::size_t>(twist.speed);
-      for (std::size_t r = 0; r < 3; ++r) {
-        out[(6 * f + r) * nv + k] = twist.angular[r];
-        out[(6 * f + 3 + r) * nv + k] = twist.linear[r];
-      }
+    for (const FrameTwist& along : frame_twists(derivatives, pose)) {
+      if (along.speed == derivatives.time_index()) continue;
+      const std::size_t k = static_cast<std::size_t>(along.speed);
+      for (std::size_t r = 0; r < 6; ++r) out[(6 * f + r) * nv + k] = along.twist[r];
     }
   }
   return out;
@@ -124,16 +113,17 @@ std::vector<Expr> frame_jacobians(const Mechanism& mechanism, const SpeedDerivat
 
 namespace {
 
-/// Angular velocity along one speed, and the velocity of what is at point `at`, in world axes.
-struct WorldTwist {
-  Vec3 angular, linear, at;
-  Vec3 linear_at(const Vec3& point) const { return linear + cross(angular, point - at); }
+/// A twist along one speed about the point `at`, in world axes.
+struct PlacedTwist {
+  Twist twist;
+  Vec3 at;
+  Twist about(const Vec3& point) const { return about_point(twist, point - at); }
 };
 
 /// A node: where its origin is, and its twists along each speed that moves it.
 struct MovingFrame {
   Vec3 origin;  ///< from the last frame above it that nothing turns: near, however far that is from the world
-  std::map<int, WorldTwist> twists;
+  std::map<int, PlacedTwist> twists;
 };
 
 /// `handed_on`: twists are taken along to every node; otherwise they stay at the joint they began at.
@@ -147,22 +137,17 @@ std::vector<MovingFrame> moving_frames(const Mechanism& mechanism, const MotionT
     const Pose from = root ? identity_pose(graph) : poses[static_cast<std::size_t>(node.parent)];
     MovingFrame frame = root ? MovingFrame{none, {}} : all[static_cast<std::size_t>(node.parent)];
     const bool shifts = node.motion.kind == MotionKind::translation;
-    const bool turned =
-        std::ranges::any_of(frame.twists, [&](const auto& twist) { return !(twist.second.angular == none); });
+    const bool turned = std::ranges::any_of(
+        frame.twists, [&](const auto& entry) { return !(entry.second.twist.angular == none); });
     if (shifts && turned) frame.origin = frame.origin + from.rotation * node.motion.offset;
     if (shifts && handed_on)
-      for (auto& [speed, twist] : frame.twists)
-        twist = {twist.angular, twist.linear_at(frame.origin), frame.origin};
+      for (auto& [speed, placed] : frame.twists) placed = {placed.about(frame.origin), frame.origin};
     for (const TwistPartial& partial : node.partials) {
       if (partial.speed == mechanism.nv) continue;  // time
-      WorldTwist& twist =
-          frame.twists.try_emplace(partial.speed, WorldTwist{none, none, frame.origin}).first->second;
-      twist = {twist.angular, twist.linear_at(frame.origin), frame.origin};
-      if (shifts) {
-        twist.linear = twist.linear + from.rotation * partial.direction;
-      } else {
-        twist.angular = twist.angular + poses[i].rotation * partial.direction;
-      }
+      PlacedTwist& placed =
+          frame.twists.try_emplace(partial.speed, PlacedTwist{{none, none}, frame.origin}).first->second;
+      const Vec3 direction = poses[i].rotation * partial.direction;
+      placed = {placed.about(frame.origin) + twist_along(node.motion, direction), frame.origin};
     }
     all.push_back(std::move(frame));
   }
@@ -197,25 +182,27 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
         poses[static_cast<std::size_t>(place.node)].rotation * center_at_node(mechanism.bodies[b], place);
     const Vec3 center = frame.origin + arm;
     // Twists about parallel axes differ in a velocity that all bodies have alike.
-    std::vector<std::pair<const WorldTwist*, Vec3>> done;
+    std::vector<std::pair<const PlacedTwist*, Vec3>> done;
     for (auto entry = frame.twists.rbegin(); entry != frame.twists.rend(); ++entry) {
       const std::size_t k = static_cast<std::size_t>(entry->first);
-      const WorldTwist& twist = entry->second;
+      const PlacedTwist& placed = entry->second;
+      const Twist& twist = placed.twist;
       const auto parallel = std::ranges::find_if(
-          done, [&](const auto& other) { return other.first->angular == twist.angular; });
+          done, [&](const auto& other) { return other.first->twist.angular == twist.angular; });
       Vec3 linear;
       if (twist.angular == none) {
         linear = twist.linear;
       } else if (parallel != done.end()) {
-        linear = parallel->second + (twist.linear_at(parallel->first->at) - parallel->first->linear);
-      } else if (twist.at == frame.origin) {
-        linear = twist.linear + cross(twist.angular, arm);
+        const auto& [there, its] = *parallel;
+        linear = its + (placed.about(there->at).linear - there->twist.linear);
+      } else if (placed.at == frame.origin) {
+        linear = about_point(twist, arm).linear;
       } else if (bodies_of_speed[k] < kManyBodies) {
-        linear = twist.linear_at(center);
+        linear = placed.about(center).linear;
       } else {
-        linear = twist.linear_at(none) + cross(twist.angular, center);
+        linear = about_point(placed.about(none), center).linear;
       }
-      if (parallel == done.end()) done.emplace_back(&twist, linear);
+      if (parallel == done.end()) done.emplace_back(&placed, linear);
       for (std::size_t r = 0; r < 3; ++r) {
         out[(6 * b + r) * nv + k] = twist.angular[r];
         out[(6 * b + 3 + r) * nv + k] = linear[r];
@@ -236,7 +223,7 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
   std::vector<Expr> at_joints = jacobians(false);
   if (tree.nodes.size() > kHandedOn) return at_joints;
   std::vector<Expr> at_frames = jacobians(true);
-  return count_operations(at_frames).total() < count_operations(at_joints).total() ? at_frames : at_joints;
+  return count_operations(at_frames).weight < count_operations(at_joints).weight ? at_frames : at_joints;
 }
 
 std::vector<Expr> body_inertias(const Mechanism& mechanism) {

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
 
 /// Q by the reduced form: outward twists and accelerations, inward forces (README.md, 2).
-std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const MotionTree& tree,
+std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const WrittenTree& written,
                                            ExprGraph& graph);
 
 /// The part of Q that gravity makes: the same recursion over a tree at rest, without wrenches.
-std::vector<Expr> gravity_forces(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph);
+std::vector<Expr> gravity_forces(const Mechanism& mechanism, const WrittenTree& written, ExprGraph& graph);
 
 }  // namespace alembert

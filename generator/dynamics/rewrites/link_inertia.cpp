@@ -278,10 +278,9 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
   return out;
 }
 
-NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, const std::array<MomentForm, 3>& forms,
-                                 ExprGraph& graph) const {
+NodeMass RuntimeTerms::node_mass(const LinkInertia& inertia, ExprGraph& graph) const {
   const Matrix4e& S = inertia.number;
-  NodeMass mass{rounded_number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph), forms};
+  NodeMass mass{rounded_number(graph, S(3, 3)), zeros<3, 1>(graph), zeros<3, 3>(graph)};
   for (int r = 0; r < 3; ++r) {
     mass.moment[static_cast<std::size_t>(r)] = rounded_number(graph, S(r, 3));
     for (int c = 0; c < 3; ++c) {

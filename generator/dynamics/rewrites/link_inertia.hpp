@@ -48,8 +48,7 @@ class RuntimeTerms {
   LinkInertia of_node(const Mechanism& mechanism, const MotionTree& tree, std::size_t node, ExprGraph& graph);
 
   /// The mass properties that an inertia stands for.
-  NodeMass node_mass(const LinkInertia& inertia, const std::array<MomentForm, 3>& forms,
-                     ExprGraph& graph) const;
+  NodeMass node_mass(const LinkInertia& inertia, ExprGraph& graph) const;
 
   bool empty() const { return terms_.empty(); }
 

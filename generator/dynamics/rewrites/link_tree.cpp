@@ -81,7 +81,7 @@ class TreeBuilder {
 
 }  // namespace
 
-MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
+WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
   const std::vector<Split> splits = flow(regroupings).splits;
   TreeBuilder builder(graph, length_);
   std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
@@ -124,16 +124,17 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
     }
     frames.push_back(at);
   }
+  std::vector<MomentForms> moments(builder.tree.nodes.size());
   for (std::size_t i = 0; i < links_.size(); ++i) {
     // Frames that coincide share a node: what is fixed to them adds up.
     const auto put = [&](MassFrame frame, const LinkInertia& inertia) {
-      NodeMass& mass =
-          builder.tree.masses[static_cast<std::size_t>(frames[i][static_cast<std::size_t>(frame)])];
-      const NodeMass more = terms_.node_mass(inertia, regroupings[i].forms, graph);
+      const std::size_t node = static_cast<std::size_t>(frames[i][static_cast<std::size_t>(frame)]);
+      NodeMass& mass = builder.tree.masses[node];
+      const NodeMass more = terms_.node_mass(inertia, graph);
       mass.mass += more.mass;
       mass.moment = mass.moment + more.moment;
       mass.inertia = mass.inertia + more.inertia;
-      mass.forms = more.forms;
+      moments[node] = regroupings[i].forms;
     };
     for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
       if (splits[i].points[k] == 0) continue;
@@ -168,7 +169,9 @@ MotionTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Exp
     }
     builder.tree.places.push_back(std::move(moved));
   }
-  return std::move(builder.tree);
+  WrittenTree written(std::move(builder.tree));
+  written.moments = std::move(moments);
+  return written;
 }
 
 }  // namespace alembert

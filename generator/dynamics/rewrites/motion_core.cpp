@@ -250,27 +250,18 @@ std::optional<Twist> MotionCore::constant_twist(int speed, Side side) const {
     const auto parts = held(replacements, true);
     if (!parts) continue;
     Pose pose = identity_pose(graph_);
-    Twist twist{zeros<3, 1>(graph_), zeros<3, 1>(graph_)};
+    Twist twist = zero_twist(graph_);
     for (const Part& part : *parts) {
       pose = moved(std::move(pose), part.motion);
       for (const SpeedPartial& partial : part.partials) {
         if (partial.speed != speed) continue;
-        const Vec3 d = pose.rotation * Vec3{{partial.values[0], partial.values[1], partial.values[2]}};
-        if (part.motion.kind == MotionKind::translation) {
-          twist.v = twist.v + d;
-        } else {
-          twist.om = twist.om + d;
-          twist.v = twist.v + cross(pose.origin, d);
-        }
+        const Vec3 direction{{partial.values[0], partial.values[1], partial.values[2]}};
+        twist = twist + inward(pose, twist_along(part.motion, direction));
       }
     }
-    if (side == Side::right) {
-      const Mat3 back = transpose(pose.rotation);
-      twist.v = back * (twist.v - cross(pose.origin, twist.om));
-      twist.om = back * twist.om;
-    }
-    std::vector<Expr> flat(twist.om.entries.begin(), twist.om.entries.end());
-    flat.insert(flat.end(), twist.v.entries.begin(), twist.v.entries.end());
+    if (side == Side::right) twist = outward(pose, twist);
+    std::vector<Expr> flat(twist.angular.entries.begin(), twist.angular.entries.end());
+    flat.insert(flat.end(), twist.linear.entries.begin(), twist.linear.entries.end());
     const double length = states_.length();
     flat = states_.recognised(simplify(flat), std::array{1.0, 1.0, 1.0, length, length, length});
     if (!states_.finite_everywhere(flat)) continue;
@@ -278,8 +269,8 @@ std::optional<Twist> MotionCore::constant_twist(int speed, Side side) const {
     if (!std::all_of(flat.begin(), flat.begin() + 3, [](Expr e) { return e.is_constant(); }))
       return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) {
-      twist.om[i] = flat[i];
-      twist.v[i] = flat[3 + i];
+      twist.angular[i] = flat[i];
+      twist.linear[i] = flat[3 + i];
     }
     return twist;
   }

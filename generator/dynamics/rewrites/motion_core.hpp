@@ -11,16 +11,12 @@
 #include "dynamics/rewrites/peeling_states.hpp"
 #include "dynamics/tree/motion.hpp"
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
 
 /// From where a twist is seen: (D_k A) A^-1 or A^-1 (D_k A).
 enum class Side { left, right };
-
-/// A twist in the axes and about the origin of its side.
-struct Twist {
-  Vec3 om, v;
-};
 
 /// A product of motions A. Holds references: all that it is made of must outlive it.
 class MotionCore {
@@ -42,7 +38,7 @@ class MotionCore {
 
   /// Which of `speeds` are proved to have one twist in all states, whatever the runtime parameters are.
   std::vector<char> constant_twists(std::span<const int> speeds, Side side) const;
-  /// The constant twist along a speed, from the expressions with every coordinate held. Nothing where they
+  /// The constant twist along a speed, in the axes and about the origin of its side, from the expressions with every coordinate held. Nothing where they
   /// have no value, or the axis moves with a runtime parameter.
   std::optional<Twist> constant_twist(int speed, Side side) const;
 

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "dynamics/rewrites/link_inertia.hpp"
+#include "dynamics/rewrites/written_tree.hpp"
 #include "dynamics/tree/motion_tree.hpp"
 
 namespace alembert {
@@ -46,8 +47,7 @@ struct Regrouping {
   unsigned points = 0;  ///< bit k: a point mass at the origin of kMassFrames[k]
   bool moves_terms =
       false;  ///< runtime terms move like the numbers, without point masses; otherwise they stay in the link
-  std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
-                                  MomentForm::pseudo_inertia};
+  MomentForms forms{};
 };
 
 struct RigidLink {
@@ -132,7 +132,7 @@ class RigidLinks {
   LinkInertia to_parent(std::size_t i, const LinkInertia& moved) const;
 
   /// The tree of motions of the links, inertias written as asked for (one Regrouping a link).
-  MotionTree link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const;
+  WrittenTree link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const;
 
  private:
   void measure();  ///< sizes of the links

@@ -32,48 +32,50 @@ std::size_t axis_ahead(const MotionNode& rotation, const MotionNode& turn) {
   return static_cast<std::size_t>(3 - rotation.motion.axis - turn.motion.axis);
 }
 
-/// Scales that component for the turn ahead, if there is one.
-void scale_ahead(const MotionTree& tree, const MotionNode& rotation, Scale& own) {
-  if (rotation.ahead < 0) return;
-  const MotionNode& turn = tree.nodes[static_cast<std::size_t>(rotation.ahead)];
-  own[axis_ahead(rotation, turn)] /= value_of(turn.motion.cosine);
-}
-
-/// Whether a turn is the one that the rotation before it has scaled for.
-bool is_expected(const MotionTree& tree, std::size_t k) {
-  const int before = tree.nodes[k].parent;
-  return before >= 0 && tree.nodes[static_cast<std::size_t>(before)].ahead == static_cast<int>(k);
-}
-
-Scale scale_after(const MotionTree& tree, std::size_t k, const Scale& parent) {
-  const MotionNode& node = tree.nodes[k];
+/// What a motion makes of a scale: a scaled turn that times `factor` / `divisor`, a moving rotation the one of its
+/// second axis `ratio` times that of its first.
+struct ScaleChange {
+  bool scaled;
+  double factor, divisor, ratio;
+};
+Scale scale_beyond(const MotionNode& node, Scale scale, const ScaleChange& change) {
   const Motion& motion = node.motion;
   switch (motion.kind) {
     case MotionKind::translation:
-      return parent;
+      return scale;
     case MotionKind::rotation:
       return kUnscaled;
     case MotionKind::axis_rotation:
       break;
   }
   const auto [a, i, j] = axes_of(motion);
-  Scale own = parent;
-  if (node.scaled) {
-    const double c = value_of(motion.cosine);
-    own[i] = c * parent[i];
-    own[j] = c * parent[j];
-    // What was divided by c ahead is as before, to the last digit.
-    if (is_expected(tree, k))
-      own[axis_ahead(tree.nodes[static_cast<std::size_t>(node.parent)], node)] = parent[a];
+  if (change.scaled) {
+    scale[i] = change.factor * scale[i] / change.divisor;
+    scale[j] = change.factor * scale[j] / change.divisor;
   } else if (!node.partials.empty()) {
-    own[j] = own[i];
-    scale_ahead(tree, node, own);
+    scale[j] = scale[i] * change.ratio;
   } else if (motion.cosine.is_zero()) {
-    std::swap(own[i], own[j]);
+    std::swap(scale[i], scale[j]);
   } else if (!motion.sine.is_zero()) {
-    own[i] = own[j] = 1;
+    scale[i] = scale[j] = 1;
   }
-  return own;
+  return scale;
+}
+
+double cosine_of(const MotionNode& turn, bool scaled) {
+  return scaled ? value_of(turn.motion.cosine) : 1;
+}
+
+/// D (t x D^-1 f): the moment of a stored force, as stored.
+Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale) {
+  Vec3 out;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+    const Expr first = times(scale[x] / scale[z], t[y]) * f[z];
+    const Expr second = times(scale[x] / scale[y], t[z]) * f[y];
+    out[x] = first - second;
+  }
+  return out;
 }
 
 }  // namespace
@@ -90,56 +92,56 @@ std::vector<int> scalable_turns(const MotionTree& tree) {
   return out;
 }
 
-void mark_scaled(MotionTree& tree, const std::vector<int>& turns, const std::vector<int>& ahead) {
-  for (MotionNode& node : tree.nodes) {
-    node.scaled = false;
-    node.ahead = -1;
-  }
-  for (const int k : turns) tree.nodes[static_cast<std::size_t>(k)].scaled = true;
+Scaling::Scaling(const MotionTree& tree, const std::vector<int>& turns, const std::vector<int>& ahead)
+    : nodes_(tree.nodes.size()) {
+  for (const int k : turns) nodes_[static_cast<std::size_t>(k)].scaled = true;
   for (const int k : ahead) {
     const MotionNode& turn = tree.nodes[static_cast<std::size_t>(k)];
-    if (!turn.scaled || turn.parent < 0) continue;
-    MotionNode& before = tree.nodes[static_cast<std::size_t>(turn.parent)];
+    if (!is_scaled(static_cast<std::size_t>(k)) || turn.parent < 0) continue;
+    const MotionNode& before = tree.nodes[static_cast<std::size_t>(turn.parent)];
+    int& its = nodes_[static_cast<std::size_t>(turn.parent)].ahead;
     if (before.motion.kind == MotionKind::axis_rotation && !before.partials.empty() &&
-        before.motion.axis != turn.motion.axis && before.ahead < 0)
-      before.ahead = k;
+        before.motion.axis != turn.motion.axis && its < 0)
+      its = k;
   }
-  std::vector<Scale> scales;
-  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
-    MotionNode& node = tree.nodes[k];
-    const Scale& parent = node.parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(node.parent)];
-    Scale own = scale_after(tree, k, parent);
-    if (node.scaled && smallest(own) < kSmallestScale) {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    Node& node = nodes_[k];
+    node.vectors = scale_after(tree, k);
+    if (node.scaled && smallest(node.vectors) < kSmallestScale) {
       node.scaled = false;
-      own = scale_after(tree, k, parent);
+      node.vectors = scale_after(tree, k);
     }
-    scales.push_back(own);
-  }
-}
-
-std::vector<Scale> node_scales(const MotionTree& tree) {
-  std::vector<Scale> scales;
-  for (std::size_t k = 0; k < tree.nodes.size(); ++k) {
     const int parent = tree.nodes[k].parent;
-    scales.push_back(scale_after(tree, k, parent < 0 ? kUnscaled : scales[static_cast<std::size_t>(parent)]));
+    if (tree.nodes[k].motion.kind == MotionKind::translation && parent >= 0)
+      node.angular = of_angular(static_cast<std::size_t>(parent));
+    scale_ahead(tree, k, node.angular);
   }
-  return scales;
 }
 
-std::vector<Scale> angular_scales(const MotionTree& tree) {
-  std::vector<Scale> scales;
-  for (const MotionNode& node : tree.nodes) {
-    Scale own = kUnscaled;
-    if (node.motion.kind == MotionKind::translation && node.parent >= 0)
-      own = scales[static_cast<std::size_t>(node.parent)];
-    scale_ahead(tree, node, own);
-    scales.push_back(own);
+/// Scales the component that the turn ahead mixes with a rotation's own, if there is one.
+void Scaling::scale_ahead(const MotionTree& tree, std::size_t k, Scale& own) const {
+  if (!scales_ahead(k)) return;
+  const MotionNode& turn = tree.nodes[static_cast<std::size_t>(of(k).ahead)];
+  own[axis_ahead(tree.nodes[k], turn)] /= value_of(turn.motion.cosine);
+}
+
+Scale Scaling::scale_after(const MotionTree& tree, std::size_t k) const {
+  const MotionNode& node = tree.nodes[k];
+  const bool root = node.parent < 0;
+  const std::size_t before = root ? 0 : static_cast<std::size_t>(node.parent);
+  const Scale& parent = root ? kUnscaled : of_vectors(before);
+  const bool scaled = is_scaled(k);
+  Scale own = scale_beyond(node, parent, {scaled, cosine_of(node, scaled), 1, 1});
+  if (scaled && !root && of(before).ahead == static_cast<int>(k)) {
+    // What was divided by c ahead is as before, to the last digit.
+    own[axis_ahead(tree.nodes[before], node)] = parent[static_cast<std::size_t>(node.motion.axis)];
   }
-  return scales;
+  scale_ahead(tree, k, own);
+  return own;
 }
 
 Expr ScaledTurn::cosine(std::size_t k) const {
-  const Expr given = node_.motion.cosine;
+  const Expr given = motion_.cosine;
   const double ratio = parent_[k] / own_[k];
   // Where the rotation before has scaled for this turn.
   if (ratio != 1 && given.is_constant() && std::abs(ratio * value_of(given) - 1) < 1e-15)
@@ -148,25 +150,24 @@ Expr ScaledTurn::cosine(std::size_t k) const {
 }
 
 Vec3 ScaledTurn::outward(const Vec3& v) const {
-  const Motion& motion = node_.motion;
-  switch (motion.kind) {
+  switch (motion_.kind) {
     case MotionKind::translation:
       return v;
     case MotionKind::rotation:
-      return motion.to_child(scaled_by(parent_, v));
+      return motion_.to_child(scaled_by(parent_, v));
     case MotionKind::axis_rotation:
       break;
   }
-  const auto [a, i, j] = axes_of(motion);
+  const auto [a, i, j] = axes_of(motion_);
   Vec3 out = v;
   if (scaled_) {
-    const double tangent = value_of(motion.sine) / value_of(motion.cosine);
+    const double tangent = value_of(motion_.sine) / value_of(motion_.cosine);
     out[i] = v[i] + times(tangent * (parent_[j] / parent_[i]), v[j]);
     out[j] = v[j] - times(tangent * (parent_[i] / parent_[j]), v[i]);
     return out;
   }
-  const Expr ci = cosine(i), sj = times(parent_[j] / own_[i], motion.sine);
-  const Expr cj = cosine(j), si = times(parent_[i] / own_[j], motion.sine);
+  const Expr ci = cosine(i), sj = times(parent_[j] / own_[i], motion_.sine);
+  const Expr cj = cosine(j), si = times(parent_[i] / own_[j], motion_.sine);
   const Expr civ = ci * v[i], sjv = sj * v[j];
   out[i] = civ + sjv;
   const Expr cjv = cj * v[j], siv = si * v[i];
@@ -175,25 +176,24 @@ Vec3 ScaledTurn::outward(const Vec3& v) const {
 }
 
 Vec3 ScaledTurn::inward(const Vec3& v) const {
-  const Motion& motion = node_.motion;
-  switch (motion.kind) {
+  switch (motion_.kind) {
     case MotionKind::translation:
       return v;
     case MotionKind::rotation:
-      return scaled_by(parent_, motion.to_parent(scaled_by(inverse(own_), v)));
+      return scaled_by(parent_, motion_.to_parent(scaled_by(inverse(own_), v)));
     case MotionKind::axis_rotation:
       break;
   }
-  const auto [a, i, j] = axes_of(motion);
+  const auto [a, i, j] = axes_of(motion_);
   Vec3 out = v;
   if (scaled_) {
-    const double tangent = value_of(motion.sine) / value_of(motion.cosine);
+    const double tangent = value_of(motion_.sine) / value_of(motion_.cosine);
     out[i] = v[i] - times(tangent * (parent_[i] / parent_[j]), v[j]);
     out[j] = v[j] + times(tangent * (parent_[j] / parent_[i]), v[i]);
     return out;
   }
-  const Expr ci = times(parent_[i] / own_[i], motion.cosine), sj = times(parent_[i] / own_[j], motion.sine);
-  const Expr cj = times(parent_[j] / own_[j], motion.cosine), si = times(parent_[j] / own_[i], motion.sine);
+  const Expr ci = times(parent_[i] / own_[i], motion_.cosine), sj = times(parent_[i] / own_[j], motion_.sine);
+  const Expr cj = times(parent_[j] / own_[j], motion_.cosine), si = times(parent_[j] / own_[i], motion_.sine);
   const Expr civ = ci * v[i], sjv = sj * v[j];
   out[i] = civ - sjv;
   const Expr siv = si * v[i], cjv = cj * v[j];
@@ -201,30 +201,21 @@ Vec3 ScaledTurn::inward(const Vec3& v) const {
   return out;
 }
 
-Scale carried_inward(const MotionNode& node, const Scale& scale, const Scale& parent, bool begun) {
-  const Motion& motion = node.motion;
-  switch (motion.kind) {
-    case MotionKind::translation:
-      return scale;
-    case MotionKind::rotation:
-      return kUnscaled;
-    case MotionKind::axis_rotation:
-      break;
+Wrench ScaledTurn::inward(const Wrench& x) const {
+  if (motion_.kind == MotionKind::translation)
+    return {x.moment + scaled_cross(motion_.offset, x.force, own_), x.force};
+  return {inward(x.moment), inward(x.force)};
+}
+
+Scale carried_inward(const MotionNode& node, bool scaled, const Scale& scale, const Scale& parent,
+                     bool begun) {
+  const bool divides = scaled && begun;
+  double ratio = 1;
+  if (begun && node.motion.kind == MotionKind::axis_rotation) {
+    const auto [a, i, j] = axes_of(node.motion);
+    ratio = parent[j] / parent[i];
   }
-  const auto [a, i, j] = axes_of(motion);
-  Scale out = scale;
-  if (node.scaled && begun) {
-    const double c = value_of(motion.cosine);
-    out[i] = scale[i] / c;
-    out[j] = scale[j] / c;
-  } else if (!node.partials.empty()) {
-    out[j] = begun ? scale[i] * (parent[j] / parent[i]) : scale[i];
-  } else if (motion.cosine.is_zero()) {
-    std::swap(out[i], out[j]);
-  } else if (!motion.sine.is_zero()) {
-    out[i] = out[j] = 1;
-  }
-  return out;
+  return scale_beyond(node, scale, {divides, 1, cosine_of(node, divides), ratio});
 }
 
 Expr times(double factor, Expr x) {
@@ -234,17 +225,6 @@ Expr times(double factor, Expr x) {
 Vec3 scaled_by(const Scale& factor, const Vec3& v) {
   Vec3 out;
   for (std::size_t k = 0; k < 3; ++k) out[k] = times(factor[k], v[k]);
-  return out;
-}
-
-Vec3 scaled_cross(const Vec3& t, const Vec3& f, const Scale& scale) {
-  Vec3 out;
-  for (std::size_t x = 0; x < 3; ++x) {
-    const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
-    const Expr first = times(scale[x] / scale[z], t[y]) * f[z];
-    const Expr second = times(scale[x] / scale[y], t[z]) * f[y];
-    out[x] = first - second;
-  }
   return out;
 }
 

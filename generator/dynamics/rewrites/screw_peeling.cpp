@@ -69,16 +69,16 @@ class Peeler {
   /// exp(xi (q - reference)) as motions, left to right.
   std::vector<Motion> screw(const Twist& twist, Expr travel) const {
     std::vector<Motion> out;
-    if (twist.om == zeros<3, 1>(graph_)) {
-      out.push_back(translation_motion(travel * twist.v));
+    if (twist.angular == zeros<3, 1>(graph_)) {
+      out.push_back(translation_motion(travel * twist.linear));
       return out;
     }
-    const Expr square = dot(twist.om, twist.om);
-    const Expr pitch = dot(twist.om, twist.v) / square;
+    const Expr square = dot(twist.angular, twist.angular);
+    const Expr pitch = dot(twist.angular, twist.linear) / square;
     std::vector<Expr> flat;
-    const Vec3 across = cross(twist.om, twist.v);
+    const Vec3 across = cross(twist.angular, twist.linear);
     for (std::size_t i = 0; i < 3; ++i) flat.push_back(across[i] / square);
-    for (std::size_t i = 0; i < 3; ++i) flat.push_back(pitch * twist.om[i]);
+    for (std::size_t i = 0; i < 3; ++i) flat.push_back(pitch * twist.angular[i]);
     flat.push_back(sqrt(square));
     const double length = states_.length();
     flat =
@@ -87,15 +87,15 @@ class Peeler {
     const Expr rate = flat[6];
 
     append_motion(out, translation_motion(point + travel * slide), graph_);
-    const auto nonzero = [&](std::size_t i) { return !twist.om[i].is_zero(); };
+    const auto nonzero = [&](std::size_t i) { return !twist.angular[i].is_zero(); };
     const int axes = nonzero(0) + nonzero(1) + nonzero(2);
     if (axes == 1) {
       const std::size_t axis = nonzero(0) ? 0 : nonzero(1) ? 1 : 2;
-      append_motion(out, axis_rotation_motion(static_cast<int>(axis), twist.om[axis] * travel), graph_);
+      append_motion(out, axis_rotation_motion(static_cast<int>(axis), twist.angular[axis] * travel), graph_);
     } else {
       // The axis is turned into z and back.
       std::vector<Motion> to_z =
-          turned_to_z({{twist.om[0] / rate, twist.om[1] / rate, twist.om[2] / rate}}, graph_);
+          turned_to_z({{twist.angular[0] / rate, twist.angular[1] / rate, twist.angular[2] / rate}}, graph_);
       for (const Motion& motion : to_z) append_motion(out, motion, graph_);
       append_motion(out, axis_rotation_motion(2, rate * travel), graph_);
       for (auto motion = to_z.rbegin(); motion != to_z.rend(); ++motion)

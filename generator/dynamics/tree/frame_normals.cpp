@@ -1,8 +1,9 @@
 // Collects the frames on curves and surfaces (see the header).
 #include "dynamics/tree/frame_normals.hpp"
 
-#include <type_traits>
+#include <utility>
 
+#include "support/overloaded.hpp"
 #include "symbolic/to_string.hpp"
 
 namespace alembert {
@@ -33,26 +34,15 @@ void add(const SurfaceFrame& surface, FrameNormal entry, std::vector<FrameNormal
 }
 
 void add(const Transform& transform, const std::string& owner, std::vector<FrameNormal>& out) {
-  std::vector<const Transform*> open{&transform};  // inverses, to be visited after
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    for (const Factor& factor : open[i]->factors) {
-      FrameNormal entry;
-      entry.owner = owner;
-      entry.where = factor.where;
-      std::visit(
-          [&](const auto& value) {
-            using T = std::decay_t<decltype(value)>;
-            if constexpr (std::is_same_v<T, CurveFrame> || std::is_same_v<T, SurfaceFrame>) {
-              add(value, std::move(entry), out);
-            } else if constexpr (std::is_same_v<T, Mate>) {
-              add(value.first, entry, out);
-              add(value.second, std::move(entry), out);
-            } else if constexpr (std::is_same_v<T, Inverse>) {
-              open.push_back(value.of.get());
-            }
-          },
-          factor.value);
-    }
+  for (const Factor& factor : transform.factors) {
+    FrameNormal entry;
+    entry.owner = owner;
+    entry.where = factor.where;
+    std::visit(Overloaded{[&](const CurveFrame& curve) { add(curve, std::move(entry), out); },
+                          [&](const SurfaceFrame& surface) { add(surface, std::move(entry), out); },
+                          [](const OneOf<Translation, AxisRotation, VectorRotation, QuaternionRotation,
+                                         RigidMatrix> auto&) {}},
+               factor.value);
   }
 }
 

@@ -3,10 +3,10 @@
 #include "dynamics/tree/motion.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "dynamics/tree/contact_frames.hpp"
 #include "dynamics/tree/motion_tree.hpp"
+#include "support/overloaded.hpp"
 
 namespace alembert {
 
@@ -126,6 +126,16 @@ Motion quaternion_rotation(const Mechanism& mechanism, int coordinate) {
   return motion;
 }
 
+Vec3 turned_about(int axis, Expr cosine, Expr sine, const Vec3& v) {
+  const std::size_t i = static_cast<std::size_t>(axis + 1) % 3, j = static_cast<std::size_t>(axis + 2) % 3;
+  Vec3 out = v;
+  const Expr ci = cosine * v[i], sj = sine * v[j];
+  out[i] = ci - sj;
+  const Expr si = sine * v[i], cj = cosine * v[j];
+  out[j] = si + cj;
+  return out;
+}
+
 bool is_identity(const Motion& motion, ExprGraph& g) {
   switch (motion.kind) {
     case MotionKind::translation:
@@ -138,55 +148,25 @@ bool is_identity(const Motion& motion, ExprGraph& g) {
   return false;
 }
 
-void append(std::vector<Motion>& motions, const Motion& motion, ExprGraph& g) {
-  append_motion(motions, motion, g);
-}
-
-void append_transform(std::vector<Motion>& motions, const Transform& transform, const Mechanism& mechanism,
-                      ExprGraph& g);
-
-void append_factor(std::vector<Motion>& motions, const Factor& factor, const Mechanism& mechanism,
-                   ExprGraph& g) {
-  std::visit(
-      [&](const auto& value) {
-        using T = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<T, Translation>) {
-          append(motions, translation_motion(value.offset), g);
-        } else if constexpr (std::is_same_v<T, AxisRotation>) {
-          append(motions, axis_rotation_motion(value.axis, value.angle), g);
-        } else if constexpr (std::is_same_v<T, VectorRotation>) {
-          append(motions, vector_rotation(value.axis, value.angle), g);
-        } else if constexpr (std::is_same_v<T, QuaternionRotation>) {
-          append(motions, quaternion_rotation(mechanism, value.coordinate), g);
-        } else if constexpr (std::is_same_v<T, RigidMatrix>) {
-          append(motions, translation_motion(value.translation), g);
-          append(motions, rotation(value.rotation), g);
-        } else if constexpr (std::is_same_v<T, CurveFrame>) {
-          append(motions, translation_motion(value.point), g);
-          append(motions, rotation(curve_rotation(value, factor.where, g)), g);
-        } else if constexpr (std::is_same_v<T, SurfaceFrame>) {
-          append(motions, translation_motion(value.point), g);
-          append(motions, rotation(surface_rotation(value, factor.where, g)), g);
-        } else if constexpr (std::is_same_v<T, Mate>) {
-          append(motions, translation_motion(value.first.point), g);
-          append(motions, rotation(surface_rotation(value.first, factor.where, g)), g);
-          append(motions, axis_rotation_motion(2, value.spin), g);
-          append(motions, rotation(surface_rotation(value.second, factor.where, g)).inverse(), g);
-          append(motions, translation_motion(value.second.point).inverse(), g);
-        } else {
-          static_assert(std::is_same_v<T, Inverse>);
-          std::vector<Motion> inner;
-          append_transform(inner, *value.of, mechanism, g);
-          std::reverse(inner.begin(), inner.end());
-          for (const Motion& motion : inner) append(motions, motion.inverse(), g);
-        }
-      },
+/// The elementary motions of a factor, not inverted.
+std::vector<Motion> motions_of(const Factor& factor, const Mechanism& mechanism, ExprGraph& g) {
+  using Motions = std::vector<Motion>;
+  return std::visit(
+      Overloaded{
+          [](const Translation& f) { return Motions{translation_motion(f.offset)}; },
+          [](const AxisRotation& f) { return Motions{axis_rotation_motion(f.axis, f.angle)}; },
+          [](const VectorRotation& f) { return Motions{vector_rotation(f.axis, f.angle)}; },
+          [&](const QuaternionRotation& f) { return Motions{quaternion_rotation(mechanism, f.coordinate)}; },
+          [](const RigidMatrix& f) {
+            return Motions{translation_motion(f.translation), rotation(f.rotation)};
+          },
+          [&](const CurveFrame& f) {
+            return Motions{translation_motion(f.point), rotation(curve_rotation(f, factor.where, g))};
+          },
+          [&](const SurfaceFrame& f) {
+            return Motions{translation_motion(f.point), rotation(surface_rotation(f, factor.where, g))};
+          }},
       factor.value);
-}
-
-void append_transform(std::vector<Motion>& motions, const Transform& transform, const Mechanism& mechanism,
-                      ExprGraph& g) {
-  for (const Factor& factor : transform.factors) append_factor(motions, factor, mechanism, g);
 }
 
 }  // namespace
@@ -195,16 +175,8 @@ Vec3 Motion::to_parent(const Vec3& v) const {
   switch (kind) {
     case MotionKind::translation:
       return v;
-    case MotionKind::axis_rotation: {
-      const std::size_t i = static_cast<std::size_t>(axis + 1) % 3,
-                        j = static_cast<std::size_t>(axis + 2) % 3;
-      Vec3 out = v;
-      const Expr ci = cosine * v[i], sj = sine * v[j];
-      out[i] = ci - sj;
-      const Expr si = sine * v[i], cj = cosine * v[j];
-      out[j] = si + cj;
-      return out;
-    }
+    case MotionKind::axis_rotation:
+      return turned_about(axis, cosine, sine, v);
     case MotionKind::rotation:
       return matrix * v;
   }
@@ -215,16 +187,8 @@ Vec3 Motion::to_child(const Vec3& v) const {
   switch (kind) {
     case MotionKind::translation:
       return v;
-    case MotionKind::axis_rotation: {
-      const std::size_t i = static_cast<std::size_t>(axis + 1) % 3,
-                        j = static_cast<std::size_t>(axis + 2) % 3;
-      Vec3 out = v;
-      const Expr ci = cosine * v[i], sj = sine * v[j];
-      out[i] = ci + sj;
-      const Expr si = sine * v[i], cj = cosine * v[j];
-      out[j] = cj - si;
-      return out;
-    }
+    case MotionKind::axis_rotation:
+      return turned_about(axis, cosine, -sine, v);
     case MotionKind::rotation:
       return transpose(matrix) * v;
   }
@@ -269,7 +233,14 @@ void append_motion(std::vector<Motion>& motions, Motion motion, ExprGraph& g) {
 std::vector<Motion> elementary_motions(const Transform& transform, const Mechanism& mechanism,
                                        ExprGraph& graph) {
   std::vector<Motion> motions;
-  append_transform(motions, transform, mechanism, graph);
+  for (const Factor& factor : transform.factors) {
+    std::vector<Motion> own = motions_of(factor, mechanism, graph);
+    if (factor.inverse) {
+      std::reverse(own.begin(), own.end());
+      for (Motion& motion : own) motion = motion.inverse();
+    }
+    for (const Motion& motion : own) append_motion(motions, motion, graph);
+  }
   return motions;
 }
 

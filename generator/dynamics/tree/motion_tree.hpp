@@ -34,26 +34,13 @@ struct MotionNode {
   Vec3 velocity;      ///< angular velocity (rotations) or dt/dt (translations) relative to the parent frame
   Vec3 acceleration;  ///< its componentwise rate
   std::vector<int> bodies;
-  bool scaled = false;  ///< a constant turn after which vectors are stored scaled (scaled_vectors.hpp)
-  int ahead = -1;       ///< a moving rotation that scales for this scaled turn that follows it; -1: none
 };
 
-/// How a component of the moment of a body's inertia is written: both are equal, which is shorter depends on
-/// the mechanism.
-enum class MomentForm {
-  pseudo_inertia,  ///< antisymmetric part of U K with K = tr(J)/2 - J: shares U = skew(al) + skew(om)^2 with
-                   ///< everything else
-  inertia,         ///< diagonal part as J_xx al_x + (J_zz - J_yy) om_y om_z
-};
-
-/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J; and how its
-/// moment is to be written.
+/// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J.
 struct NodeMass {
   Expr mass;
   Vec3 moment;
   Mat3 inertia;
-  std::array<MomentForm, 3> forms{MomentForm::pseudo_inertia, MomentForm::pseudo_inertia,
-                                  MomentForm::pseudo_inertia};
   bool is_zero() const;
 };
 

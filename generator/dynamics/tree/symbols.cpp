@@ -25,11 +25,11 @@ std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph&
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     if (!mechanism.bodies[b].external_wrench) continue;
     const std::string prefix = "wrench(" + mechanism.bodies[b].name + ").";
-    WrenchSymbols symbols{static_cast<int>(b), {}, {}};
+    WrenchSymbols symbols{static_cast<int>(b), {}};
     for (std::size_t i = 0; i < 3; ++i) {
       const char axis = "xyz"[i];
-      symbols.force[i] = graph.symbol(prefix + "f" + axis);
-      symbols.torque[i] = graph.symbol(prefix + "t" + axis);
+      symbols.wrench.force[i] = graph.symbol(prefix + "f" + axis);
+      symbols.wrench.moment[i] = graph.symbol(prefix + "t" + axis);
     }
     result.push_back(symbols);
   }
@@ -61,9 +61,9 @@ std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph
   }
   std::size_t wrench = 0;
   for (const WrenchSymbols& symbols : wrench_symbols(mechanism, graph)) {
-    for (std::size_t i = 0; i < 3; ++i) bind(symbols.force[i], ArgumentKind::wrench, wrench + i);
-    for (std::size_t i = 0; i < 3; ++i) bind(symbols.torque[i], ArgumentKind::wrench, wrench + 3 + i);
-    wrench += 6;
+    const auto& [moment, force] = symbols.wrench;
+    for (const Expr symbol : force.entries) bind(symbol, ArgumentKind::wrench, wrench++);
+    for (const Expr symbol : moment.entries) bind(symbol, ArgumentKind::wrench, wrench++);
   }
   return bindings;
 }

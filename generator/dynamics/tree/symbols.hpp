@@ -3,16 +3,17 @@
 
 #include <vector>
 
+#include "dynamics/tree/spatial_vectors.hpp"
 #include "mechanism/model.hpp"
 #include "program/lower.hpp"
 
 namespace alembert {
 
-/// World force at the centre of mass and world torque of a body with external_wrench; symbols
+/// The wrench about the centre of mass of a body with external_wrench, in world axes; symbols
 /// `wrench(body).fx` ... `.tz`.
 struct WrenchSymbols {
   int body;
-  Vec3 force, torque;
+  Wrench wrench;
 };
 std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph);
 
