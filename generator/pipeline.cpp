@@ -59,10 +59,6 @@ std::string describe(const OperationCount& n) {
 /// Of programs that are all off by more than is good, a longer one must be off by so much less.
 constexpr double kWorseError = 16;
 
-std::size_t weight(const OperationCount& n) {
-  return n.mul + n.add + n.div + n.other + n.trig;
-}
-
 /// Equations by whichever formulations are to be compared.
 std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
                                                    const CompileOptions& options, StageLog& log) {
@@ -124,7 +120,7 @@ Program without_unused_inputs(Program program) {
 Program in_final_order(const CompiledFunction& function, const CompileOptions& options) {
   Program program = schedule(function.program);
   if (options.loop_results > 0) program = gather_dot_products(program, options.loop_results);
-  const std::size_t straight = weight(function.count) - program.dot_product_code;
+  const std::size_t straight = function.count.all() - program.dot_product_code;
   if (straight <= options.loop_operations) return program;
   // Few steps among much else are not worth their way through memory.
   Program rerolled = reroll(program);
@@ -215,8 +211,9 @@ class FunctionWriter {
         continue;
       found.push_back(candidate(kind, equations.formulation, std::move(outputs)));
     }
+    // Unweighted, since functions share sines and cosines: by weights, gravity of the four-bar knee is 6 longer.
     std::stable_sort(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
-      return weight(x.function.count) < weight(y.function.count);
+      return x.function.count.all() < y.function.count.all();
     });
     MeasuredError error;
     std::optional<CompiledFunction> explained;

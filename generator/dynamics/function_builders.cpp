@@ -33,6 +33,7 @@ struct Ingredients {
 using Results = std::vector<std::vector<Expr>>;
 
 /// What `make(i)` gives for one of so many trees of motions: for the one that takes the fewest operations.
+/// Unweighted and without sines and cosines, as lengths are (ProgramLengths).
 template <class Make>
 Results shortest_of(std::size_t trees, Make make) {
   std::vector<Expr> shortest = make(0);

@@ -53,28 +53,11 @@ OperationCount count(const Program& program) {
   for (std::size_t i = 0; i < program.code.size(); ++i) {
     const Instruction& c = program.code[i];
     if (alone[i] != 0) continue;
-    switch (facts(c.op).counted) {
-      case Counted::free:
-        break;
-      case Counted::add:
-        if (angle[i] == 0 || (alone[c.a] == 0 && alone[c.b] == 0)) ++n.add;
-        break;
-      case Counted::mul: {
-        const double factor = std::max(magnitude(c.a), magnitude(c.b));
-        if (factor == 1) break;
-        ++(factor == 2 ? n.add : n.mul);
-        break;
-      }
-      case Counted::div:
-        ++n.div;
-        break;
-      case Counted::trig:
-        ++n.trig;
-        break;
-      case Counted::other:
-        ++n.other;
-        break;
-    }
+    // An offset of an angle belongs to the call.
+    if (angle[i] != 0 && facts(c.op).counted == Counted::add && (alone[c.a] != 0 || alone[c.b] != 0))
+      continue;
+    const double factor = c.op == Operation::mul ? std::max(magnitude(c.a), magnitude(c.b)) : 0;
+    if (factor != 1) n.include(c.op, factor == 2);
   }
   return n;
 }

@@ -190,10 +190,8 @@ struct Cost {
 };
 
 Cost cost_of(std::span<const Expr> roots) {
-  constexpr std::size_t kDivision = 4, kFunction = 12;
-  const ExprCount count = count_operations(roots);
-  return {count.total() + count.trig,
-          count.add + count.mul + kDivision * count.div + kFunction * (count.trig + count.other)};
+  const OperationCount count = count_operations(roots);
+  return {count.all(), count.weight};
 }
 
 // Takes the candidate as a whole or root by root, wherever it lowers the cost.

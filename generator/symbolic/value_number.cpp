@@ -339,8 +339,8 @@ std::vector<Expr> value_number(std::span<const Expr> roots) {
   const std::vector<Expr> merged = merge_close_constants(roots);
   std::vector<Expr> out = Numbering(merged).run(merged);
   if (out == same) return same;
-  const ExprCount before = count_operations(roots), after = count_operations(out);
-  return after.total() + after.trig > before.total() + before.trig ? same : out;
+  // Unweighted: by weights, reverse derivatives of 400 random functions take 2 operations more.
+  return count_operations(out).all() > count_operations(roots).all() ? same : out;
 }
 
 }  // namespace alembert

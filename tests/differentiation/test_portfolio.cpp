@@ -20,7 +20,7 @@ namespace {
 std::size_t operations(const std::vector<Expr>& roots, const Jacobian& jacobian) {
   std::vector<Expr> all = roots;
   all.insert(all.end(), jacobian.entries.begin(), jacobian.entries.end());
-  const ExprCount count = count_operations(value_number(all));
+  const OperationCount count = count_operations(value_number(all));
   return count.total() + count.trig;
 }
 

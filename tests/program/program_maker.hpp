@@ -272,11 +272,6 @@ inline Program random_program(std::size_t size, Mix mix, std::mt19937_64& random
   return m.program;
 }
 
-/// Operations weighted as `optimize` does: a division counts as four.
-inline std::size_t weighted(const OperationCount& n) {
-  return n.mul + n.add + 4 * n.div + n.trig + n.other;
-}
-
 inline std::size_t negations(const Program& program) {
   std::size_t n = 0;
   for (const Instruction& c : program.code) n += c.op == Operation::neg;

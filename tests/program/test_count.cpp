@@ -55,6 +55,14 @@ TEST(Count, DivisionsAndOtherFunctionsStandApart) {
   expect_count(m.returning(out), {.div = 1, .trig = 3, .other = 13});
 }
 
+TEST(Count, WeighsByTheTableOfOperations) {
+  ProgramMaker m(2);
+  const auto x = m.input(0), y = m.input(1), two = m.constant(2), one = m.constant(1);
+  const Program program =
+      m.returning({m.div(x, y), m.sin(x), m.mul(two, x), m.mul(one, y), m.neg(m.sub(x, y))});
+  EXPECT_EQ(count(program).weight, facts(Operation::div).weight + facts(Operation::sin).weight + 2);
+}
+
 TEST(Count, AConstantOffsetInsideAnAngleBelongsToTheCall) {
   for (const Operation op : {Operation::add, Operation::sub}) {
     ProgramMaker m(1);

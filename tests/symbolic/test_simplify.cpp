@@ -116,7 +116,7 @@ TEST_F(Simplify, NeverMoreOperations) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     ExprGraph graph;
     const RandomDag dag = random_dag(graph, seed, options);
-    const ExprCount before = count_operations(dag.roots), after = count_operations(simplify(dag.roots));
+    const OperationCount before = count_operations(dag.roots), after = count_operations(simplify(dag.roots));
     EXPECT_LE(after.total() + after.trig, before.total() + before.trig) << seed;
   }
 }

@@ -23,8 +23,7 @@ Length ProgramLengths::of(std::span<const Expr> values) {
       {{"values", static_cast<std::uint32_t>(values.size()), 1, {values.begin(), values.end()}}}};
   measured.program = optimize(lower("candidate", output, bindings_));
   const OperationCount n = count(measured.program);
-  const std::size_t others = n.mul + n.add + n.div + n.other;
-  return measured.length = {others + n.trig, others};
+  return measured.length = {n.all(), n.total()};
 }
 
 Program ProgramLengths::optimized(Program lowered, std::span<const OutputExpressions> outputs) const {

@@ -16,7 +16,8 @@
 namespace alembert {
 
 /// Operations, trigonometric functions and divisions among them; and those that are no sines and cosines,
-/// which other functions may share.
+/// which other functions may share. For these they are not weighted: by weights, 17 of 542 functions are longer
+/// and none is shorter (mass matrix and bias of the knee 254 to 292).
 using Length = std::pair<std::size_t, std::size_t>;
 
 /// Lengths of programs over the symbols of one mechanism.

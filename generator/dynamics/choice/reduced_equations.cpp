@@ -26,8 +26,8 @@ namespace {
 constexpr double kWork = 100'000;
 
 Length length_of(std::span<const Expr> values) {
-  const ExprCount n = count_operations(values);
-  return {n.total() + n.trig, n.total()};
+  const OperationCount n = count_operations(values);
+  return {n.all(), n.total()};
 }
 
 std::vector<Expr> joined(std::vector<Expr> values, const std::vector<Expr>& others) {

@@ -112,7 +112,7 @@ std::size_t pattern_cost(const LinkPattern& p, const MomentForms& forms) {
     roots.insert(roots.end(), total.moment.entries.begin(), total.moment.entries.end());
   }
   if (p.child) roots.insert(roots.end(), motions[3].acc.entries.begin(), motions[3].acc.entries.end());
-  return count_operations(roots).total();
+  return count_operations(roots).weight;
 }
 
 /// The search over one mechanism's links.

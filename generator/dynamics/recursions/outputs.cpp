@@ -231,7 +231,7 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
   std::vector<Expr> at_joints = jacobians(false);
   if (tree.nodes.size() > kHandedOn) return at_joints;
   std::vector<Expr> at_frames = jacobians(true);
-  return count_operations(at_frames).total() < count_operations(at_joints).total() ? at_frames : at_joints;
+  return count_operations(at_frames).weight < count_operations(at_joints).weight ? at_frames : at_joints;
 }
 
 std::vector<Expr> body_inertias(const Mechanism& mechanism) {

@@ -25,17 +25,16 @@ namespace {
 // to fifth.
 constexpr int kRounds = 8;
 
-// Operations weighted by their time: a division counts as four, a negation only between equals.
+// The weight of all operations; a negation counts only between equals.
 struct Cost {
-  std::size_t operations = 0, negations = 0;
+  std::size_t weight = 0, negations = 0;
   friend bool operator<(const Cost& x, const Cost& y) {
-    return x.operations != y.operations ? x.operations < y.operations : x.negations < y.negations;
+    return x.weight != y.weight ? x.weight < y.weight : x.negations < y.negations;
   }
 };
 
 Cost cost(const Program& program) {
-  const OperationCount n = count(program);
-  Cost out{n.mul + n.add + facts(Operation::div).weight * n.div + n.trig + n.other, 0};
+  Cost out{count(program).weight, 0};
   for (const Instruction& c : program.code) out.negations += c.op == Operation::neg;
   return out;
 }

@@ -6,9 +6,9 @@
 namespace alembert {
 
 /// Stage `optimise`: value numbering, constant folding and sign placement, a*b + a*c -> a*(b + c) with
-/// single-use products, shared reciprocals and merged quotients; each kept only if it lowers
-/// mul + add + 4 div + trig + other, so that the result never costs more. Values change by rounding only,
-/// except that 0*x and x - x are 0 whatever x is.
+/// single-use products, shared reciprocals and merged quotients; each kept only if it lowers the weight of all
+/// operations (OperationCount), so that the result never costs more. Values change by rounding only, except
+/// that 0*x and x - x are 0 whatever x is.
 Program optimize(Program program);
 
 }  // namespace alembert
