@@ -73,7 +73,21 @@ class Rewriter {
   Polynomial whole(std::uint32_t local) { return algebra_.polynomial(collected(local)); }
 
   bool may_multiply(const Polynomial& x, const Polynomial& y) const {
-    return sums_ == Sums::multiply_out && x.size() * y.size() <= kMostTerms;
+    if (sums_ != Sums::multiply_out || x.size() * y.size() > kMostTerms) return false;
+    return is_number(x) || is_number(y) || (!is_offset(x) && !is_offset(y));
+  }
+
+  static bool is_number(const Polynomial& x) { return x.size() == 1 && x[0].powers.empty(); }
+
+  // Whether x says how far a symbol is from a number. Where that is little, (q - 6)^2 has all its digits and
+  // q^2 - 12 q + 36 has lost them. (3 q - 18 is as if q were rounded.)
+  bool is_offset(const Polynomial& x) const {
+    const auto number = [](const PolynomialTerm& term) { return term.powers.empty(); };
+    const auto symbol = [&](const PolynomialTerm& term) {
+      return term.powers.size() == 1 && term.powers[0].halves == 2 &&
+             graph_.node(term.powers[0].base.node()).op == Operation::symbol;
+    };
+    return std::any_of(x.begin(), x.end(), number) && std::any_of(x.begin(), x.end(), symbol);
   }
 
   Polynomial form(std::size_t i) {

@@ -105,8 +105,10 @@ std::string NastyJoints::joint() {
   }
   if (which == 7 && has_room(2)) {
     const std::string first = new_angle(), second = new_angle();
-    return joint_of("universal", "axes: [" + axis + ", " + (axis == "y" ? "x" : "y") + "], ",
-                    first + ", " + second);
+    // Across the first axis, which may be along y in three ways.
+    const bool along_y =
+        axis == "y" || axis.rfind("[0, -1", 0) == 0 || axis.find(", -1, 0]") != std::string::npos;
+    return joint_of("universal", "axes: [" + axis + (along_y ? ", x], " : ", y], "), first + ", " + second);
   }
   if (which == 8 && has_room(3)) {
     const std::string x = new_length(), y = new_length(), angle = new_angle();

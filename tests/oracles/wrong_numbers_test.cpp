@@ -118,6 +118,25 @@ bodies:
   expect_right(file.path(), read_description(file.path(), {{"height", 0.02}}), states);
 }
 
+// A ring on a torus with a dent at u = 6, 1e-5 wide. The square of the slope was multiplied out into powers of u,
+// which left five digits of it.
+TEST(WrongNumbers, NarrowDentOfASurface) {
+  const std::string text = R"yaml(
+coordinates: [{name: u, initial: 6.5, limits: [5, 7]}, {name: v, limits: [-1, 1]}]
+bodies:
+  - name: ring
+    transform:
+      - surface: {point: ["(1.3 + 2e-6*exp(-((u - 6)/0.00001)^2) + 0.4*cos(v))*cos(u)", "(1.3 + 2e-6*exp(-((u - 6)/0.00001)^2) + 0.4*cos(v))*sin(u)", "0.4*sin(v)"], along: [u, v]}
+    mass: 1.2
+    com: [0.1, -0.2, 0.3]
+    inertia: {xx: 0.2, yy: 0.3, zz: 0.25}
+)yaml";
+  std::vector<State> states;
+  for (const double u : {5.999995, 6.0, 6.0000071, 6.6})
+    states.push_back({{u, 0.4}, {1e-5, 0.5}, {2e-6, -0.3}, 0});
+  expect_right(text, states);
+}
+
 // What is late in each kind of factor.
 TEST(WrongNumbers, LateFunctionsInEveryFactor) {
   const std::string step = "(1 + tanh(30*(a - 5)))";

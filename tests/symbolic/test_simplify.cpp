@@ -1,5 +1,6 @@
 // Simplification of small sets.
 #include "symbolic/count_operations.hpp"
+#include "symbolic/evaluate.hpp"
 #include "symbolic/evaluate_modular.hpp"
 #include "symbolic/random_dag.hpp"
 #include "symbolic/same.hpp"
@@ -60,6 +61,15 @@ TEST_F(Simplify, Quotients) {
   EXPECT_TRUE(same(of((x * s + y * s) / (y + x)), s));
   EXPECT_TRUE(same(of(one / (x + y) + z / (x + y)), (one + z) / (x + y)));
   EXPECT_TRUE(same(of((one - s * s * t * t - c * c * t * t) / d), d));
+}
+
+TEST_F(Simplify, DistancesFromNumbersKeepTheirDigits) {
+  const Expr slope = g.integer(400) * (x - g.integer(6)), p = sin(z), q = cos(z);
+  const Expr found =
+      of((slope * q - y * p) * (slope * q - y * p) + (slope * p + y * q) * (slope * p + y * q));
+  EXPECT_LT(count_operations(std::vector<Expr>{found}).total(), 7u) << to_string(found);
+  const std::vector<double> near{6 + 0x1p-20, 0, 0.3};
+  EXPECT_EQ(evaluate(std::vector<Expr>{found}, near)[0], 160000 * 0x1p-40);
 }
 
 TEST_F(Simplify, ConstantsStayExact) {
