@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "differentiation/jacobian.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/recursions/articulated_bodies.hpp"
 #include "dynamics/recursions/constraints.hpp"
@@ -103,6 +104,19 @@ Results build_applied_forces(const Ingredients& given) {
   const std::vector<Expr>& Q = given.kinematics.applied.Q;
   if (!Q.empty()) return {Q};
   return {std::vector<Expr>(static_cast<std::size_t>(given.mechanism().nv), given.graph().zero())};
+}
+
+Results build_input_jacobian(const Ingredients& given) {
+  std::vector<Expr> inputs;
+  for (const Parameter& parameter : given.mechanism().parameters)
+    if (parameter.input) inputs.push_back(given.graph().symbol(parameter.name));
+  const std::vector<Expr> Q = build_applied_forces(given).front();
+  std::vector<Expr> B;
+  if (inputs.empty()) return {B};
+  const Jacobian by = jacobian(Q, inputs);
+  for (std::size_t i = 0; i < Q.size(); ++i)
+    for (std::size_t k = 0; k < inputs.size(); ++k) B.push_back(by(i, k));
+  return {B};
 }
 
 /// With the values of outputs, which must be of the position where `of_position`.
@@ -218,6 +232,7 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
+    {FunctionKind("input_jacobian"), false, build_input_jacobian},
 };
 
 constexpr bool all_have_builders() {

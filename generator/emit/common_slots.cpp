@@ -241,6 +241,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
       {"output_count", std::to_string(names.outputs.size())},
+      {"input_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::input))},
       {"parameter_count", std::to_string(names.parameters.size())},
       {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},

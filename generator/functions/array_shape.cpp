@@ -22,6 +22,8 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
       return constraint_rows(mechanism).size();
     case Extent::Of::outputs:
       return mechanism.outputs.size();
+    case Extent::Of::inputs:
+      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::input));
   }
   throw InternalError("there is no such extent");
 }

@@ -34,7 +34,7 @@ class Few {
 
 /// A number of rows or columns: so many, or as many as the mechanism has of something.
 struct Extent {
-  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs };
+  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs };
   Of of = Of::number;
   int number = 1;
   constexpr Extent() = default;
@@ -43,7 +43,8 @@ struct Extent {
   constexpr bool operator==(const Extent&) const = default;
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
-                        kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs;
+                        kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
+                        kPerInput = Extent::Of::inputs;
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -203,6 +204,11 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        kPerSpeed, kPerSpeed},
       {"tau_qd", "column k is the derivative by speed k", kPerSpeed, kPerSpeed}},
      "By the rates qdd they are M(q). Those of forward dynamics at the same state are -M^-1 tau_q and -M^-1 tau_qd.", ""},
+    {"input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Derivatives of the applied forces by the inputs: the input matrix of a linearisation.",
+     "B = dQ/d(inputs), where tau = M(q) qdd + c and c contains -Q",
+     {{"B", "a column for each of the inputs, in their order", kPerSpeed, kPerInput}},
+     "Those of forward dynamics are M^-1 B. Where a force has a kink, they are those of the branch that is taken.", ""},
 };
 // clang-format on
 

@@ -61,17 +61,11 @@ Program random_program(std::string function, std::vector<InputSlot> inputs, std:
     oldest ? unused.pop_front() : unused.pop_back();
     return value;
   };
-  const std::array<Operation, 22> all = {Operation::add,         Operation::sub,
-                                         Operation::mul,         Operation::div,
-                                         Operation::neg,         Operation::sqrt,
-                                         Operation::sin,         Operation::cos,
-                                         Operation::tan,         Operation::asin,
-                                         Operation::acos,        Operation::atan,
-                                         Operation::atan2,       Operation::exp,
-                                         Operation::log,         Operation::abs,
-                                         Operation::sign,        Operation::sinh,
-                                         Operation::cosh,        Operation::tanh,
-                                         Operation::if_positive, Operation::unless_positive};
+  const std::array<Operation, 20> all = {Operation::add,   Operation::sub,  Operation::mul,  Operation::div,
+                                         Operation::neg,   Operation::sqrt, Operation::sin,  Operation::cos,
+                                         Operation::tan,   Operation::asin, Operation::acos, Operation::atan,
+                                         Operation::atan2, Operation::exp,  Operation::log,  Operation::abs,
+                                         Operation::sign,  Operation::sinh, Operation::cosh, Operation::tanh};
   std::size_t made = 0;
   const auto one = [&](Operation op) {
     std::uint32_t a = operand();
@@ -199,6 +193,7 @@ Sample every_function() {
   m.parameters[2].name = "length";
   m.parameters[2].value = 1e-3;
   m.parameters[2].runtime = true;
+  m.parameters[2].input = true;
   m.bodies.resize(3);
   m.bodies[0].name = "column";
   m.bodies[1].name = "hand";

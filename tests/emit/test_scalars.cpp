@@ -34,6 +34,8 @@ struct Dual {
   friend Dual log(Dual a) { return {std::log(a.v), a.d / a.v}; }
   friend Dual abs(Dual a) { return a.v < 0 ? -a : a; }
   friend Dual sign(Dual a) { return Dual((a.v > 0) - (a.v < 0)); }
+  friend Dual if_positive(Dual a, Dual b) { return a.v > 0 ? b : Dual(0); }
+  friend Dual unless_positive(Dual a, Dual b) { return a.v > 0 ? Dual(0) : b; }
   friend Dual sinh(Dual a) { return {std::sinh(a.v), a.d * std::cosh(a.v)}; }
   friend Dual cosh(Dual a) { return {std::cosh(a.v), a.d * std::sinh(a.v)}; }
   friend Dual tanh(Dual a) { return {std::tanh(a.v), a.d * (1 - std::tanh(a.v) * std::tanh(a.v))}; }
@@ -102,6 +104,12 @@ struct Pack {
   friend Pack sign(const Pack& a) {
     return each([](double x, double) { return (x > 0) - (x < 0); }, a, a);
   }
+  friend Pack if_positive(const Pack& a, const Pack& b) {
+    return each([](double c, double x) { return c > 0 ? x : 0; }, a, b);
+  }
+  friend Pack unless_positive(const Pack& a, const Pack& b) {
+    return each([](double c, double x) { return c > 0 ? 0 : x; }, a, b);
+  }
   friend Pack sinh(const Pack& a) {
     return each([](double x, double) { return std::sinh(x); }, a, a);
   }
@@ -154,27 +162,27 @@ TEST(Scalars, PackGivesEachLaneItsState) {
 
 TEST(Scalars, DualGivesTheDerivative) {
   const std::array<double, all::kNq> at{0.3, 0.1, -0.2, 0.4, 0.9, 0.7, -0.5};
-  const std::array<double, all::kNv> u{0.5, -0.3, 0.2, 0.8, 0.1, -0.6};
-  const auto energies = [&](double step) {
+  constexpr std::size_t kEntries = 12 * all::kBodyCount;
+  const auto poses = [&](double step) {
     std::array<double, all::kNq> q = at;
     for (double& x : q) x += step;
-    std::array<double, 2> e;
-    all::energy(q.data(), u.data(), all::Inputs<double>(), e.data());
-    return e;
+    std::array<double, kEntries> W;
+    all::body_poses(q.data(), all::Inputs<double>(), W.data());
+    return W;
   };
   std::array<Dual, all::kNq> q;
-  std::array<Dual, all::kNv> qd;
   for (std::size_t i = 0; i < at.size(); ++i) q[i] = Dual(at[i], 1.0);
-  for (std::size_t i = 0; i < u.size(); ++i) qd[i] = Dual(u[i]);
-  std::array<Dual, 2> e;
-  all::energy(q.data(), qd.data(), all::Inputs<Dual>(), e.data());
+  std::array<Dual, kEntries> W;
+  all::body_poses(q.data(), all::Inputs<Dual>(), W.data());
   const double h = 1e-6;
-  const auto plus = energies(h), minus = energies(-h), here = energies(0);
+  const auto plus = poses(h), minus = poses(-h), here = poses(0);
   double largest = 0;
-  for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_DOUBLE_EQ(e[k].v, here[k]);
+  for (std::size_t k = 0; k < kEntries; ++k) {
     const double difference = (plus[k] - minus[k]) / (2 * h);
-    EXPECT_NEAR(e[k].d, difference, 1e-6 * (1 + std::abs(difference)));
+    // The random program divides by 0 and takes powers of 0 here and there.
+    if (!std::isfinite(difference) || !std::isfinite(W[k].d)) continue;
+    EXPECT_DOUBLE_EQ(W[k].v, here[k]);
+    EXPECT_NEAR(W[k].d, difference, 1e-6 * (1 + std::abs(difference))) << k;
     largest = std::max(largest, std::abs(difference));
   }
   EXPECT_GT(largest, 1e-3) << "the sample does not depend on q";

@@ -27,7 +27,7 @@ TEST(OperationTable, HasARowForEachOperationAndNoNameTwice) {
       EXPECT_TRUE(is_call(row.operation)) << row.name;
     }
   }
-  EXPECT_EQ(names.size(), 16u);
+  EXPECT_EQ(names.size(), 18u);
 }
 
 TEST(OperationTable, ParitiesAreThoseOfTheValues) {

@@ -182,6 +182,20 @@ const Builders<R>& builders() {
            Q[k++] = static_cast<double>(force);
          return Arrays{{"Q", Q}};
        }},
+      {"input_jacobian",
+       [](From x) {
+         Eigen::MatrixXd B(x.description.nv, static_cast<Eigen::Index>(x.description.inputs.size()));
+         for (Eigen::Index i = 0; i < B.cols(); ++i) {
+           StateOf<Jet<R>> state = lifted<Jet<R>>(x.state);
+           for (const Input& input : x.description.inputs)
+             state.inputs.try_emplace(input.name, input.initial);
+           state.inputs.at(x.description.inputs[static_cast<std::size_t>(i)].name).first = R(1.0);
+           const std::vector<Jet<R>> Q = applied_forces(x.description, state);
+           for (Eigen::Index k = 0; k < B.rows(); ++k)
+             B(k, i) = static_cast<double>(Q[static_cast<std::size_t>(k)].first);
+         }
+         return Arrays{{"B", B}};
+       }},
       {"outputs",
        [](From x) {
          return Arrays{{"y", column(outputs_of(x).values)}};
@@ -255,6 +269,7 @@ std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);
   if (!description.has_forces()) names.erase("applied_forces");
+  if (description.inputs.empty()) names.erase("input_jacobian");
   if (description.outputs.empty()) names.erase("outputs");
   if (description.outputs.empty() || description.outputs_of_speeds())
     for (const char* name : {"outputs_jacobian", "outputs_rate", "outputs_bias"}) names.erase(name);

@@ -32,6 +32,7 @@ enum {
   bead_on_helix_frame_count = 0,
   bead_on_helix_output_count = 0,
   bead_on_helix_parameter_count = 0,
+  bead_on_helix_input_count = 0,
   bead_on_helix_wrench_count = 1,
   bead_on_helix_nc = 0
 };

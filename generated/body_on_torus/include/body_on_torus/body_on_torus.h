@@ -31,6 +31,7 @@ enum {
   body_on_torus_frame_count = 0,
   body_on_torus_output_count = 0,
   body_on_torus_parameter_count = 0,
+  body_on_torus_input_count = 0,
   body_on_torus_wrench_count = 0,
   body_on_torus_nc = 0
 };

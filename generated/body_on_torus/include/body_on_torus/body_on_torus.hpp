@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::body_on_torus::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::body_on_torus::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::body_on_torus::kOutputCount;
+  static constexpr int kNinputs = ::alembert::mechanisms::body_on_torus::kInputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;

@@ -32,6 +32,7 @@ enum {
   cart_pole_frame_count = 0,
   cart_pole_output_count = 0,
   cart_pole_parameter_count = 0,
+  cart_pole_input_count = 0,
   cart_pole_wrench_count = 1,
   cart_pole_nc = 0
 };

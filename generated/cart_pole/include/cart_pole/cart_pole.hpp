@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::cart_pole::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::cart_pole::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::cart_pole::kOutputCount;
+  static constexpr int kNinputs = ::alembert::mechanisms::cart_pole::kInputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::cart_pole::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::cart_pole::kHolonomic;

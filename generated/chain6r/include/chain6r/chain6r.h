@@ -33,6 +33,7 @@ enum {
   chain6r_frame_count = 0,
   chain6r_output_count = 0,
   chain6r_parameter_count = 0,
+  chain6r_input_count = 0,
   chain6r_wrench_count = 0,
   chain6r_nc = 0
 };

@@ -31,6 +31,7 @@ enum {
   chain6r_90_frame_count = 0,
   chain6r_90_output_count = 0,
   chain6r_90_parameter_count = 0,
+  chain6r_90_input_count = 0,
   chain6r_90_wrench_count = 0,
   chain6r_90_nc = 0
 };

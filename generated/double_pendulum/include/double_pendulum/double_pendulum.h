@@ -31,6 +31,7 @@ enum {
   double_pendulum_frame_count = 0,
   double_pendulum_output_count = 0,
   double_pendulum_parameter_count = 0,
+  double_pendulum_input_count = 0,
   double_pendulum_wrench_count = 0,
   double_pendulum_nc = 0
 };

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::four_bar_knee::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::four_bar_knee::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::four_bar_knee::kOutputCount;
+  static constexpr int kNinputs = ::alembert::mechanisms::four_bar_knee::kInputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::four_bar_knee::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::four_bar_knee::kHolonomic;

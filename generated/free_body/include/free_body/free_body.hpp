@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::free_body::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::free_body::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::free_body::kOutputCount;
+  static constexpr int kNinputs = ::alembert::mechanisms::free_body::kInputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::free_body::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;

@@ -31,6 +31,7 @@ enum {
   pendulum_frame_count = 0,
   pendulum_output_count = 0,
   pendulum_parameter_count = 0,
+  pendulum_input_count = 0,
   pendulum_wrench_count = 0,
   pendulum_nc = 0
 };

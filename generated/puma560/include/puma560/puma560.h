@@ -33,6 +33,7 @@ enum {
   puma560_frame_count = 1,
   puma560_output_count = 0,
   puma560_parameter_count = 0,
+  puma560_input_count = 0,
   puma560_wrench_count = 0,
   puma560_nc = 0
 };

@@ -31,6 +31,7 @@ enum {
   runtime_parameters_frame_count = 0,
   runtime_parameters_output_count = 0,
   runtime_parameters_parameter_count = 4,
+  runtime_parameters_input_count = 0,
   runtime_parameters_wrench_count = 0,
   runtime_parameters_nc = 0
 };

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::runtime_parameters::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::runtime_parameters::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::runtime_parameters::kOutputCount;
+  static constexpr int kNinputs = ::alembert::mechanisms::runtime_parameters::kInputCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;

@@ -31,6 +31,7 @@ enum {
   stanford_frame_count = 0,
   stanford_output_count = 0,
   stanford_parameter_count = 0,
+  stanford_input_count = 0,
   stanford_wrench_count = 0,
   stanford_nc = 0
 };

@@ -31,6 +31,7 @@ enum {
   tori_mated_frame_count = 0,
   tori_mated_output_count = 0,
   tori_mated_parameter_count = 0,
+  tori_mated_input_count = 0,
   tori_mated_wrench_count = 0,
   tori_mated_nc = 0
 };
