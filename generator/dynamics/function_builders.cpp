@@ -7,7 +7,6 @@
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/recursions/articulated_bodies.hpp"
 #include "dynamics/recursions/constraints.hpp"
-#include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
@@ -15,7 +14,6 @@
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
 #include "symbolic/count_operations.hpp"
-#include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
 
 namespace alembert {
@@ -119,27 +117,21 @@ Results build_input_jacobian(const Ingredients& given) {
   return {B};
 }
 
-/// With the values of outputs, which must be of the position where `of_position`.
-std::vector<Expr> output_values(const Ingredients& given, bool of_position) {
-  std::vector<Expr> values;
-  for (const Output& output : given.mechanism().outputs) {
-    if (of_position && output.of_speeds)
+Results build_outputs(const Ingredients& given) {
+  return {given.kinematics.applied.outputs};
+}
+
+const std::vector<Expr>& outputs_of_position(const Ingredients& given) {
+  for (const Output& output : given.mechanism().outputs)
+    if (output.of_speeds)
       throw InputError(output.where,
                        "output '" + output.name + "' depends on speeds: it has no Jacobian along them",
                        "ask for 'outputs' alone, or leave this one out");
-    values.push_back(output.value);
-  }
-  if (values.empty()) return values;
-  return substitute(values, moving_values(given.mechanism(), given.kinematics.tree,
-                                          given.kinematics.derivatives, given.graph()));
-}
-
-Results build_outputs(const Ingredients& given) {
-  return {output_values(given, false)};
+  return given.kinematics.applied.outputs;
 }
 
 Results build_outputs_jacobian(const Ingredients& given) {
-  const std::vector<Expr> values = output_values(given, true);
+  const std::vector<Expr>& values = outputs_of_position(given);
   const std::size_t nv = static_cast<std::size_t>(given.mechanism().nv);
   std::vector<Expr> J(values.size() * nv, given.graph().zero());
   for (const SpeedPartial& partial : given.kinematics.derivatives.partials(values)) {
@@ -151,13 +143,13 @@ Results build_outputs_jacobian(const Ingredients& given) {
 }
 
 Results build_outputs_rate(const Ingredients& given) {
-  const std::vector<Expr> values = output_values(given, true);
+  const std::vector<Expr>& values = outputs_of_position(given);
   const SpeedDerivatives& derivatives = given.kinematics.derivatives;
   return {derivatives.first_rate(derivatives.partials(values), values.size())};
 }
 
 Results build_outputs_bias(const Ingredients& given) {
-  const std::vector<Expr> values = output_values(given, true);
+  const std::vector<Expr>& values = outputs_of_position(given);
   const SpeedDerivatives& derivatives = given.kinematics.derivatives;
   return {derivatives.quadratic_rate(derivatives.partials(values), values.size())};
 }

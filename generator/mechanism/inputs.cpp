@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "mechanism/coordinates.hpp"
 #include "mechanism/section.hpp"
+#include "symbolic/substitute.hpp"
 
 namespace alembert {
 namespace {
@@ -73,8 +78,12 @@ void replace_input(Loading& loading, const std::string& name, std::shared_ptr<co
   const Document document(std::move(source), std::move(nodes), node);
   ExpressionReader reader(document, loading.graph, loading.scope, loading.mechanism);
   const Quantity value = reader.read(document.root(), Allowed::force, fmt::format("input '{}'", name));
-  entry->value = value;
-  entry->value.dependence = value.dependence | Dependence::input;
+  entry->value.initial = value.initial;
+  std::vector<std::pair<Expr, Expr>> laws;
+  for (const Parameter& parameter : loading.mechanism.parameters)
+    if (parameter.law) laws.emplace_back(loading.graph.symbol(parameter.name), *parameter.law);
+  std::ranges::find(loading.mechanism.parameters, name, &Parameter::name)->law =
+      substitute(std::span(&value.expr, 1), laws).front();
 }
 
 }  // namespace alembert

@@ -13,7 +13,7 @@ namespace alembert {
 void declare_inputs(Loading& loading, const YamlNode& list);
 /// Reads their values, once the parameters have theirs.
 void read_inputs(Loading& loading, const YamlNode& list);
-/// Puts the expression of `NAME=EXPRESSION` in the place of an input, once coordinates have values.
+/// Gives an input the expression of `NAME=EXPRESSION` (Parameter::law), once coordinates have values.
 void replace_input(Loading& loading, const std::string& name, std::shared_ptr<const SourceText> source);
 
 }  // namespace alembert

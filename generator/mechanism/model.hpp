@@ -25,6 +25,9 @@ struct Parameter {
   /// depend on it.
   bool input = false;
   std::optional<std::pair<double, double>> limits = {};
+  /// What an input is given by, if not by its argument. Forces and outputs hold the input's symbol: derivatives
+  /// along speeds leave inputs as they are.
+  std::optional<Expr> law = {};
 };
 
 enum class CoordinateType { real, quaternion };

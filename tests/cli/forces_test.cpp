@@ -58,6 +58,34 @@ TEST(Forces, AnInputMayDependOnTimeAndState) {
   EXPECT_NEAR(table.rows.back()[2], 1.5, 1e-12);
 }
 
+TEST(Forces, OfAPotentialLeaveInputsAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("block.yaml", R"(alembert: 1
+name: block
+inputs: [u]
+coordinates: [{name: x, initial: 1}]
+bodies: [{name: block, transform: [{translate: [x, 0, 0]}], mass: 2}]
+forces: [{name: field, potential: u*log(x)}]
+outputs: [{name: set, value: u}]
+)");
+  const auto last = [&](const std::string& input) {
+    const CommandResult result =
+        alembert(folder, "simulate " + file + " --duration 1 --every 1000 --qd 1 --input 'u=" + input + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Csv table(result.out);
+    EXPECT_EQ(table.column("set"), 6U);
+    return table.rows.back();  // t, x, d(x), kinetic, potential, total energy, set
+  };
+  // A constant force of 2.
+  const std::vector<double> pushed = last("-2*x");
+  EXPECT_NEAR(pushed[1], 1 + 1 + 0.5, 1e-12);
+  EXPECT_NEAR(pushed[2], 2, 1e-12);
+  EXPECT_NEAR(pushed[4], -2 * 2.5 * std::log(2.5), 1e-11);
+  EXPECT_NEAR(pushed[6], -2 * 2.5, 1e-11);
+  // An acceleration that is the speed.
+  EXPECT_NEAR(last("-2*x*d(x)")[1], std::exp(1), 1e-11);
+}
+
 TEST(Forces, StatesGiveInputsByName) {
   const TemporaryFolder folder;
   const std::string file = folder.write("oscillator.yaml", kOscillator);

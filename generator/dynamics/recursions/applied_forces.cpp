@@ -1,11 +1,12 @@
-// Generalized forces by virtual work: Mechanism::forces in; by speed k, with D_k the derivative along it,
+// Generalized forces by virtual work: Mechanism::forces in; by speed k, with D_k the derivative along it, which
+// leaves inputs as they are,
 //
 //   along a speed    value, to that speed
 //   potential V      -D_k V
 //   tension T        -T D_k L for a path of length L
 //   wrench (f, n)    f . D_k p + n . om_k for a frame at p, om_k being its angular velocity for that speed
 //
-// out, and the potential energy.
+// out, and the potential energy; Mechanism::outputs in and their values out.
 #include "dynamics/recursions/applied_forces.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ struct AppliedWrench {
   int frame;
   bool frame_axes;
   Wrench wrench;
+  FramePlace place;
 };
 
 class AppliedForcesBuilder {
@@ -41,23 +43,36 @@ class AppliedForcesBuilder {
         derivatives_(derivatives),
         graph_(graph),
         poses_(frame_poses(mechanism, tree, graph)),
-        replacements_(moving_values(mechanism, tree, derivatives, graph)),
+        moving_(moving_values(mechanism, tree, derivatives, graph)),
         Q_(static_cast<std::size_t>(mechanism.nv), graph.zero()),
-        potential_(graph.zero()) {}
+        potential_(graph.zero()) {
+    for (const Parameter& parameter : mechanism.parameters)
+      if (parameter.law)
+        laws_.emplace_back(graph.symbol(parameter.name), replaced({*parameter.law}, moving_).front());
+  }
 
   AppliedForces build() {
     for (const Force& force : mechanism_.forces) {
       add(force);
       check_values(force);
     }
-    return {shortest(), potential_};
+    std::vector<Expr> outputs;
+    for (const Output& output : mechanism_.outputs) outputs.push_back(output.value);
+    return {shortest(), potential_, inserted(outputs)};
   }
 
  private:
-  std::vector<Expr> inserted(std::vector<Expr> values) const {
-    return replacements_.empty() ? values : substitute(values, replacements_);
-  }
+  using Values = std::vector<std::pair<Expr, Expr>>;
 
+  static std::vector<Expr> replaced(std::vector<Expr> given, const Values& values) {
+    return values.empty() ? given : substitute(given, values);
+  }
+  /// A function of the coordinates, with inputs as symbols: its derivatives leave them as they are.
+  Expr with_inputs(const Expr& given) const { return replaced({given}, moving_).front(); }
+  Expr without_inputs(const Expr& given) const { return replaced({given}, laws_).front(); }
+  std::vector<Expr> inserted(std::vector<Expr> values) const {
+    return replaced(replaced(std::move(values), moving_), laws_);
+  }
   Expr inserted(const Expr& given) const { return inserted(std::vector<Expr>{given}).front(); }
 
   void add(int speed, const Expr& value, std::vector<Expr>& Q) const {
@@ -70,14 +85,14 @@ class AppliedForcesBuilder {
         add(force.speed, inserted(force.value), Q_);
         break;
       case ForceKind::potential: {
-        const Expr energy = inserted(force.value);
-        potential_ += energy;
+        const Expr energy = with_inputs(force.value);
+        potential_ += without_inputs(energy);
         for (const SpeedPartial& partial : derivatives_.partials(std::span(&energy, 1)))
-          add(partial.speed, -partial.values.front(), Q_);
+          add(partial.speed, -without_inputs(partial.values.front()), Q_);
         break;
       }
       case ForceKind::path: {
-        const Expr length = inserted(force.length), tension = inserted(force.value);
+        const Expr length = with_inputs(force.length), tension = inserted(force.value);
         for (const SpeedPartial& lever : derivatives_.partials(std::span(&length, 1)))
           add(lever.speed, -(tension * lever.values.front()), Q_);
         break;
@@ -101,17 +116,18 @@ class AppliedForcesBuilder {
   }
 
   void add_wrench(const Force& force) {
-    const FramePlace place = frame_place(force.frame, mechanism_, tree_, graph_);
-    const AppliedWrench wrench{
-        force.frame, force.frame_axes, {inserted(force.torque), inserted(force.force)}};
-    const bool moves = std::ranges::any_of(place.motions, [&](const Motion& motion) {
-      return derivatives_.moves(moved(identity_pose(graph_), motion).rotation.entries) ||
-             derivatives_.moves(moved(identity_pose(graph_), motion).origin.entries);
+    AppliedWrench wrench{force.frame,
+                         force.frame_axes,
+                         {inserted(force.torque), inserted(force.force)},
+                         frame_place(force.frame, mechanism_, tree_, graph_)};
+    const bool moves = std::ranges::any_of(wrench.place.motions, [&](const Motion& motion) {
+      const Pose pose = moved(identity_pose(graph_), motion);
+      return derivatives_.moves(pose.rotation.entries) || derivatives_.moves(pose.origin.entries);
     });
-    if (place.node < 0 || moves)
+    if (wrench.place.node < 0 || moves)
       add_by_twists(wrench, Q_);
     else
-      wrenches_.push_back(wrench);
+      wrenches_.push_back(std::move(wrench));
   }
 
   /// Its power along each speed, in world axes.
@@ -129,7 +145,7 @@ class AppliedForcesBuilder {
   void add_inward(std::span<const AppliedWrench> wrenches, std::vector<Expr>& Q) const {
     std::vector<Wrench> loads(tree_.nodes.size(), zero_wrench(graph_));
     for (const AppliedWrench& given : wrenches) {
-      const FramePlace place = frame_place(given.frame, mechanism_, tree_, graph_);
+      const FramePlace& place = given.place;
       Wrench wrench = given.wrench;
       if (!given.frame_axes) {
         const Mat3 to_frame = transpose(rotation(given.frame));
@@ -152,6 +168,7 @@ class AppliedForcesBuilder {
   /// Wrenches by twists, or inward, or those in axes of the world by twists: whichever takes the fewest
   /// operations.
   std::vector<Expr> shortest() const {
+    if (mechanism_.forces.empty()) return {};
     if (wrenches_.empty()) return value_number(Q_);
     std::vector<AppliedWrench> in_frames, in_world;
     for (const AppliedWrench& wrench : wrenches_)
@@ -194,7 +211,7 @@ class AppliedForcesBuilder {
   const SpeedDerivatives& derivatives_;
   ExprGraph& graph_;
   std::vector<Expr> poses_;
-  std::vector<std::pair<Expr, Expr>> replacements_;
+  Values moving_, laws_;                 ///< what symbols stand for: those of frames and paths, inputs
   std::vector<Expr> Q_;                  ///< of all but ...
   std::vector<AppliedWrench> wrenches_;  ///< ... those on frames that are fixed to nodes
   Expr potential_;
@@ -209,7 +226,7 @@ std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& ap
 
 AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
                              const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  if (mechanism.forces.empty()) return {{}, graph.zero()};
+  if (mechanism.forces.empty() && mechanism.outputs.empty()) return {{}, graph.zero(), {}};
   return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build();
 }
 

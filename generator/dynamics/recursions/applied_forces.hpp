@@ -1,4 +1,5 @@
-// Generalized forces of what acts besides gravity and external wrenches (see the implementation).
+// Generalized forces of what acts besides gravity and external wrenches, and the values of outputs (see the
+// implementation).
 #pragma once
 
 #include <vector>
@@ -11,8 +12,9 @@
 namespace alembert {
 
 struct AppliedForces {
-  std::vector<Expr> Q;  ///< nv; empty where the mechanism has no forces
-  Expr potential;       ///< energy of the forces that have a potential
+  std::vector<Expr> Q;        ///< nv; empty where the mechanism has no forces
+  Expr potential;             ///< energy of the forces that have a potential
+  std::vector<Expr> outputs;  ///< values of Mechanism::outputs, made of the same symbols
 };
 
 /// Forces less those that act already: what actuators must add.
