@@ -48,6 +48,32 @@ INSTANTIATE_TEST_SUITE_P(Functions, Certified,
                                          FunctionKind("inverse_dynamics_derivatives")),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
+/// A choice that rounding decides at every state leaves the rest to be measured.
+TEST(Certificate, MeasuresWhereChoicesAreUndecided) {
+  const auto loaded = LoadedMechanism::text(R"(alembert: 1
+name: block
+coordinates: [{name: x, limits: [-1, 1]}]
+bodies: [{name: block, transform: [{translate: [x, 0, 0]}], mass: 2}]
+forces: [{name: spring, on: x, value: '-3*x + max(0, asin(sin(x)) - x)'}]
+)");
+  const Kinematics kinematics = loaded.kinematics();
+  const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  const Certificate certificate(kinematics, bindings);
+  const FunctionKind bias("bias");
+  Program program = optimize(lower("bias", function_outputs(kinematics, equations, bias), bindings));
+  EXPECT_EQ(certificate.measure(program, bias).states, 10);
+  EXPECT_LT(certificate.measure(program, bias).relative, 1e-13);
+  double worst = 0;
+  for (double& constant : program.constants) {
+    const double given = constant;
+    constant *= 1 + 1e-8;
+    worst = std::max(worst, certificate.measure(program, bias).relative);
+    constant = given;
+  }
+  EXPECT_GT(worst, kLargestError);
+}
+
 TEST(Conditioning, SumsOfWhatCancelsAreTold) {
   const auto loaded =
       LoadedMechanism::file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/double_pendulum.yaml");

@@ -171,12 +171,18 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
       plain_(kinematics),
       most_(states.value_or(kMeasuredStates)),
       work_(states ? HUGE_VAL : kMeasuringWork) {
+  std::vector<Expr> roots = kinematics.applied.Q;
+  roots.push_back(kinematics.applied.potential);
+  std::ranges::copy(kinematics.applied.outputs, std::back_inserter(roots));
+  const std::vector<Expr> conditions = conditions_below(roots);
   // More than are wanted: the equations may have no value at some.
-  const std::vector<Expr> conditions = conditions_below(kinematics.applied.Q);
+  std::vector<std::vector<double>> undecided;
   for (int k = 0; k < 4 * most_; ++k) {
     std::vector<double> state = state_in_range(kinematics, static_cast<unsigned>(k));
-    if (!is_undecided(conditions, state)) states_.push_back(std::move(state));
+    (is_undecided(conditions, state) ? undecided : states_).push_back(std::move(state));
   }
+  // Where choices are undecided at every state, a measurement that may be too strict is better than none.
+  if (states_.empty()) states_ = std::move(undecided);
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
