@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "mechanism/section.hpp"
 
 namespace alembert {
@@ -28,7 +26,7 @@ class ContactReader {
 
   std::vector<Force> read(const SourceLocation& where) {
     frame_ = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
-    radius_ = number("radius", 0);
+    radius_ = or_zero("radius");
     const YamlNode *plane = section_.find("plane"), *sphere = section_.find("sphere");
     if ((plane == nullptr) == (sphere == nullptr))
       throw InputError(loading_.document.where(section_.node()),
@@ -44,13 +42,14 @@ class ContactReader {
   std::string of(std::string_view what) const {
     return fmt::format("{} in the contact of force '{}'", what, name_);
   }
-  /// A coefficient that is not negative.
-  Expr number(std::string_view key, std::optional<double> otherwise, bool positive = false) {
+  Expr or_zero(std::string_view key) {
     const YamlNode* node = section_.find(key);
-    if (node == nullptr && otherwise) return loading_.graph.real(*otherwise);
-    const YamlNode& given = node != nullptr ? *node : section_.require(key);
-    return coefficient(given, of(fmt::format("the {}", key == "slip_velocity" ? "slip velocity" : key)),
-                       positive);
+    if (node == nullptr) return loading_.graph.zero();
+    return coefficient(*node, of(fmt::format("the {}", key)), false);
+  }
+  Expr positive(std::string_view key) {
+    return coefficient(section_.require(key),
+                       of(key == "slip_velocity" ? "the slip velocity" : fmt::format("the {}", key)), true);
   }
   Expr coefficient(const YamlNode& node, const std::string& what, bool positive) {
     const Quantity value = loading_.reader.read(node, Allowed::parameters, what);
@@ -125,13 +124,12 @@ class ContactReader {
     ExprGraph& graph = loading_.graph;
     const Expr speed = dot(normal_, velocity);
     const Expr deep = if_positive(depth_, depth_);
-    const Expr loss = graph.rational(Rational(3, 2)) * (number("dissipation", 0) * speed);
+    const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
-    const Expr strength =
-        number("stiffness", std::nullopt, true) * (deep * sqrt(deep)) * if_positive(damped, damped);
-    const Expr friction = number("friction", 0);
+    const Expr strength = positive("stiffness") * (deep * sqrt(deep)) * if_positive(damped, damped);
+    const Expr friction = or_zero("friction");
     if (friction.is_zero()) return strength * normal_;
-    const Expr slow = number("slip_velocity", std::nullopt, true);
+    const Expr slow = positive("slip_velocity");
     const Vec3 slip = velocity - speed * normal_;
     const Expr size = sqrt(dot(slip, slip) + slow * slow);
     return strength * (normal_ - (friction / size) * slip);

@@ -28,10 +28,12 @@ struct ConstantNumber {
 
 /// What holds at both ends, where straight lines go on.
 enum class SplineEnds {
-  natural,      ///< no second derivative
-  fitted_cubic  ///< the third derivative of the cubic through the last four points (three: of the parabola),
-  ///< so that the second jumps to 0 there. SIMM and OpenSim have it so. Source: Forsythe, Malcolm
-  ///< and Moler, Computer Methods for Mathematical Computations (1977), chapter 4.
+  /// No second derivative.
+  natural,
+  /// The third derivative of the cubic through the last four points (three: of the parabola), so that the second
+  /// jumps to 0 there. SIMM and OpenSim have it so. Source: Forsythe, Malcolm and Moler, Computer Methods for
+  /// Mathematical Computations (1977), chapter 4.
+  fitted_cubic
 };
 
 class CubicSpline {

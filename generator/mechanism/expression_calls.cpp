@@ -9,6 +9,7 @@
 #include "mechanism/expression_reader.hpp"
 #include "mechanism/piecewise_linear.hpp"
 #include "mechanism/section.hpp"
+#include "support/error.hpp"
 
 namespace alembert {
 namespace {
@@ -133,9 +134,11 @@ X chosen(std::string_view function, const X& zero, const X& one, const std::vect
     const X below = -x[0];
     return if_positive(x[0], one) - if_positive(below, one);
   }
-  // smoothstep
-  const X c = clamp(x[0], zero, one);
-  return c * c * (one + one + one - (one + one) * c);
+  if (function == "smoothstep") {
+    const X c = clamp(x[0], zero, one);
+    return c * c * (one + one + one - (one + one) * c);
+  }
+  throw InternalError("there is no function of choices by this name");
 }
 
 }  // namespace

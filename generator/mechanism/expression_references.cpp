@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <utility>
@@ -23,29 +24,18 @@ struct FrameWord {
   bool of_speeds;
 };
 
-const FrameWord* frame_word(std::string_view word) {
+const std::array<FrameWord, 4>& frame_words() {
   static const std::vector<std::string_view> vector = {"x", "y", "z"};
-  static const std::vector<FrameWord> words = {
-      {FrameQuantity::position, "position", vector, false},
+  static const std::array<FrameWord, 4> words = {
+      FrameWord{FrameQuantity::position, "position", vector, false},
       {FrameQuantity::velocity, "velocity", vector, true},
       {FrameQuantity::rotation, "rotation", {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"}, false},
       {FrameQuantity::angular_velocity, "angular_velocity", vector, true}};
-  const auto found = std::ranges::find(words, word, &FrameWord::word);
-  return found == words.end() ? nullptr : &*found;
+  return words;
 }
 
-std::string_view word_of(FrameQuantity quantity) {
-  switch (quantity) {
-    case FrameQuantity::position:
-      return "position";
-    case FrameQuantity::velocity:
-      return "velocity";
-    case FrameQuantity::rotation:
-      return "rotation";
-    case FrameQuantity::angular_velocity:
-      return "angular_velocity";
-  }
-  return {};
+const FrameWord& word_of(FrameQuantity quantity) {
+  return *std::ranges::find(frame_words(), quantity, &FrameWord::quantity);
 }
 
 }  // namespace
@@ -58,7 +48,8 @@ Quantity ExpressionReader::reference(const Reading& reading, const PostfixToken&
     throw error(reading, two ? token.referent : token.second,
                 two ? "distance() takes two frames" : fmt::format("{}() takes one name", word));
   if (word == "d") return speed(reading, token);
-  if (const FrameWord* found = frame_word(word)) return of_frame(reading, token, found->quantity);
+  const auto* of_frames = std::ranges::find(frame_words(), word, &FrameWord::word);
+  if (of_frames != frame_words().end()) return of_frame(reading, token, of_frames->quantity);
   check_reference(reading, token, word == "rate");
   if (token.part != 0) throw error(reading, token.part, fmt::format("{}() has no parts", word));
   if (!two) return of_path(reading, token, word == "rate");
@@ -111,8 +102,9 @@ const std::vector<Expr>& ExpressionReader::frame_symbols(int frame, FrameQuantit
   if (made) {
     FrameSymbols symbols{quantity, frame, {}};
     const std::string& name = mechanism_.frames[static_cast<std::size_t>(frame)].name;
-    for (const std::string_view part : frame_word(word_of(quantity))->parts)
-      symbols.symbols.push_back(graph_.symbol(fmt::format("{}({}).{}", word_of(quantity), name, part)));
+    const FrameWord& word = word_of(quantity);
+    for (const std::string_view part : word.parts)
+      symbols.symbols.push_back(graph_.symbol(fmt::format("{}({}).{}", word.word, name, part)));
     mechanism_.frame_symbols.push_back(std::move(symbols));
   }
   return mechanism_.frame_symbols[known->second].symbols;
@@ -121,7 +113,7 @@ const std::vector<Expr>& ExpressionReader::frame_symbols(int frame, FrameQuantit
 Quantity ExpressionReader::of_frame(const Reading& reading, const PostfixToken& token,
                                     FrameQuantity quantity) {
   const std::string_view text = reading.node.text;
-  const FrameWord& word = *frame_word(word_of(quantity));
+  const FrameWord& word = word_of(quantity);
   check_reference(reading, token, word.of_speeds);
   const int frame = frame_called(reading, token.referent, token.referent_end);
   const std::string& name = mechanism_.frames[static_cast<std::size_t>(frame)].name;

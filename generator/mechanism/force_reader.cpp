@@ -159,7 +159,6 @@ class ForceReader {
                        {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, moving}},
                        Allowed::force, of_force("the tension"))
             .expr;
-    loading_.reader.declare_path(force_.name, force_.length, force_.rate);
   }
 
   void read_wrench() {

@@ -385,43 +385,38 @@ struct Pow {
   }
 };
 
-/// What both choices have in common.
 constexpr OperationFacts choice(Operation op, std::string_view name) {
   return {op, name, 2, Counted::other, kChoice, 0, false, Parity::none, FieldValue::chosen};
 }
 constexpr bool is_decided(Approximate condition) {
   return condition.error == 0 || condition.value > condition.error || condition.value < -condition.error;
 }
-struct IfPositive {
-  static constexpr OperationFacts facts = choice(Operation::if_positive, "if_positive");
-  static auto value(const auto& a, const auto& b) { return if_positive(a, b); }
+/// b where a > 0 if `positive`, elsewhere if not; 0 on the other side.
+template <bool positive>
+struct Choice {
+  static constexpr OperationFacts facts = positive ? choice(Operation::if_positive, "if_positive")
+                                                   : choice(Operation::unless_positive, "unless_positive");
+  static auto value(const auto& a, const auto& b) {
+    if constexpr (positive)
+      return if_positive(a, b);
+    else
+      return unless_positive(a, b);
+  }
   static auto partial(const auto& one, const auto& a, const auto&, const auto&, int slot) {
-    return slot == 0 ? one - one : if_positive(a, one);
+    return slot == 0 ? one - one : value(a, one);
   }
   static Interval bounds(Interval a, Interval b) {
-    if (a.lower > 0) return b;
-    return a.upper <= 0 ? Interval{0, 0} : interval::with_zero(b);
+    if (a.lower > 0) return positive ? b : Interval{0, 0};
+    if (a.upper <= 0) return positive ? Interval{0, 0} : b;
+    return interval::with_zero(b);
   }
   static double carried(Approximate a, Approximate b, double) {
-    if (is_decided(a)) return a.value > 0 ? b.error : 0;
+    if (is_decided(a)) return (a.value > 0) == positive ? b.error : 0;
     return std::abs(b.value) + b.error;
   }
 };
-struct UnlessPositive {
-  static constexpr OperationFacts facts = choice(Operation::unless_positive, "unless_positive");
-  static auto value(const auto& a, const auto& b) { return unless_positive(a, b); }
-  static auto partial(const auto& one, const auto& a, const auto&, const auto&, int slot) {
-    return slot == 0 ? one - one : unless_positive(a, one);
-  }
-  static Interval bounds(Interval a, Interval b) {
-    if (a.lower > 0) return {0, 0};
-    return a.upper <= 0 ? b : interval::with_zero(b);
-  }
-  static double carried(Approximate a, Approximate b, double) {
-    if (is_decided(a)) return a.value > 0 ? 0 : b.error;
-    return std::abs(b.value) + b.error;
-  }
-};
+using IfPositive = Choice<true>;
+using UnlessPositive = Choice<false>;
 
 /// Those that most steps are come first.
 using All = std::tuple<Mul, Add, Sub, Neg, Div, Sin, Cos, SymbolLeaf, RealLeaf, RationalLeaf, PiMultipleLeaf,

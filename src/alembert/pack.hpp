@@ -215,7 +215,7 @@ inline Pack sign(const Pack& a) {
   return Pack::load(x);
 }
 
-/// x where c > 0, else 0; and the other way round.
+/// x where c > 0, else 0.
 inline Pack if_positive(const Pack& c, const Pack& x) {
   double condition[Pack::kLanes], value[Pack::kLanes];
   c.store(condition);
@@ -223,6 +223,7 @@ inline Pack if_positive(const Pack& c, const Pack& x) {
   for (int i = 0; i < Pack::kLanes; ++i) value[i] = condition[i] > 0 ? value[i] : 0;
   return Pack::load(value);
 }
+/// 0 where c > 0, else x.
 inline Pack unless_positive(const Pack& c, const Pack& x) {
   double condition[Pack::kLanes], value[Pack::kLanes];
   c.store(condition);

@@ -188,18 +188,20 @@ class Describer {
   /// Damping and friction of joints that mimic others act on those.
   void add_forces(YamlNode& out) {
     if (!options_.resistance) return;
-    for (const UrdfJoint& joint : robot_.joints) {
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
+      const UrdfJoint& joint = robot_.joints[i];
       if (!joint.mimic || (joint.damping == 0 && joint.friction == 0)) continue;
       double multiplier = 1;
-      const UrdfJoint* of = &joint;
-      for (; of->mimic && of->mimic->of; of = &robot_.joints[*of->mimic->of])
-        multiplier *= of->mimic->multiplier;
-      if (of->mimic) continue;  // stands still
-      const std::string coordinate = joint_names_[static_cast<std::size_t>(of - robot_.joints.data())][0];
+      std::size_t of = i;
+      while (robot_.joints[of].mimic && robot_.joints[of].mimic->of) {
+        multiplier *= robot_.joints[of].mimic->multiplier;
+        of = *robot_.joints[of].mimic->of;
+      }
+      if (robot_.joints[of].mimic) continue;  // stands still
+      const std::string& coordinate = joint_names_[of][0];
       const auto add = [&](const char* what, const std::string& value) {
         YamlNode& force = nodes_.mapping(joint.where);
-        const std::string name = fmt::format(
-            "{}_{}", joint_names_[static_cast<std::size_t>(&joint - robot_.joints.data())][0], what);
+        const std::string name = fmt::format("{}_{}", joint_names_[i][0], what);
         nodes_.put(force, "name", nodes_.text(name, joint.where));
         nodes_.put(force, "on", nodes_.text(coordinate, joint.where));
         nodes_.put(force, "value", nodes_.text(value, joint.where));
