@@ -19,6 +19,8 @@ std::string header(const Mechanism& mechanism) {
   };
   for (const Coordinate& c : mechanism.coordinates) names(c.name, c.nq());
   for (const Coordinate& c : mechanism.coordinates) names("d(" + c.name + ")", c.nv());
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.is_state()) out += "," + parameter.name;
   out += ",kinetic,potential,energy";
   for (const Output& output : mechanism.outputs) out += "," + output.name;
   const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
@@ -37,6 +39,11 @@ void CsvWriter::write(const TrajectoryPoint& point) {
   std::string out = fmt::format("{:.17g}", point.state.t);
   for (const double x : point.state.q) out += fmt::format(",{:.17g}", x);
   for (const double x : point.state.qd) out += fmt::format(",{:.17g}", x);
+  std::size_t place = 0;
+  for (const Parameter& parameter : mechanism_.parameters) {
+    if (parameter.is_state()) out += fmt::format(",{:.17g}", point.state.parameters[place]);
+    if (parameter.runtime) ++place;
+  }
   out += fmt::format(",{:.17g},{:.17g},{:.17g}", point.kinetic, point.potential, point.energy());
   for (const double x : point.outputs) out += fmt::format(",{:.17g}", x);
   for (const double x : point.lambda) out += fmt::format(",{:.17g}", x);

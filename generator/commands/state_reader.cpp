@@ -44,20 +44,34 @@ void members(const JsonValue& object, const std::vector<std::string>& names, con
   }
 }
 
-/// Runtime parameters, or the inputs, which stand behind them.
-void parameters(const Mechanism& mechanism, bool inputs, const JsonValue& values, EvaluationState& state) {
+/// Runtime parameters of one role.
+struct ParameterKey {
+  std::string_view key, one, many;
+  ParameterRole role;
+};
+constexpr ParameterKey kParameterKeys[] = {
+    {"parameters", "runtime parameter", "runtime parameters", ParameterRole::parameter},
+    {"inputs", "input", "inputs", ParameterRole::input},
+    {"states", "state", "states", ParameterRole::state}};
+
+void parameters(const Mechanism& mechanism, const ParameterKey& of, const JsonValue& values,
+                EvaluationState& state) {
   if (values.kind != JsonValue::Kind::object)
-    fail(values, inputs ? "'inputs' must be an object of inputs by name"
-                        : "'parameters' must be an object of runtime parameters by name");
+    fail(values, fmt::format("'{}' must be an object of {} by name", of.key, of.many));
   std::vector<std::string> names;
-  std::size_t before = 0;
+  std::vector<std::size_t> places;
+  std::size_t place = 0;
   for (const Parameter& parameter : mechanism.parameters) {
-    if (parameter.runtime && parameter.input == inputs) names.push_back(parameter.name);
-    before += parameter.runtime && !parameter.input && inputs;
+    if (!parameter.runtime) continue;
+    if (parameter.role == of.role) {
+      names.push_back(parameter.name);
+      places.push_back(place);
+    }
+    ++place;
   }
-  members(
-      values, names, inputs ? "there is no input" : "there is no runtime parameter",
-      [&](std::size_t i, const JsonValue& value) { state.parameters[before + i] = number(value, names[i]); });
+  members(values, names, fmt::format("there is no {}", of.one), [&](std::size_t i, const JsonValue& value) {
+    state.parameters[places[i]] = number(value, names[i]);
+  });
 }
 
 void wrenches(const Mechanism& mechanism, const JsonValue& values, EvaluationState& state) {
@@ -89,9 +103,9 @@ void coordinates(const Mechanism& mechanism, const JsonValue& value, EvaluationS
 EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
                          const EvaluationState& defaults) {
   if (object.kind != JsonValue::Kind::object)
-    fail(object, "expected a JSON object with q, qd, qdd, t, tau, parameters, inputs, wrenches");
-  static const std::vector<std::string> kKeys{"q",   "qd",         "qdd",    "t",
-                                              "tau", "parameters", "inputs", "wrenches"};
+    fail(object, "expected a JSON object with q, qd, qdd, t, tau, parameters, inputs, states, wrenches");
+  static const std::vector<std::string> kKeys{"q",          "qd",     "qdd",    "t",       "tau",
+                                              "parameters", "inputs", "states", "wrenches"};
   EvaluationState state = defaults;
   members(object, kKeys, "unknown key", [&](std::size_t i, const JsonValue& value) {
     const std::string& key = kKeys[i];
@@ -103,7 +117,8 @@ EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
       state.tau.resize(state.qd.size());
       numbers(value, key, state.tau);
     }
-    if (key == "parameters" || key == "inputs") parameters(mechanism, key == "inputs", value, state);
+    for (const ParameterKey& of : kParameterKeys)
+      if (key == of.key) parameters(mechanism, of, value, state);
     if (key == "wrenches") wrenches(mechanism, value, state);
   });
   return state;

@@ -104,17 +104,54 @@ Results build_applied_forces(const Ingredients& given) {
   return {std::vector<Expr>(static_cast<std::size_t>(given.mechanism().nv), given.graph().zero())};
 }
 
-Results build_input_jacobian(const Ingredients& given) {
-  std::vector<Expr> inputs;
+/// A row a value: its derivatives along the speeds.
+std::vector<Expr> along_speeds(const Kinematics& kinematics, const std::vector<Expr>& values) {
+  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
+  std::vector<Expr> J(values.size() * nv, kinematics.graph.zero());
+  for (const SpeedPartial& partial : kinematics.derivatives.partials(values)) {
+    if (partial.speed == kinematics.derivatives.time_index()) continue;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      J[i * nv + static_cast<std::size_t>(partial.speed)] = partial.values[i];
+  }
+  return J;
+}
+
+/// A row a value: its derivatives by symbols.
+std::vector<Expr> derivatives_by(const std::vector<Expr>& values, const std::vector<Expr>& symbols) {
+  std::vector<Expr> out;
+  if (values.empty() || symbols.empty()) return out;
+  const Jacobian by = jacobian(values, symbols);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t k = 0; k < symbols.size(); ++k) out.push_back(by(i, k));
+  return out;
+}
+
+/// The symbols of inputs or states.
+std::vector<Expr> symbols_of(const Ingredients& given, ParameterRole role) {
+  std::vector<Expr> out;
   for (const Parameter& parameter : given.mechanism().parameters)
-    if (parameter.input) inputs.push_back(given.graph().symbol(parameter.name));
-  const std::vector<Expr> Q = build_applied_forces(given).front();
-  std::vector<Expr> B;
-  if (inputs.empty()) return {B};
-  const Jacobian by = jacobian(Q, inputs);
-  for (std::size_t i = 0; i < Q.size(); ++i)
-    for (std::size_t k = 0; k < inputs.size(); ++k) B.push_back(by(i, k));
-  return {B};
+    if (parameter.role == role) out.push_back(given.graph().symbol(parameter.name));
+  return out;
+}
+
+Results build_input_jacobian(const Ingredients& given) {
+  return {derivatives_by(build_applied_forces(given).front(), symbols_of(given, ParameterRole::input))};
+}
+
+Results build_state_jacobian(const Ingredients& given) {
+  return {derivatives_by(build_applied_forces(given).front(), symbols_of(given, ParameterRole::state))};
+}
+
+Results build_state_input_jacobian(const Ingredients& given) {
+  return {derivatives_by(given.kinematics.applied.rates, symbols_of(given, ParameterRole::input))};
+}
+
+Results build_state_rates_derivatives(const Ingredients& given) {
+  const std::vector<Expr>& rates = given.kinematics.applied.rates;
+  std::vector<Expr> speeds;
+  for (int k = 0; k < given.mechanism().nv; ++k) speeds.push_back(given.kinematics.derivatives.speed(k));
+  return {along_speeds(given.kinematics, rates), derivatives_by(rates, speeds),
+          derivatives_by(rates, symbols_of(given, ParameterRole::state))};
 }
 
 Results build_outputs(const Ingredients& given) {
@@ -131,15 +168,7 @@ const std::vector<Expr>& outputs_of_position(const Ingredients& given) {
 }
 
 Results build_outputs_jacobian(const Ingredients& given) {
-  const std::vector<Expr>& values = outputs_of_position(given);
-  const std::size_t nv = static_cast<std::size_t>(given.mechanism().nv);
-  std::vector<Expr> J(values.size() * nv, given.graph().zero());
-  for (const SpeedPartial& partial : given.kinematics.derivatives.partials(values)) {
-    if (partial.speed == given.kinematics.derivatives.time_index()) continue;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      J[i * nv + static_cast<std::size_t>(partial.speed)] = partial.values[i];
-  }
-  return {J};
+  return {along_speeds(given.kinematics, outputs_of_position(given))};
 }
 
 Results build_outputs_rate(const Ingredients& given) {
@@ -224,7 +253,12 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
+    {FunctionKind("state_rates"), false,
+     [](const Ingredients& given) -> Results { return {given.kinematics.applied.rates}; }},
     {FunctionKind("input_jacobian"), false, build_input_jacobian},
+    {FunctionKind("state_jacobian"), false, build_state_jacobian},
+    {FunctionKind("state_rates_derivatives"), false, build_state_rates_derivatives},
+    {FunctionKind("state_input_jacobian"), false, build_state_input_jacobian},
 };
 
 constexpr bool all_have_builders() {

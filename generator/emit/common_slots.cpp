@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -125,13 +126,23 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
 
 /// What stands in the array of parameters, in SI units.
 std::string parameters_text(const Mechanism& mechanism) {
-  std::size_t parameters = 0, inputs = 0;
+  std::map<ParameterRole, std::size_t> counts;
   for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.runtime) ++(parameter.input ? inputs : parameters);
-  if (parameters == 0) return inputs == 0 ? "" : "inputs in SI units";
-  const std::string last =
-      inputs == 1 ? "the last of them an input" : fmt::format("the last {} of them inputs", inputs);
-  return "runtime parameters in SI units" + (inputs == 0 ? "" : ", " + last);
+    if (parameter.runtime) ++counts[parameter.role];
+  const std::size_t parameters = counts[ParameterRole::parameter], inputs = counts[ParameterRole::input],
+                    states = counts[ParameterRole::state];
+  if (parameters == 0 && states == 0) return inputs == 0 ? "" : "inputs in SI units";
+  if (parameters == 0 && inputs == 0) return "states in SI units";
+  const std::string first = parameters == 0 ? "inputs in SI units" : "runtime parameters in SI units";
+  const auto last = [](std::size_t count, std::string_view one, std::string_view many) -> std::string {
+    if (count == 0) return "";
+    if (count == 1) return fmt::format(", the last of them {}", one);
+    return fmt::format(", the last {} of them {}", count, many);
+  };
+  if (states == 0) return first + last(inputs, "an input", "inputs");
+  if (inputs == 0 || parameters == 0) return first + last(states, "a state", "states");
+  return fmt::format("{}, then {} input{} and {} state{}", first, inputs, inputs == 1 ? "" : "s", states,
+                     states == 1 ? "" : "s");
 }
 
 /// What the functions take besides the state, in the comment of the C interface.
@@ -181,8 +192,9 @@ struct Indices {
 };
 
 std::vector<Indices> indices_of(const Mechanism& mechanism) {
-  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},  {"Body", {}},  {"Frame", {}},
-                              {"Parameter", {}},  {"Wrench", {}}, {"Input", {}}, {"Output", {}}};
+  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
+                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}},
+                              {"Input", {}},      {"Output", {}},    {"State", {}}};
   const auto add = [&out](std::size_t kind, std::string name, int value) {
     // Names from descriptions are identifiers; others get no constant.
     if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
@@ -203,7 +215,7 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
   for (const Output& o : mechanism.outputs) add(7, o.name, output++);
   for (const Parameter& p : mechanism.parameters)
-    if (p.runtime) add(p.input ? 6 : 4, p.name, parameter++);
+    if (p.runtime) add(p.is_input() ? 6 : p.is_state() ? 8 : 4, p.name, parameter++);
   std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
   return out;
 }
@@ -241,7 +253,8 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
       {"output_count", std::to_string(names.outputs.size())},
-      {"input_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::input))},
+      {"input_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_input))},
+      {"state_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_state))},
       {"parameter_count", std::to_string(names.parameters.size())},
       {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},

@@ -23,7 +23,9 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
     case Extent::Of::outputs:
       return mechanism.outputs.size();
     case Extent::Of::inputs:
-      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::input));
+      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_input));
+    case Extent::Of::states:
+      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_state));
   }
   throw InternalError("there is no such extent");
 }

@@ -34,7 +34,7 @@ class Few {
 
 /// A number of rows or columns: so many, or as many as the mechanism has of something.
 struct Extent {
-  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs };
+  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs, states };
   Of of = Of::number;
   int number = 1;
   constexpr Extent() = default;
@@ -44,7 +44,7 @@ struct Extent {
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
-                        kPerInput = Extent::Of::inputs;
+                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states;
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -120,19 +120,24 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "", ""},
     {"outputs_jacobian", Topic::kinematics, false, {ArgumentKind::q}, true,
      "Jacobian of the outputs: their derivatives along the speeds.",
-     "dy/dt = J(q) qd, less what motion prescribed in time adds, at constant inputs",
+     "dy/dt = J(q) qd, less what motion prescribed in time adds, at constant inputs and states",
      {{"J", "a row for each name of kOutputNames", kPerOutput, kPerSpeed}},
      "Outputs that depend on speeds have none.", "", Needs::outputs_of_position},
     {"outputs_rate", Topic::kinematics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Rates of the outputs.",
-     "dy/dt = J(q) qd + (part from time), at constant inputs",
+     "dy/dt = J(q) qd + (part from time), at constant inputs and states",
      {{"rate", "for each name of kOutputNames, per second", kPerOutput}},
      "", "", Needs::outputs_of_position},
     {"outputs_bias", Topic::kinematics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "The part of the outputs' second derivatives that is left without qdd.",
-     "d^2y/dt^2 = J(q) qdd + bias(q, qd), at constant inputs",
+     "d^2y/dt^2 = J(q) qdd + bias(q, qd), at constant inputs and states",
      {{"bias", "for each name of kOutputNames, per second squared", kPerOutput}},
      "", "", Needs::outputs_of_position},
+    {"state_rates", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Rates of the states: what is to be integrated beside coordinates and speeds.",
+     "ds/dt = r(q, qd, s, inputs, t)",
+     {{"sdot", "for each state its rate, in the state's unit per second", kPerState}},
+     "", ""},
     {"mass_matrix_and_bias", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Mass matrix and bias forces at once: shorter than one after the other.",
      "tau = M(q) qdd + c(q, qd)",
@@ -209,6 +214,24 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "B = dQ/d(inputs), where tau = M(q) qdd + c and c contains -Q",
      {{"B", "a column for each of the inputs, in their order", kPerSpeed, kPerInput}},
      "Those of forward dynamics are M^-1 B. Where a force has a kink, they are those of the branch that is taken.", ""},
+    {"state_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Derivatives of the applied forces by the states.",
+     "S = dQ/ds, where tau = M(q) qdd + c and c contains -Q",
+     {{"S", "a column for each of the states, in their order", kPerSpeed, kPerState}},
+     "Those of forward dynamics are M^-1 S.", ""},
+    {"state_rates_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Partial derivatives of the rates of the states: along the speeds, by the speeds and by the states.",
+     "r_q[.][k] = change of r(q, qd, s) as q changes by N(q) e_k, r_qd = dr/dqd, r_s = dr/ds",
+     {{"r_q", "column k is the derivative by coordinate k; of a quaternion, by a turn about an axis of its body",
+       kPerState, kPerSpeed},
+      {"r_qd", "column k is the derivative by speed k", kPerState, kPerSpeed},
+      {"r_s", "a column for each of the states", kPerState, kPerState}},
+     "", ""},
+    {"state_input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Derivatives of the rates of the states by the inputs.",
+     "r_inputs = dr/d(inputs)",
+     {{"r_inputs", "a column for each of the inputs, in their order", kPerState, kPerInput}},
+     "", ""},
 };
 // clang-format on
 

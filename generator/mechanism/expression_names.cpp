@@ -71,9 +71,10 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   }
   if (reading.allowed == Allowed::constants && includes(out.dependence, Dependence::runtime_parameter))
     throw refuse("runtime parameters");
-  const bool inputs = reading.allowed == Allowed::motion || reading.allowed == Allowed::potential ||
+  const bool of_forces = reading.allowed == Allowed::motion || reading.allowed == Allowed::potential ||
                       reading.allowed == Allowed::force;
-  if (!inputs && includes(out.dependence, Dependence::input)) throw refuse("inputs, as only forces do");
+  if (!of_forces && includes(out.dependence, Dependence::input)) throw refuse("inputs, as only forces do");
+  if (!of_forces && includes(out.dependence, Dependence::state)) throw refuse("states, as only forces do");
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -131,22 +132,55 @@ class ForceReader {
     force_.speed = coordinate.first_speed + (real ? 0 : static_cast<int>(axis));
   }
 
+  struct PathPoint {
+    int frame;
+    std::optional<Expr> when;  ///< where this is positive; empty: always
+  };
+
+  /// `NAME`, or `{frame: NAME, when: expression}` but for ends.
+  PathPoint path_point(const YamlNode& node, bool end, const std::string& what) {
+    if (node.kind != YamlNode::Kind::mapping || end) return {loading_.reader.expect_frame(node, what), {}};
+    const Section section(document_, node, "a point of " + what, {"frame", "when"});
+    return {loading_.reader.expect_frame(section.require("frame"), what),
+            loading_.reader
+                .read(section.require("when"), Allowed::potential, "the condition of a point of " + what)
+                .expr};
+  }
+
+  /// Through the points that are on the path: beyond each of them, to the next one whose condition holds.
+  Expr length_of(const std::vector<PathPoint>& points) {
+    std::vector<Expr> beyond(points.size(), loading_.graph.zero());  // of a point that is on the path
+    for (std::size_t i = points.size() - 1; i-- > 0;) {
+      std::size_t last = i + 1;
+      while (points[last].when) ++last;
+      const auto to = [&](std::size_t j) {
+        const int from = points[i].frame, frame = points[j].frame;
+        return from == frame ? beyond[j] : loading_.reader.distance(from, frame) + beyond[j];
+      };
+      beyond[i] = to(last);
+      for (std::size_t j = last; --j > i;)
+        beyond[i] = if_positive(*points[j].when, to(j)) + unless_positive(*points[j].when, beyond[i]);
+    }
+    return beyond.front();
+  }
+
   void declare_path(const YamlNode& node, bool two) {
     const std::string what = of_force(two ? "the two frames" : "the path");
     const auto& items = expect_list(document_, node, what, two ? 2 : -1);
     if (items.size() < 2)
       throw InputError(document_.where(node), fmt::format("{} has {} frame{}; expected two or more", what,
                                                           items.size(), items.size() == 1 ? "" : "s"));
-    std::vector<int> frames;
+    std::vector<PathPoint> points;
     for (const YamlNode* item : items) {
-      frames.push_back(loading_.reader.expect_frame(*item, what));
-      if (frames.size() > 1 && frames.back() == frames[frames.size() - 2])
+      const bool end = item == items.front() || item == items.back();
+      points.push_back(path_point(*item, end, what));
+      const int frame = points.back().frame;
+      if (points.size() > 1 && frame == points[points.size() - 2].frame)
         throw InputError(document_.where(*item),
-                         fmt::format("{} goes from frame '{}' to itself", what, item->text));
+                         fmt::format("{} goes from frame '{}' to itself", what,
+                                     loading_.mechanism.frames[static_cast<std::size_t>(frame)].name));
     }
-    force_.length = loading_.graph.zero();
-    for (std::size_t i = 1; i < frames.size(); ++i)
-      force_.length += loading_.reader.distance(frames[i - 1], frames[i]);
+    force_.length = length_of(points);
     force_.rate = loading_.graph.symbol(fmt::format("rate({})", force_.name));
     loading_.reader.declare_path(force_.name, force_.length, force_.rate);
   }

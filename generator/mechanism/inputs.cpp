@@ -15,46 +15,76 @@
 namespace alembert {
 namespace {
 
-Section input_section(const Document& document, const YamlNode& item) {
-  return Section(document, item, "an input", {"name", "initial", "limits"});
+Section section_of(const Document& document, const YamlNode& item, NameKind kind) {
+  if (kind == NameKind::state) return {document, item, a_noun(kind), {"name", "initial", "limits", "rate"}};
+  return {document, item, a_noun(kind), {"name", "initial", "limits"}};
 }
 
-const YamlNode& input_name(const Document& document, const YamlNode& item) {
-  if (item.kind == YamlNode::Kind::mapping) return input_section(document, item).require("name");
+const YamlNode& name_of(const Document& document, const YamlNode& item, NameKind kind) {
+  if (item.kind == YamlNode::Kind::mapping) return section_of(document, item, kind).require("name");
+  if (kind == NameKind::state) fail_expected(document, item, "{name, rate} as a state");
   if (item.kind != YamlNode::Kind::scalar) fail_expected(document, item, "a name or a mapping as an input");
   return item;
+}
+
+void declare(Loading& loading, const YamlNode& list, NameKind kind) {
+  for (const YamlNode* item : expect_list(loading.document, list, fmt::format("the {}s", noun(kind))))
+    loading.scope.declare(loading.document, name_of(loading.document, *item, kind), kind);
+}
+
+void read_values(Loading& loading, const YamlNode& list, NameKind kind) {
+  const Document& document = loading.document;
+  const bool state = kind == NameKind::state;
+  for (const YamlNode* item : list.items) {
+    const YamlNode& name = name_of(document, *item, kind);
+    Parameter argument{name.text, 0, true, document.where(name)};
+    argument.role = state ? ParameterRole::state : ParameterRole::input;
+    if (item->kind == YamlNode::Kind::mapping) {
+      const Section section = section_of(document, *item, kind);
+      if (state) section.require("rate");
+      const std::string what = fmt::format("{} '{}'", noun(kind), argument.name);
+      if (const YamlNode* initial = section.find("initial"))
+        argument.value =
+            loading.reader.read(*initial, Allowed::constants, "the initial value of " + what).initial;
+      if (const YamlNode* limits = section.find("limits"))
+        argument.limits = read_limits(loading, *limits, what, argument.value, section.find("initial"));
+    }
+    NameEntry& entry = *loading.scope.find(argument.name);
+    entry.value = {loading.graph.symbol(argument.name), argument.value,
+                   Dependence::runtime_parameter | (state ? Dependence::state : Dependence::input), nullptr};
+    entry.ready = true;
+    loading.initial_state.emplace_back(entry.value.expr, argument.value);
+    loading.mechanism.parameters.push_back(std::move(argument));
+  }
 }
 
 }  // namespace
 
 void declare_inputs(Loading& loading, const YamlNode& list) {
-  for (const YamlNode* item : expect_list(loading.document, list, "the inputs"))
-    loading.scope.declare(loading.document, input_name(loading.document, *item), NameKind::input);
+  declare(loading, list, NameKind::input);
+}
+
+void declare_states(Loading& loading, const YamlNode& list) {
+  declare(loading, list, NameKind::state);
 }
 
 void read_inputs(Loading& loading, const YamlNode& list) {
-  const Document& document = loading.document;
+  read_values(loading, list, NameKind::input);
+}
+
+void read_states(Loading& loading, const YamlNode& list) {
+  read_values(loading, list, NameKind::state);
+}
+
+void read_state_rates(Loading& loading, const YamlNode& list) {
+  auto state = std::ranges::find(loading.mechanism.parameters, true, &Parameter::is_state);
   for (const YamlNode* item : list.items) {
-    const YamlNode& name = input_name(document, *item);
-    Parameter input{name.text, 0, true, document.where(name)};
-    input.input = true;
-    if (item->kind == YamlNode::Kind::mapping) {
-      const Section section = input_section(document, *item);
-      if (const YamlNode* initial = section.find("initial"))
-        input.value = loading.reader
-                          .read(*initial, Allowed::constants,
-                                fmt::format("the initial value of input '{}'", input.name))
-                          .initial;
-      if (const YamlNode* limits = section.find("limits"))
-        input.limits = read_limits(loading, *limits, fmt::format("input '{}'", input.name), input.value,
-                                   section.find("initial"));
-    }
-    NameEntry& entry = *loading.scope.find(input.name);
-    entry.value = {loading.graph.symbol(input.name), input.value,
-                   Dependence::runtime_parameter | Dependence::input, nullptr};
-    entry.ready = true;
-    loading.initial_state.emplace_back(entry.value.expr, input.value);
-    loading.mechanism.parameters.push_back(std::move(input));
+    const Section section = section_of(loading.document, *item, NameKind::state);
+    state->rate =
+        loading.reader
+            .read(section.require("rate"), Allowed::force, fmt::format("the rate of state '{}'", state->name))
+            .expr;
+    ++state;
   }
 }
 
@@ -63,7 +93,7 @@ void replace_input(Loading& loading, const std::string& name, std::shared_ptr<co
   if (entry == nullptr || entry->kind != NameKind::input) {
     std::vector<std::string> names;
     for (const Parameter& parameter : loading.mechanism.parameters)
-      if (parameter.input) names.push_back(parameter.name);
+      if (parameter.is_input()) names.push_back(parameter.name);
     throw InputError({source, 1, 1},
                      fmt::format("there is no input '{}'{}", printable(name), did_you_mean(name, names)));
   }

@@ -1,5 +1,6 @@
-// Section `inputs`: what a controller or a player sets. A list of names or mappings in; runtime parameters
-// behind all others out, on which only forces may depend.
+// Sections `inputs`, what a controller or a player sets, and `states`, what is integrated beside coordinates and
+// speeds. Lists of names or mappings in; runtime parameters behind all others out, on which only forces, outputs
+// and rates of states may depend.
 #pragma once
 
 #include <memory>
@@ -9,10 +10,14 @@
 
 namespace alembert {
 
-/// Makes the names of a list of inputs known.
+/// Makes the names of a list known.
 void declare_inputs(Loading& loading, const YamlNode& list);
-/// Reads their values, once the parameters have theirs.
+void declare_states(Loading& loading, const YamlNode& list);
+/// Reads their values, once the parameters have theirs: inputs first.
 void read_inputs(Loading& loading, const YamlNode& list);
+void read_states(Loading& loading, const YamlNode& list);
+/// The rest of the states, once forces are known: rates may use the lengths of paths.
+void read_state_rates(Loading& loading, const YamlNode& list);
 /// Gives an input the expression of `NAME=EXPRESSION` (Parameter::law), once coordinates have values.
 void replace_input(Loading& loading, const std::string& name, std::shared_ptr<const SourceText> source);
 

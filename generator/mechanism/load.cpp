@@ -98,7 +98,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   check_version(document, document.root());
   const Section root(document, document.root(), "the description",
                      {"alembert", "name", "description", "gravity", "parameters", "coordinates",
-                      "definitions", "bodies", "frames", "constraints", "inputs", "forces", "outputs"});
+                      "definitions", "bodies", "frames", "constraints", "inputs", "states", "forces", "outputs"});
   root.require("alembert");
 
   Loading loading(document, graph);
@@ -125,10 +125,13 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   const YamlNode* inputs = root.find("inputs");
   if (inputs != nullptr) declare_inputs(loading, *inputs);
   declare_coordinates(loading, coordinates);
+  const YamlNode* states = root.find("states");
+  if (states != nullptr) declare_states(loading, *states);
   if (definitions != nullptr) declare_keys(loading, *definitions, "the definitions", NameKind::definition);
 
   if (parameters != nullptr) read_parameters(loading, *parameters);
   if (inputs != nullptr) read_inputs(loading, *inputs);
+  if (states != nullptr) read_states(loading, *states);
   read_coordinate_values(loading, coordinates, start);
   for (const InputExpression& input : input_expressions) replace_input(loading, input.name, input.source);
   mechanism.gravity = read_gravity(loading, root.find("gravity"));
@@ -138,6 +141,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
   read_coordinate_forces(loading, coordinates);
   if (const YamlNode* forces = root.find("forces")) read_forces(loading, *forces);
+  if (states != nullptr) read_state_rates(loading, *states);
   if (const YamlNode* outputs = root.find("outputs")) read_outputs(loading, *outputs);
   check_matrices(loading);
   check_inertias(loading);

@@ -16,18 +16,27 @@
 
 namespace alembert {
 
+/// Inputs and states are always at runtime, inputs behind the other parameters and states behind inputs. Only
+/// forces, outputs and rates of states depend on them.
+enum class ParameterRole {
+  parameter,
+  input,  ///< what a controller or a player sets from step to step
+  state,  ///< what is integrated beside coordinates and speeds, such as a muscle's activation
+};
+
 struct Parameter {
   std::string name;
-  double value = 0;      ///< default, if runtime
+  double value = 0;      ///< default, if runtime; of a state, its initial value
   bool runtime = false;  ///< stays an argument of the generated functions
   SourceLocation where;
-  /// What a controller or a player sets from step to step: behind all others, always at runtime. Only forces
-  /// depend on it.
-  bool input = false;
+  ParameterRole role = ParameterRole::parameter;
   std::optional<std::pair<double, double>> limits = {};
-  /// What an input is given by, if not by its argument. Forces and outputs hold the input's symbol: derivatives
-  /// along speeds leave inputs as they are.
+  /// What an input is given by, if not by its argument. Forces, outputs and rates hold the input's symbol:
+  /// derivatives along speeds leave inputs as they are.
   std::optional<Expr> law = {};
+  Expr rate = {};  ///< of a state, as of a force: per second
+  bool is_input() const { return role == ParameterRole::input; }
+  bool is_state() const { return role == ParameterRole::state; }
 };
 
 enum class CoordinateType { real, quaternion };

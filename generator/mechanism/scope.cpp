@@ -17,6 +17,8 @@ std::string_view noun(NameKind kind) {
       return "runtime parameter";
     case NameKind::input:
       return "input";
+    case NameKind::state:
+      return "state";
     case NameKind::coordinate:
       return "coordinate";
     case NameKind::quaternion:
@@ -70,7 +72,8 @@ void Scope::check_used(Warnings& warnings) const {
     const auto& [name, entry] = *named;
     if (entry.used || entry.kind == NameKind::coordinate || entry.kind == NameKind::quaternion) continue;
     const std::string message = fmt::format("{} '{}' is not used", noun(entry.kind), name);
-    if (entry.kind != NameKind::input) throw InputError(entry.where, message);
+    if (entry.kind != NameKind::input && entry.kind != NameKind::state)
+      throw InputError(entry.where, message);
     warnings.push_back({entry.where, message});
   }
 }

@@ -22,7 +22,8 @@ enum class Dependence : unsigned {
   time = 4,
   speed = 8,
   local = 16,
-  input = 32
+  input = 32,
+  state = 64
 };
 constexpr Dependence operator|(Dependence a, Dependence b) {
   return static_cast<Dependence>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -51,7 +52,7 @@ struct Quantity {
   std::shared_ptr<const Roughness> roughness;  ///< null if the value may be used for a transform
 };
 
-enum class NameKind { parameter, runtime_parameter, input, coordinate, quaternion, definition };
+enum class NameKind { parameter, runtime_parameter, input, state, coordinate, quaternion, definition };
 /// `parameter 'r'`, `coordinate 'q'` ...
 std::string_view noun(NameKind kind);
 /// `a parameter`, `an input` ...
@@ -75,7 +76,7 @@ class Scope {
   std::vector<std::string> names() const;
   /// Names of coordinates only.
   std::vector<std::string> coordinate_names() const;
-  /// Throws at the first parameter or definition, in file order, that nothing uses; warns of such inputs.
+  /// Throws at the first parameter or definition, in file order, that nothing uses; warns of such inputs and states.
   void check_used(Warnings& warnings) const;
 
  private:

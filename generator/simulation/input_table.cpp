@@ -66,7 +66,7 @@ class TableReader {
     std::vector<std::string> names, inputs;
     for (const Parameter& parameter : mechanism_.parameters) {
       if (parameter.runtime) names.push_back(parameter.name);
-      if (parameter.input) inputs.push_back(parameter.name);
+      if (parameter.is_input()) inputs.push_back(parameter.name);
     }
     for (const Cell& cell : std::span(cells).subspan(1)) {
       if (std::ranges::find(inputs, cell.text) == inputs.end())

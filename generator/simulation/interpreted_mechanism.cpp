@@ -1,6 +1,7 @@
 // The interpreter behind the runtime's interface (see the header).
 #include "simulation/interpreted_mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,7 @@ namespace alembert {
 InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs,
                                            InputTable table)
     : mechanism_(*compiled.mechanism),
+      state_count_(std::ranges::count_if(mechanism_.parameters, &Parameter::is_state)),
       rows_(constraint_rows(mechanism_)),
       table_(std::move(table)),
       state_(std::move(inputs)),
@@ -60,9 +62,25 @@ Eigen::VectorXd InterpretedMechanism::coordinate_rates(const Eigen::VectorXd& q,
   return Eigen::Map<const Eigen::VectorXd>(values.data(), nq());
 }
 
+// The states stand behind all other parameters.
+Eigen::VectorXd InterpretedMechanism::states() const {
+  const auto size = static_cast<Eigen::Index>(state_.parameters.size());
+  return Eigen::Map<const Eigen::VectorXd>(state_.parameters.data(), size).tail(state_count_);
+}
+
+void InterpretedMechanism::set_states(const Eigen::VectorXd& states) {
+  std::ranges::copy(states, state_.parameters.end() - state_count_);
+}
+
+Eigen::VectorXd InterpretedMechanism::state_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  if (state_count_ == 0) return {};
+  const std::vector<double> values = evaluator_(FunctionKind("state_rates"), at(q, u));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), state_count_);
+}
+
 std::vector<FunctionKind> interpreted_functions() {
-  return {FunctionKind("mass_matrix_and_bias"), FunctionKind("coordinate_rates"),
-          FunctionKind("constraints")};
+  return {FunctionKind("mass_matrix_and_bias"), FunctionKind("coordinate_rates"), FunctionKind("constraints"),
+          FunctionKind("state_rates")};
 }
 
 Violation worst_violation(const InterpretedMechanism& system, const Eigen::VectorXd& q,

@@ -17,7 +17,7 @@ namespace alembert {
 class InterpretedMechanism {
  public:
   using Scalar = double;
-  static constexpr int kNq = Eigen::Dynamic, kNv = Eigen::Dynamic, kNc = Eigen::Dynamic;
+  static constexpr int kNq = Eigen::Dynamic, kNv = Eigen::Dynamic, kNc = Eigen::Dynamic, kNs = Eigen::Dynamic;
 
   /// \param inputs  time, parameters and wrenches; its q and qd are not used
   /// \param table   what inputs are over time, in place of those
@@ -37,6 +37,9 @@ class InterpretedMechanism {
   void constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
                    Eigen::VectorXd& gamma, Eigen::VectorXd& velocity, Eigen::VectorXd& position) const;
   Eigen::VectorXd coordinate_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
+  Eigen::VectorXd states() const;
+  void set_states(const Eigen::VectorXd& states);
+  Eigen::VectorXd state_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
   const std::vector<int>& quaternion_offsets() const { return quaternion_offsets_; }
   bool holonomic(int row) const {
     return rows_[static_cast<std::size_t>(row)].type == ConstraintType::holonomic;
@@ -51,6 +54,7 @@ class InterpretedMechanism {
   const EvaluationState& at(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
 
   const Mechanism& mechanism_;
+  Eigen::Index state_count_;
   std::vector<ConstraintRow> rows_;
   std::vector<int> quaternion_offsets_;
   InputTable table_;

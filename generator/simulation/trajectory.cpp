@@ -56,7 +56,7 @@ class MovingMechanism {
   /// Goes on by one step, or says why not; the state is then left as it was.
   std::optional<InputError> step(IntegrationMethod method, double h) {
     const auto force = [this](double, const Eigen::VectorXd&, const Eigen::VectorXd&) { return no_force(); };
-    const Eigen::VectorXd q = q_, u = u_;
+    const Eigen::VectorXd q = q_, u = u_, states = system_.states();
     const double t = time();
     const auto advance = [&]() -> Status {
       switch (method) {
@@ -73,6 +73,7 @@ class MovingMechanism {
       q_ = q;
       u_ = u;
       set_time(t);
+      system_.set_states(states);
       return singular;
     }
     return std::nullopt;

@@ -3,12 +3,14 @@
 // constraints, whether the sizes are known when compiling or not.
 //
 // The algorithms take any `System` with
-//   System::Scalar, kNq, kNv, kNc      scalar type and sizes; Eigen::Dynamic where not known when compiling
+//   System::Scalar, kNq, kNv, kNc, kNs scalar type and sizes; Eigen::Dynamic where not known when compiling
 //   nq(), nv(), nc()                   the sizes
 //   time(), set_time(t)                s
 //   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
 //   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
 //   coordinate_rates(q, u)             N(q) u
+//   states(), set_states(s)            the states besides q and u, kNs x 1
+//   state_rates(q, u)                  ds/dt
 //   quaternion_offsets()               a range of indices into q: where the unit quaternions start
 //   holonomic(row)                     whether a row of the constraints binds the coordinates
 #pragma once
@@ -27,8 +29,10 @@ class BoundMechanism {
   using Scalar = typename M::Scalar;
   static constexpr int kNq = M::kNq, kNv = M::kNv;
   static constexpr int kNc = has_constraints_v<M> ? detail::ConstraintCount<M>::value : 0;
+  static constexpr int kNs = detail::StateCount<M>::value;
+  using StateVector = Eigen::Matrix<Scalar, kNs, 1>;
 
-  /// \param in  kept by reference; set_time changes it
+  /// \param in  kept by reference; set_time and set_states change it
   explicit BoundMechanism(typename M::Inputs& in) : in_(in) {}
 
   static constexpr int nq() { return kNq; }
@@ -42,6 +46,25 @@ class BoundMechanism {
   }
   CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
     return M::coordinate_rates(q, u);
+  }
+  StateVector states() const {
+    StateVector s;
+    if constexpr (kNs > 0)
+      for (int i = 0; i < kNs; ++i) s(i) = in_.parameters[first_state() + static_cast<unsigned>(i)];
+    return s;
+  }
+  void set_states([[maybe_unused]] const StateVector& s) {
+    if constexpr (kNs > 0)
+      for (int i = 0; i < kNs; ++i) in_.parameters[first_state() + static_cast<unsigned>(i)] = s(i);
+  }
+  StateVector state_rates([[maybe_unused]] const CoordinateVector<M>& q,
+                          [[maybe_unused]] const SpeedVector<M>& u) const {
+    if constexpr (kNs > 0) {
+      static_assert(detail::HasStateRates<M>::value, "M has states: generate it with state_rates");
+      return M::state_rates(q, u, in_);
+    } else {
+      return {};
+    }
   }
   template <class Matrix, class Vector>
   void constraints(const CoordinateVector<M>& q, const SpeedVector<M>& u, Matrix& P, Vector& gamma,
@@ -58,6 +81,8 @@ class BoundMechanism {
   static constexpr bool holonomic(int row) { return M::kHolonomic[static_cast<std::size_t>(row)]; }
 
  private:
+  auto first_state() const { return in_.parameters.size() - static_cast<unsigned>(kNs); }
+
   typename M::Inputs& in_;
 };
 

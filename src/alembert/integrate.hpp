@@ -2,6 +2,9 @@
 // Out: the state one step later with unit quaternions and constraints kept, or a status and the state as it
 // was. No heap where sizes are fixed and matrices fit the stack (matrix.hpp), no exceptions.
 //
+// States besides coordinates and speeds, which stand at the end of the inputs' parameters, are integrated with
+// them.
+//
 // A mechanism with constraints takes its accelerations from constrained_dynamics.hpp, and its state is
 // projected on the constraints after each step (consistent_state.hpp). The projections are of the size of the
 // method's error of one step. That of the speeds takes away kinetic energy of second order in it, and that of
@@ -126,13 +129,16 @@ template <class System, class Coordinates, class Speeds, class Force>
   const S weights[4] = {h / S(6), h / S(3), h / S(3), h / S(6)};
 
   const S start = system.time();
+  const auto states = system.states();
   const auto advance = [&]() -> Status {
     Coordinates stage_q = q, q_rate = Coordinates::Zero(q.rows()), unit_q, next_q = q;
     Speeds stage_u = u, u_rate = Speeds::Zero(u.rows()), next_u = u;
+    auto next_states = states, state_rate = states;
     for (int stage = 0; stage < 4; ++stage) {
       if (stage > 0) {
         stage_q = q + offsets[stage] * q_rate;
         stage_u = u + offsets[stage] * u_rate;
+        system.set_states(states + offsets[stage] * state_rate);
         system.set_time(start + offsets[stage]);
       }
       // Accelerations are those of the unit quaternion, but N(q) u is taken at q as it is: so both are smooth
@@ -144,10 +150,14 @@ template <class System, class Coordinates, class Speeds, class Force>
           status != Status::ok)
         return status;
       q_rate = system.coordinate_rates(stage_q, stage_u);
+      state_rate = system.state_rates(unit_q, stage_u);
       next_q += weights[stage] * q_rate;
       next_u += weights[stage] * u_rate;
+      next_states += weights[stage] * state_rate;
     }
+    if (!detail::all_finite(next_states)) return Status::not_finite;
     system.set_time(start + h);
+    system.set_states(next_states);
     if (const Status status = detail::settle(system, next_q, next_u, options, report); status != Status::ok)
       return status;
     q = next_q;
@@ -155,7 +165,10 @@ template <class System, class Coordinates, class Speeds, class Force>
     return Status::ok;
   };
   const Status status = advance();
-  if (status != Status::ok) system.set_time(start);
+  if (status != Status::ok) {
+    system.set_time(start);
+    system.set_states(states);
+  }
   return status;
 }
 
@@ -174,9 +187,15 @@ template <class System, class Coordinates, class Speeds, class Force>
   Speeds next_u = u + h * rate;
   Coordinates next_q = q + h * Coordinates(system.coordinate_rates(q, next_u));
   const auto start = system.time();
+  const auto states = system.states();
+  auto next_states = states;
+  next_states += h * system.state_rates(q, u);
+  if (!detail::all_finite(next_states)) return Status::not_finite;
   system.set_time(start + h);
+  system.set_states(next_states);
   if (const Status status = detail::settle(system, next_q, next_u, options, report); status != Status::ok) {
     system.set_time(start);
+    system.set_states(states);
     return status;
   }
   q = next_q;
@@ -189,7 +208,7 @@ template <class System, class Coordinates, class Speeds, class Force>
 ///
 /// \param q        coordinates, n_q x 1; advanced by h
 /// \param qd       speeds, n_v x 1; advanced by h
-/// \param in       inputs at the start of the step; in.t advanced by h
+/// \param in       inputs at the start of the step; in.t and the states among in.parameters advanced by h
 /// \param h        step, s; negative steps lead back in time, and one of zero advances nothing
 /// \param force    callable (t, q, qd) -> generalized forces, n_v x 1, by value or by reference to a vector
 ///                 that stays

@@ -9,6 +9,8 @@
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
 // and, optionally,
 //   M::energy(q, u, in)                      kinetic and potential energy
+// and, with n_s states besides q and u (those under `states` in its description),
+//   M::kNstates, M::state_rates(q, u, in)    n_s; ds/dt, s being the last n_s entries of in.parameters
 // and, with n_c rows of constraints on its motion,
 //   M::kNc, M::kHolonomic                    n_c; std::array<bool, n_c>: rows that bind the coordinates
 //   M::ConstraintMatrix, M::ConstraintVector n_c x n_v and n_c x 1
@@ -65,6 +67,20 @@ template <class M>
 struct HasEnergy<M, std::void_t<decltype(M::energy(
                         std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
                         std::declval<const typename M::Inputs&>())[1])>> : std::true_type {};
+
+template <class M, class = void>
+struct StateCount : std::integral_constant<int, 0> {};
+
+template <class M>
+struct StateCount<M, std::void_t<decltype(M::kNstates)>> : std::integral_constant<int, M::kNstates> {};
+
+template <class M, class = void>
+struct HasStateRates : std::false_type {};
+
+template <class M>
+struct HasStateRates<M, std::void_t<decltype(M::state_rates(
+                            std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+                            std::declval<const typename M::Inputs&>()))>> : std::true_type {};
 
 template <class M, class = void>
 struct ConstraintCount : std::integral_constant<int, 0> {};

@@ -193,7 +193,7 @@ Sample every_function() {
   m.parameters[2].name = "length";
   m.parameters[2].value = 1e-3;
   m.parameters[2].runtime = true;
-  m.parameters[2].input = true;
+  m.parameters[2].role = ParameterRole::input;
   m.bodies.resize(3);
   m.bodies[0].name = "column";
   m.bodies[1].name = "hand";

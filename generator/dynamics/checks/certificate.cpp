@@ -174,6 +174,7 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
   std::vector<Expr> roots = kinematics.applied.Q;
   roots.push_back(kinematics.applied.potential);
   std::ranges::copy(kinematics.applied.outputs, std::back_inserter(roots));
+  std::ranges::copy(kinematics.applied.rates, std::back_inserter(roots));
   const std::vector<Expr> conditions = conditions_below(roots);
   // More than are wanted: the equations may have no value at some.
   std::vector<std::vector<double>> undecided;

@@ -6,7 +6,7 @@
 //   tension T        -T D_k L for a path of length L
 //   wrench (f, n)    f . D_k p + n . om_k for a frame at p, om_k being its angular velocity for that speed
 //
-// out, and the potential energy; Mechanism::outputs in and their values out.
+// out, and the potential energy; Mechanism::outputs and the rates of states in and their values out.
 #include "dynamics/recursions/applied_forces.hpp"
 
 #include <algorithm>
@@ -54,11 +54,20 @@ class AppliedForcesBuilder {
   AppliedForces build() {
     for (const Force& force : mechanism_.forces) {
       add(force);
-      check_values(force);
+      std::vector<Expr> all = Q_;
+      for (const AppliedWrench& given : wrenches_)
+        for (std::size_t i = 0; i < 6; ++i) all.push_back(given.wrench[i]);
+      check_values(all, force.where, "force '" + force.name + "'");
     }
-    std::vector<Expr> outputs;
+    std::vector<Expr> outputs, rates;
     for (const Output& output : mechanism_.outputs) outputs.push_back(output.value);
-    return {shortest(), potential_, inserted(outputs)};
+    for (const Parameter& parameter : mechanism_.parameters) {
+      if (!parameter.is_state()) continue;
+      rates.push_back(inserted(parameter.rate));
+      check_values(std::span(&rates.back(), 1), parameter.where,
+                   "the rate of state '" + parameter.name + "'");
+    }
+    return {shortest(), potential_, inserted(outputs), rates};
   }
 
  private:
@@ -193,17 +202,13 @@ class AppliedForcesBuilder {
     return best;
   }
 
-  void check_values(const Force& force) const {
-    std::vector<Expr> all = Q_;
-    for (const AppliedWrench& given : wrenches_)
-      for (std::size_t i = 0; i < 6; ++i) all.push_back(given.wrench[i]);
+  void check_values(std::span<const Expr> all, const SourceLocation& where, const std::string& what) const {
     const std::vector<double> values = evaluate(all, state_values(mechanism_, graph_, 0));
     if (std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) return;
     throw InputError(
-        force.where,
-        "force '" + force.name +
-            "' has no value at the initial state (a path between two points that coincide, the square "
-            "root of 0, a division by 0); write it another way, or choose another initial value");
+        where, what +
+                   " has no value at the initial state (a path between two points that coincide, the square "
+                   "root of 0, a division by 0); write it another way, or choose another initial value");
   }
 
   const Mechanism& mechanism_;
@@ -226,7 +231,9 @@ std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& ap
 
 AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
                              const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  if (mechanism.forces.empty() && mechanism.outputs.empty()) return {{}, graph.zero(), {}};
+  if (mechanism.forces.empty() && mechanism.outputs.empty() &&
+      std::ranges::none_of(mechanism.parameters, &Parameter::is_state))
+    return {{}, graph.zero(), {}, {}};
   return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build();
 }
 

@@ -1,4 +1,4 @@
-// Generalized forces of what acts besides gravity and external wrenches, and the values of outputs (see the
+// Generalized forces of what acts besides gravity and external wrenches, and the values of outputs and rates of states (see the
 // implementation).
 #pragma once
 
@@ -15,12 +15,13 @@ struct AppliedForces {
   std::vector<Expr> Q;        ///< nv; empty where the mechanism has no forces
   Expr potential;             ///< energy of the forces that have a potential
   std::vector<Expr> outputs;  ///< values of Mechanism::outputs, made of the same symbols
+  std::vector<Expr> rates;    ///< of the states, likewise
 };
 
 /// Forces less those that act already: what actuators must add.
 std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& applied);
 
-/// Throws InputError where a force has no value at the initial state.
+/// Throws InputError where a force or a rate has no value at the initial state.
 AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
                              const SpeedDerivatives& derivatives, ExprGraph& graph);
 
