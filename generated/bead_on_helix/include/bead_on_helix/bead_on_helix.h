@@ -33,6 +33,7 @@ enum {
   bead_on_helix_output_count = 0,
   bead_on_helix_parameter_count = 0,
   bead_on_helix_input_count = 0,
+  bead_on_helix_state_count = 0,
   bead_on_helix_wrench_count = 1,
   bead_on_helix_nc = 0
 };

@@ -32,6 +32,7 @@ enum {
   body_on_torus_output_count = 0,
   body_on_torus_parameter_count = 0,
   body_on_torus_input_count = 0,
+  body_on_torus_state_count = 0,
   body_on_torus_wrench_count = 0,
   body_on_torus_nc = 0
 };

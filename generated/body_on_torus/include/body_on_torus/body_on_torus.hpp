@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::body_on_torus::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::body_on_torus::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::body_on_torus::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::body_on_torus::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;

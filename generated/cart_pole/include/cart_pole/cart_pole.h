@@ -33,6 +33,7 @@ enum {
   cart_pole_output_count = 0,
   cart_pole_parameter_count = 0,
   cart_pole_input_count = 0,
+  cart_pole_state_count = 0,
   cart_pole_wrench_count = 1,
   cart_pole_nc = 0
 };

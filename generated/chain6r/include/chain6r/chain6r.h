@@ -34,6 +34,7 @@ enum {
   chain6r_output_count = 0,
   chain6r_parameter_count = 0,
   chain6r_input_count = 0,
+  chain6r_state_count = 0,
   chain6r_wrench_count = 0,
   chain6r_nc = 0
 };

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::chain6r::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::chain6r::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::chain6r::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::chain6r::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::chain6r::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::chain6r::kHolonomic;

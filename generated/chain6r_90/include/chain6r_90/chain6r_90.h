@@ -32,6 +32,7 @@ enum {
   chain6r_90_output_count = 0,
   chain6r_90_parameter_count = 0,
   chain6r_90_input_count = 0,
+  chain6r_90_state_count = 0,
   chain6r_90_wrench_count = 0,
   chain6r_90_nc = 0
 };

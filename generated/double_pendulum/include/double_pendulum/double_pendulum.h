@@ -32,6 +32,7 @@ enum {
   double_pendulum_output_count = 0,
   double_pendulum_parameter_count = 0,
   double_pendulum_input_count = 0,
+  double_pendulum_state_count = 0,
   double_pendulum_wrench_count = 0,
   double_pendulum_nc = 0
 };

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::double_pendulum::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::double_pendulum::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::double_pendulum::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::double_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::double_pendulum::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::double_pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::double_pendulum::kHolonomic;

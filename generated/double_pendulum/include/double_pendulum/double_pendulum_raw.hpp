@@ -30,8 +30,9 @@ inline constexpr int kNv = 2;  ///< speeds: size of qd, qdd, tau, c; M is kNv x 
 inline constexpr int kBodyCount = 2;
 inline constexpr int kFrameCount = 0;
 inline constexpr int kOutputCount = 0;
-inline constexpr int kParameterCount = 0;  ///< runtime parameters, inputs among them
-inline constexpr int kInputCount = 0;  ///< inputs, the last of them
+inline constexpr int kParameterCount = 0;  ///< runtime parameters, then inputs, then states
+inline constexpr int kInputCount = 0;
+inline constexpr int kStateCount = 0;
 inline constexpr int kWrenchCount = 0;  ///< bodies with an external wrench
 inline constexpr int kNc = 0;  ///< rows of the constraints
 

@@ -33,6 +33,7 @@ enum {
   four_bar_knee_output_count = 0,
   four_bar_knee_parameter_count = 0,
   four_bar_knee_input_count = 0,
+  four_bar_knee_state_count = 0,
   four_bar_knee_wrench_count = 1,
   four_bar_knee_nc = 0
 };

@@ -33,6 +33,7 @@ enum {
   free_body_output_count = 0,
   free_body_parameter_count = 0,
   free_body_input_count = 0,
+  free_body_state_count = 0,
   free_body_wrench_count = 1,
   free_body_nc = 0
 };

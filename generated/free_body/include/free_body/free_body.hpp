@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::free_body::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::free_body::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::free_body::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::free_body::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::free_body::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;

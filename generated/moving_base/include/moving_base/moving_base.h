@@ -32,6 +32,7 @@ enum {
   moving_base_output_count = 0,
   moving_base_parameter_count = 0,
   moving_base_input_count = 0,
+  moving_base_state_count = 0,
   moving_base_wrench_count = 0,
   moving_base_nc = 0
 };

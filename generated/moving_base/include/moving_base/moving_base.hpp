@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::moving_base::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::moving_base::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::moving_base::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::moving_base::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::moving_base::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::moving_base::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::moving_base::kHolonomic;

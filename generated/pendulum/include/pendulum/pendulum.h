@@ -32,6 +32,7 @@ enum {
   pendulum_output_count = 0,
   pendulum_parameter_count = 0,
   pendulum_input_count = 0,
+  pendulum_state_count = 0,
   pendulum_wrench_count = 0,
   pendulum_nc = 0
 };

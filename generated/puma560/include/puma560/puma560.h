@@ -34,6 +34,7 @@ enum {
   puma560_output_count = 0,
   puma560_parameter_count = 0,
   puma560_input_count = 0,
+  puma560_state_count = 0,
   puma560_wrench_count = 0,
   puma560_nc = 0
 };

@@ -33,6 +33,7 @@ enum {
   rolling_wheels_output_count = 0,
   rolling_wheels_parameter_count = 0,
   rolling_wheels_input_count = 0,
+  rolling_wheels_state_count = 0,
   rolling_wheels_wrench_count = 1,
   rolling_wheels_nc = 0
 };

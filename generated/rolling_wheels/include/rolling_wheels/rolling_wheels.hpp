@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::rolling_wheels::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::rolling_wheels::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::rolling_wheels::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::rolling_wheels::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::rolling_wheels::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::rolling_wheels::kHolonomic;

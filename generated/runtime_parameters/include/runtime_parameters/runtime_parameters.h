@@ -32,6 +32,7 @@ enum {
   runtime_parameters_output_count = 0,
   runtime_parameters_parameter_count = 4,
   runtime_parameters_input_count = 0,
+  runtime_parameters_state_count = 0,
   runtime_parameters_wrench_count = 0,
   runtime_parameters_nc = 0
 };

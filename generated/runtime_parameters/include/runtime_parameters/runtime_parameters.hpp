@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::runtime_parameters::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::runtime_parameters::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::runtime_parameters::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::runtime_parameters::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;

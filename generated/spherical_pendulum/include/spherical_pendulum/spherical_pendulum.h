@@ -33,6 +33,7 @@ enum {
   spherical_pendulum_output_count = 0,
   spherical_pendulum_parameter_count = 0,
   spherical_pendulum_input_count = 0,
+  spherical_pendulum_state_count = 0,
   spherical_pendulum_wrench_count = 1,
   spherical_pendulum_nc = 0
 };

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::spherical_pendulum::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::spherical_pendulum::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::spherical_pendulum::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::spherical_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::spherical_pendulum::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::spherical_pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::spherical_pendulum::kHolonomic;

@@ -32,6 +32,7 @@ enum {
   stanford_output_count = 0,
   stanford_parameter_count = 0,
   stanford_input_count = 0,
+  stanford_state_count = 0,
   stanford_wrench_count = 0,
   stanford_nc = 0
 };

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::stanford::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::stanford::kOutputCount;
   static constexpr int kNinputs = ::alembert::mechanisms::stanford::kInputCount;
+  static constexpr int kNstates = ::alembert::mechanisms::stanford::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::stanford::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::stanford::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::stanford::kHolonomic;

@@ -32,6 +32,7 @@ enum {
   tori_mated_output_count = 0,
   tori_mated_parameter_count = 0,
   tori_mated_input_count = 0,
+  tori_mated_state_count = 0,
   tori_mated_wrench_count = 0,
   tori_mated_nc = 0
 };

@@ -33,6 +33,7 @@ enum {
   tree_every_joint_output_count = 0,
   tree_every_joint_parameter_count = 0,
   tree_every_joint_input_count = 0,
+  tree_every_joint_state_count = 0,
   tree_every_joint_wrench_count = 2,
   tree_every_joint_nc = 0
 };
