@@ -55,7 +55,7 @@ struct values : pegtl::sor<bracketed, items> {};
 struct semicolon : symbol<';'> {};
 struct close_spline : pegtl::one<')'> {};
 struct spline : pegtl::if_must<open_spline, blank, argument, semicolon, knots, semicolon, values, close_spline> {};
-struct referring_word : pegtl::sor<TAO_PEGTL_STRING("position"), TAO_PEGTL_STRING("velocity"), TAO_PEGTL_STRING("rotation"), TAO_PEGTL_STRING("angular_velocity"), TAO_PEGTL_STRING("length"), TAO_PEGTL_STRING("rate"), TAO_PEGTL_STRING("distance"), pegtl::one<'d'>> {};
+struct referring_word : pegtl::sor<TAO_PEGTL_STRING("position"), TAO_PEGTL_STRING("velocity"), TAO_PEGTL_STRING("rotation"), TAO_PEGTL_STRING("angular_velocity"), TAO_PEGTL_STRING("length"), TAO_PEGTL_STRING("rate"), TAO_PEGTL_STRING("tension"), TAO_PEGTL_STRING("distance"), pegtl::one<'d'>> {};
 struct referring : pegtl::seq<referring_word, pegtl::not_at<pegtl::identifier_other>> {};
 struct open_reference : pegtl::seq<referring, blank, pegtl::one<'('>> {};
 struct referent : pegtl::identifier {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,8 @@ class ExpressionReader {
   void declare_last_frame();
   /// Makes a path known to expressions, by its length and what stands for the length's rate.
   void declare_path(const std::string& name, Expr length, Expr rate);
+  /// Makes the tension of a declared path known.
+  void set_tension(const std::string& name, const Quantity& tension);
   /// The frame of that name, an index into Mechanism::frames. Throws if there is none.
   int expect_frame(const YamlNode& name, std::string_view what);
   /// A quantity of a frame; its symbols are noted in the mechanism.
@@ -84,7 +87,7 @@ class ExpressionReader {
   Quantity speed(const Reading& reading, const PostfixToken& token) const;
   Quantity reference(const Reading& reading, const PostfixToken& token);
   Quantity of_frame(const Reading& reading, const PostfixToken& token, FrameQuantity quantity);
-  Quantity of_path(const Reading& reading, const PostfixToken& token, bool rate) const;
+  Quantity of_path(const Reading& reading, const PostfixToken& token, std::string_view word) const;
   int frame_called(const Reading& reading, std::size_t begin, std::size_t end) const;
   void check_reference(const Reading& reading, const PostfixToken& token, bool speeds) const;
   /// The entry of the coordinate whose speed is called `name` (qd_NAME; qd1 for q1), or null.
@@ -114,6 +117,7 @@ class ExpressionReader {
   Mechanism& mechanism_;
   struct Path {
     Expr length, rate;
+    std::optional<Quantity> tension = {};
   };
   std::vector<LocalName> locals_;
   std::map<std::string, int, std::less<>> frames_;  ///< indices into Mechanism::frames

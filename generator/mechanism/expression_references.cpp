@@ -50,9 +50,9 @@ Quantity ExpressionReader::reference(const Reading& reading, const PostfixToken&
   if (word == "d") return speed(reading, token);
   const auto* of_frames = std::ranges::find(frame_words(), word, &FrameWord::word);
   if (of_frames != frame_words().end()) return of_frame(reading, token, of_frames->quantity);
-  check_reference(reading, token, word == "rate");
+  check_reference(reading, token, word == "rate" || word == "tension");
   if (token.part != 0) throw error(reading, token.part, fmt::format("{}() has no parts", word));
-  if (!two) return of_path(reading, token, word == "rate");
+  if (!two) return of_path(reading, token, word);
   const int from = frame_called(reading, token.referent, token.referent_end);
   const int to = frame_called(reading, token.second, token.second_end);
   return {distance(from, to), kUnknown, Dependence::coordinate, nullptr};
@@ -151,7 +151,12 @@ void ExpressionReader::declare_path(const std::string& name, Expr length, Expr r
   paths_.emplace(name, Path{length, rate});
 }
 
-Quantity ExpressionReader::of_path(const Reading& reading, const PostfixToken& token, bool rate) const {
+void ExpressionReader::set_tension(const std::string& name, const Quantity& tension) {
+  paths_.at(name).tension = tension;
+}
+
+Quantity ExpressionReader::of_path(const Reading& reading, const PostfixToken& token,
+                                   std::string_view word) const {
   const std::string_view name =
       std::string_view(reading.node.text).substr(token.referent, token.referent_end - token.referent);
   const auto found = paths_.find(name);
@@ -162,8 +167,16 @@ Quantity ExpressionReader::of_path(const Reading& reading, const PostfixToken& t
                 fmt::format("unknown path '{}'{}", printable(name), did_you_mean(name, names)),
                 "paths are the forces with 'between' or 'path'");
   }
-  if (rate) return {found->second.rate, kUnknown, Dependence::coordinate | Dependence::speed, nullptr};
-  return {found->second.length, kUnknown, Dependence::coordinate, nullptr};
+  const Path& path = found->second;
+  if (word == "rate") return {path.rate, kUnknown, Dependence::coordinate | Dependence::speed, nullptr};
+  if (word == "tension") {
+    if (!path.tension)
+      throw error(reading, token.begin,
+                  fmt::format("the tension of '{}' is not known before its force is read", name),
+                  "tension() stands in forces that come later, in rates of states and in outputs");
+    return *path.tension;
+  }
+  return {path.length, kUnknown, Dependence::coordinate, nullptr};
 }
 
 }  // namespace alembert

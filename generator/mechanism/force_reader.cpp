@@ -187,12 +187,12 @@ class ForceReader {
 
   void read_tension() {
     constexpr Dependence moving = Dependence::coordinate | Dependence::speed;
-    force_.value =
-        loading_.reader
-            .read_with(section_.require("tension"),
-                       {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, moving}},
-                       Allowed::force, of_force("the tension"))
-            .expr;
+    Quantity tension = loading_.reader.read_with(
+        section_.require("tension"),
+        {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, moving}}, Allowed::force,
+        of_force("the tension"));
+    force_.value = tension.expr;
+    loading_.reader.set_tension(force_.name, tension);
   }
 
   void read_wrench() {

@@ -76,14 +76,15 @@ void read_states(Loading& loading, const YamlNode& list) {
   read_values(loading, list, NameKind::state);
 }
 
-void read_state_rates(Loading& loading, const YamlNode& list) {
+void read_state_rates(Loading& loading, const YamlNode& list,
+                      const std::vector<ExpressionReader::LocalName>& outputs) {
   auto state = std::ranges::find(loading.mechanism.parameters, true, &Parameter::is_state);
   for (const YamlNode* item : list.items) {
     const Section section = section_of(loading.document, *item, NameKind::state);
-    state->rate =
-        loading.reader
-            .read(section.require("rate"), Allowed::force, fmt::format("the rate of state '{}'", state->name))
-            .expr;
+    state->rate = loading.reader
+                      .read_with(section.require("rate"), outputs, Allowed::force,
+                                 fmt::format("the rate of state '{}'", state->name))
+                      .expr;
     ++state;
   }
 }

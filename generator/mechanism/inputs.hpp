@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mechanism/loading.hpp"
 
@@ -16,8 +17,9 @@ void declare_states(Loading& loading, const YamlNode& list);
 /// Reads their values, once the parameters have theirs: inputs first.
 void read_inputs(Loading& loading, const YamlNode& list);
 void read_states(Loading& loading, const YamlNode& list);
-/// The rest of the states, once forces are known: rates may use the lengths of paths.
-void read_state_rates(Loading& loading, const YamlNode& list);
+/// The rest of the states, once forces and outputs are known: rates may use the lengths of paths, and outputs.
+void read_state_rates(Loading& loading, const YamlNode& list,
+                      const std::vector<ExpressionReader::LocalName>& outputs);
 /// Gives an input the expression of `NAME=EXPRESSION` (Parameter::law), once coordinates have values.
 void replace_input(Loading& loading, const std::string& name, std::shared_ptr<const SourceText> source);
 

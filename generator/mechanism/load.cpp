@@ -141,8 +141,9 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   if (const YamlNode* constraints = root.find("constraints")) read_constraints(loading, *constraints);
   read_coordinate_forces(loading, coordinates);
   if (const YamlNode* forces = root.find("forces")) read_forces(loading, *forces);
-  if (states != nullptr) read_state_rates(loading, *states);
-  if (const YamlNode* outputs = root.find("outputs")) read_outputs(loading, *outputs);
+  std::vector<ExpressionReader::LocalName> named;
+  if (const YamlNode* outputs = root.find("outputs")) named = read_outputs(loading, *outputs);
+  if (states != nullptr) read_state_rates(loading, *states, named);
   check_matrices(loading);
   check_inertias(loading);
   loading.scope.check_used(mechanism.warnings);

@@ -1,4 +1,5 @@
-// Section `outputs`: list of names and expressions in, outputs out. Each may use those before it.
+// Section `outputs`: list of names and expressions in, outputs out. Each may use those before it, and rates of states
+// all of them.
 #include "mechanism/output_reader.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ void check_name(Loading& loading, const YamlNode& node) {
 
 }  // namespace
 
-void read_outputs(Loading& loading, const YamlNode& list) {
+std::vector<ExpressionReader::LocalName> read_outputs(Loading& loading, const YamlNode& list) {
   std::vector<ExpressionReader::LocalName> before;
   for (const YamlNode* item : expect_list(loading.document, list, "the outputs")) {
     const Section section(loading.document, *item, "an output", {"name", "value"});
@@ -37,6 +38,7 @@ void read_outputs(Loading& loading, const YamlNode& list) {
         {name.text, value.expr, includes(value.dependence, Dependence::speed), loading.document.where(name)});
     before.push_back({name.text, value.expr, value.dependence});
   }
+  return before;
 }
 
 }  // namespace alembert

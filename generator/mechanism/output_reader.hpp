@@ -1,11 +1,13 @@
 // Section `outputs` (see the implementation).
 #pragma once
 
+#include <vector>
+
 #include "mechanism/loading.hpp"
 
 namespace alembert {
 
-/// Reads the outputs of a list, once forces are known.
-void read_outputs(Loading& loading, const YamlNode& list);
+/// Reads the outputs of a list, once forces are known. \return them by name, for rates of states.
+std::vector<ExpressionReader::LocalName> read_outputs(Loading& loading, const YamlNode& list);
 
 }  // namespace alembert
