@@ -70,6 +70,19 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
           ProgramLengths(mechanism, graph)};
 }
 
+Kinematics plain_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
+  SpeedDerivatives derivatives(mechanism, graph);
+  MotionTree tree = motion_tree(mechanism, derivatives, graph);
+  AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
+  return {mechanism,
+          graph,
+          std::move(derivatives),
+          std::move(tree),
+          std::nullopt,
+          std::move(applied),
+          ProgramLengths(mechanism, graph)};
+}
+
 namespace {
 
 /// The equations of what is inert, heavy or pushed by external wrenches.

@@ -130,6 +130,9 @@ class ExprGraph {
   /// Declares that a symbol stays inside an interval (a parameter's value, a coordinate's hard range); sign
   /// proofs use it.
   void assume(Expr symbol, Interval interval);
+  /// Whether `simplify` does anything (LeftAsWritten).
+  bool simplifies() const { return simplifies_; }
+  void set_simplifies(bool yes) { simplifies_ = yes; }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
   const Node& node(std::uint32_t id) const { return nodes_[id]; }
@@ -176,6 +179,7 @@ class ExprGraph {
   std::unordered_map<std::string, std::uint32_t> symbol_ids_;
   mutable std::unordered_map<std::uint32_t, Interval>
       bounds_;  ///< of nodes that were asked for; looked up only
+  bool simplifies_ = true;
 };
 
 }  // namespace alembert

@@ -253,7 +253,7 @@ std::optional<std::vector<Expr>> rewritten(ExprGraph& graph, std::span<const Exp
 std::vector<Expr> simplify(std::span<const Expr> roots) {
   std::vector<Expr> best(roots.begin(), roots.end());
   ExprGraph* graph = graph_of(roots);
-  if (graph == nullptr) return best;
+  if (graph == nullptr || !graph->simplifies()) return best;
   Cost cost = cost_of(best);
   if (cost.operations == 0) return best;
   improve(best, cost, value_number(best));

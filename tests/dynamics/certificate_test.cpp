@@ -48,6 +48,27 @@ INSTANTIATE_TEST_SUITE_P(Functions, Certified,
                                          FunctionKind("inverse_dynamics_derivatives")),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
+/// It goes by the description, not by what was made of it first.
+TEST(Certificate, SeesAWrongTreeOfMotions) {
+  const auto loaded =
+      LoadedMechanism::file(std::string(ALEMBERT_SOURCE_DIR) + "/mechanisms/double_pendulum.yaml");
+  Kinematics kinematics = loaded.kinematics();
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  const FunctionKind function("inverse_dynamics");
+  const auto error = [&] {
+    const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
+    const Program program =
+        optimize(lower("function", function_outputs(kinematics, equations, function), bindings));
+    return Certificate(kinematics, bindings).measure(program, function).relative;
+  };
+  EXPECT_LT(error(), 1e-14);
+  for (MotionNode& node : kinematics.tree.nodes)
+    for (Expr& entry : node.motion.offset.entries) {
+      if (entry.valid() && !entry.is_zero()) entry *= loaded.graph->real(1 + 1e-8);
+    }
+  EXPECT_GT(error(), kLargestError);
+}
+
 /// A choice that rounding decides at every state leaves the rest to be measured.
 TEST(Certificate, MeasuresWhereChoicesAreUndecided) {
   const auto loaded = LoadedMechanism::text(R"(alembert: 1

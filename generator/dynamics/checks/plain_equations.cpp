@@ -7,6 +7,7 @@
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/symbols.hpp"
+#include "symbolic/simplify.hpp"
 
 namespace alembert {
 
@@ -15,6 +16,17 @@ namespace {
 /// Steps of central differences. Their error is that of a third derivative times its square.
 const Extended kStep = 1e-16;
 
+Kinematics as_written(const Kinematics& kinematics) {
+  const LeftAsWritten left(kinematics.graph);
+  return plain_kinematics(kinematics.mechanism, kinematics.graph);
+}
+
+std::vector<Expr> forces_of(const Kinematics& kinematics) {
+  const LeftAsWritten left(kinematics.graph);
+  return less_applied(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph),
+                      kinematics.applied);
+}
+
 VectorXe vector(const std::vector<Extended>& values) {
   return Eigen::Map<const VectorXe>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -22,10 +34,9 @@ VectorXe vector(const std::vector<Extended>& values) {
 }  // namespace
 
 PlainEquations::PlainEquations(const Kinematics& kinematics)
-    : kinematics_(kinematics),
-      forces_(less_applied(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph),
-                           kinematics.applied)),
-      coordinate_rates_(kinematics.derivatives.coordinate_rate_matrix()) {}
+    : kinematics_(as_written(kinematics)),
+      forces_(forces_of(kinematics_)),
+      coordinate_rates_(kinematics_.derivatives.coordinate_rate_matrix()) {}
 
 PlainEquations::State PlainEquations::state(std::span<const double> values) const {
   State state(values.begin(), values.end());
@@ -65,6 +76,7 @@ VectorXe PlainEquations::mass_times(State state, const VectorXe& v) const {
 }
 
 MatrixXe PlainEquations::mass_matrix(const State& state) const {
+  const LeftAsWritten left(kinematics_.graph);
   if (!mass_matrix_)
     mass_matrix_.emplace(composite_mass_matrix(kinematics_.mechanism, kinematics_.tree, kinematics_.graph));
   const std::vector<Extended> values = (*mass_matrix_)(state);
@@ -114,6 +126,7 @@ VectorXe PlainEquations::by_speeds(const State& state, const VectorXe& v) const 
 }
 
 const std::vector<OutputExpressions>& PlainEquations::expressions(FunctionKind kind) const {
+  const LeftAsWritten left(kinematics_.graph);
   auto found = expressions_.find(kind);
   if (found == expressions_.end())
     found = expressions_.emplace(kind, plain_function_outputs(kinematics_, kind)).first;

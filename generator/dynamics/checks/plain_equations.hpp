@@ -1,5 +1,5 @@
-// The plain equations: those of the tree of motions as it is given, with nothing placed, regrouped, scaled or
-// peeled, in 50 digits. In: a mechanism's kinematics and a state. Out: what its functions are there. All that
+// The plain equations: those of the description as it is written, with nothing simplified, placed, regrouped, scaled
+// or peeled, in 50 digits. In: a mechanism's kinematics and a state. Out: what its functions are there. All that
 // is written is measured against these (certificate.hpp).
 #pragma once
 
@@ -27,7 +27,7 @@ class PlainEquations {
   /// Values of all symbols of the graph.
   using State = std::vector<Extended>;
 
-  /// The kinematics must outlive it.
+  /// Mechanism and graph of the kinematics must outlive it.
   explicit PlainEquations(const Kinematics& kinematics);
 
   /// These values, quaternions of unit length to all digits.
@@ -58,7 +58,7 @@ class PlainEquations {
   VectorXe tau(const State& state) const;
   void set_rates(State& state, const VectorXe* rates) const;
 
-  const Kinematics& kinematics_;
+  Kinematics kinematics_;  ///< without simplification
   ExtendedFunction forces_;
   ExtendedFunction coordinate_rates_;  ///< N, nq x nv
   mutable std::optional<ExtendedFunction> mass_matrix_;
