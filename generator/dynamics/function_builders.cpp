@@ -231,6 +231,11 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("bias"), true, [](const Ingredients& given) -> Results { return {given.equations->c}; }},
     {FunctionKind("gravity"), true, build_gravity},
     {FunctionKind("applied_forces"), false, build_applied_forces},
+    {FunctionKind("force_contributions"), false,
+     [](const Ingredients& given) -> Results {
+       return {force_contributions(given.mechanism(), given.kinematics.tree, given.kinematics.derivatives,
+                                   given.graph())};
+     }},
     {FunctionKind("outputs"), false, build_outputs},
     {FunctionKind("outputs_jacobian"), false, build_outputs_jacobian},
     {FunctionKind("outputs_rate"), false, build_outputs_rate},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "emit/statements/literals.hpp"
 #include "emit/statements/syntax.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/force_names.hpp"
 #include "mechanism/names.hpp"
 
 namespace alembert {
@@ -23,7 +25,7 @@ constexpr const char* kCppInfinity = "::std::numeric_limits<double>::infinity()"
 
 struct Names {
   std::vector<std::string> coordinates, speeds, bodies, frames, parameters, wrench_bodies, constraints,
-      outputs;
+      outputs, forces;
 };
 
 Names names_of(const Mechanism& mechanism) {
@@ -44,6 +46,7 @@ Names names_of(const Mechanism& mechanism) {
   }
   for (const Frame& frame : mechanism.frames) names.frames.push_back(frame.name);
   for (const Output& output : mechanism.outputs) names.outputs.push_back(output.name);
+  names.forces = force_names(mechanism);
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime) names.parameters.push_back(parameter.name);
   for (const ConstraintRow& row : constraint_rows(mechanism)) names.constraints.push_back(row.name);
@@ -97,6 +100,15 @@ std::vector<std::string> limits(const Mechanism& mechanism, bool lower, const st
       const double none = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
       out.push_back(text(!c.limits ? none : lower ? c.limits->first : c.limits->second));
     }
+  return out;
+}
+
+/// Of the drives, a value for each speed.
+std::vector<std::string> drive_limits(const Mechanism& mechanism, std::optional<double> Coordinate::*limit,
+                                      const std::string& infinity) {
+  std::vector<std::string> out;
+  for (const Coordinate& c : mechanism.coordinates)
+    for (int i = 0; i < c.nv(); ++i) out.push_back(c.*limit ? number_literal(*(c.*limit)) : infinity);
   return out;
 }
 
@@ -214,6 +226,8 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   }
   for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
   for (const Output& o : mechanism.outputs) add(7, o.name, output++);
+  int force = 0;
+  for (const std::string& name : force_names(mechanism)) add(9, name, force++);
   for (const Parameter& p : mechanism.parameters)
     if (p.runtime) add(p.is_input() ? 6 : p.is_state() ? 8 : 4, p.name, parameter++);
   std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
@@ -253,6 +267,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
       {"output_count", std::to_string(names.outputs.size())},
+      {"force_count", std::to_string(names.forces.size())},
       {"input_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_input))},
       {"state_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_state))},
       {"parameter_count", std::to_string(names.parameters.size())},
@@ -276,12 +291,15 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"body_names", cpp_array(literals(names.bodies))},
       {"frame_names", cpp_array(literals(names.frames))},
       {"output_names", cpp_array(literals(names.outputs))},
+      {"force_names", cpp_array(literals(names.forces))},
       {"parameter_names", cpp_array(literals(names.parameters))},
       {"wrench_names", cpp_array(literals(names.wrench_bodies))},
       {"initial", cpp_array(initial_coordinates(mechanism, "double"))},
       {"initial_speeds", cpp_array(initial_speeds(mechanism, "double"))},
       {"lower_limits", cpp_array(limits(mechanism, true, kCppInfinity))},
       {"upper_limits", cpp_array(limits(mechanism, false, kCppInfinity))},
+      {"effort_limits", cpp_array(drive_limits(mechanism, &Coordinate::effort_limit, kCppInfinity))},
+      {"speed_limits", cpp_array(drive_limits(mechanism, &Coordinate::speed_limit, kCppInfinity))},
       {"quaternion_offsets", cpp_array(quaternion_offsets(mechanism))},
       {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
@@ -298,6 +316,7 @@ Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, cons
       {"body_names", c_array(literals(names.bodies), null)},
       {"frame_names", c_array(literals(names.frames), null)},
       {"output_names", c_array(literals(names.outputs), null)},
+      {"force_names", c_array(literals(names.forces), null)},
       {"parameter_names", c_array(literals(names.parameters), null)},
       {"wrench_names", c_array(literals(names.wrench_bodies), null)},
       {"constraint_names", c_array(literals(names.constraints), null)},
@@ -320,6 +339,7 @@ Slots python_constant_slots(const Mechanism& mechanism) {
       {"body_names", tuple(literals(names.bodies))},
       {"frame_names", tuple(literals(names.frames))},
       {"output_names", tuple(literals(names.outputs))},
+      {"force_names", tuple(literals(names.forces))},
       {"parameter_names", tuple(literals(names.parameters))},
       {"wrench_names", tuple(literals(names.wrench_bodies))},
       {"constraint_names", tuple(literals(names.constraints))},
@@ -329,6 +349,8 @@ Slots python_constant_slots(const Mechanism& mechanism) {
       {"initial_speeds", list(initial_speeds(mechanism, "double"))},
       {"lower_limits", list(limits(mechanism, true, "numpy.inf"))},
       {"upper_limits", list(limits(mechanism, false, "numpy.inf"))},
+      {"effort_limits", list(drive_limits(mechanism, &Coordinate::effort_limit, "numpy.inf"))},
+      {"speed_limits", list(drive_limits(mechanism, &Coordinate::speed_limit, "numpy.inf"))},
       {"parameter_defaults", list(parameter_defaults(mechanism, "{}", "double"))},
   };
 }

@@ -25,6 +25,8 @@ std::string extent_constant(const Extent& extent) {
       return "kNoutputs";
     case Extent::Of::inputs:
       return "kNinputs";
+    case Extent::Of::forces:
+      return "kNforces";
     case Extent::Of::states:
       return "kNstates";
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mechanism/constraint_rows.hpp"
+#include "mechanism/force_names.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -24,6 +25,8 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
       return mechanism.outputs.size();
     case Extent::Of::inputs:
       return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_input));
+    case Extent::Of::forces:
+      return force_names(mechanism).size();
     case Extent::Of::states:
       return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_state));
   }

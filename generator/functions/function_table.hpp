@@ -34,7 +34,7 @@ class Few {
 
 /// A number of rows or columns: so many, or as many as the mechanism has of something.
 struct Extent {
-  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs, states };
+  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs, states, forces };
   Of of = Of::number;
   int number = 1;
   constexpr Extent() = default;
@@ -44,7 +44,7 @@ struct Extent {
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
-                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states;
+                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states, kPerForce = Extent::Of::forces;
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -113,6 +113,11 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "tau = M(q) qdd + c(q, qd), where c contains -Q",
      {{"Q", "generalized forces, in units of tau", kPerSpeed}},
      "", "", Needs::forces},
+    {"force_contributions", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Generalized forces of each force by itself, a muscle's moments about the joints, say.",
+     "applied_forces = sum of the rows",
+     {{"Q", "a row for each name of kForceNames, in units of tau", kPerForce, kPerSpeed}},
+     "", ""},
     {"outputs", Topic::kinematics, true, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Outputs: what the description has under outputs.",
      "",

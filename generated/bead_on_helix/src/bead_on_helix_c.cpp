@@ -29,6 +29,7 @@ const char* const bead_on_helix_speed_names[2 + 1] = {"d(s)", "d(spin)", nullptr
 const char* const bead_on_helix_body_names[1 + 1] = {"bead", nullptr};
 const char* const bead_on_helix_frame_names[0 + 1] = {nullptr};
 const char* const bead_on_helix_output_names[0 + 1] = {nullptr};
+const char* const bead_on_helix_force_names[0 + 1] = {nullptr};
 const char* const bead_on_helix_parameter_names[0 + 1] = {nullptr};
 const char* const bead_on_helix_wrench_body_names[1 + 1] = {"bead", nullptr};
 const char* const bead_on_helix_constraint_names[0 + 1] = {nullptr};

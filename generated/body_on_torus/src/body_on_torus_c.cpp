@@ -29,6 +29,7 @@ const char* const body_on_torus_speed_names[3 + 1] = {"d(u)", "d(v)", "d(spin)",
 const char* const body_on_torus_body_names[1 + 1] = {"slider", nullptr};
 const char* const body_on_torus_frame_names[0 + 1] = {nullptr};
 const char* const body_on_torus_output_names[0 + 1] = {nullptr};
+const char* const body_on_torus_force_names[0 + 1] = {nullptr};
 const char* const body_on_torus_parameter_names[0 + 1] = {nullptr};
 const char* const body_on_torus_wrench_body_names[0 + 1] = {nullptr};
 const char* const body_on_torus_constraint_names[0 + 1] = {nullptr};

@@ -29,6 +29,7 @@ const char* const cart_pole_speed_names[2 + 1] = {"d(x)", "d(q)", nullptr};
 const char* const cart_pole_body_names[2 + 1] = {"cart", "pole", nullptr};
 const char* const cart_pole_frame_names[0 + 1] = {nullptr};
 const char* const cart_pole_output_names[0 + 1] = {nullptr};
+const char* const cart_pole_force_names[0 + 1] = {nullptr};
 const char* const cart_pole_parameter_names[0 + 1] = {nullptr};
 const char* const cart_pole_wrench_body_names[1 + 1] = {"cart", nullptr};
 const char* const cart_pole_constraint_names[0 + 1] = {nullptr};

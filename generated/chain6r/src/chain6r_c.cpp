@@ -31,6 +31,7 @@ const char* const chain6r_body_names[6 + 1] = {
     "link1", "link2", "link3", "link4", "link5", "link6", nullptr};
 const char* const chain6r_frame_names[0 + 1] = {nullptr};
 const char* const chain6r_output_names[0 + 1] = {nullptr};
+const char* const chain6r_force_names[0 + 1] = {nullptr};
 const char* const chain6r_parameter_names[0 + 1] = {nullptr};
 const char* const chain6r_wrench_body_names[0 + 1] = {nullptr};
 const char* const chain6r_constraint_names[0 + 1] = {nullptr};

@@ -31,6 +31,7 @@ const char* const chain6r_90_body_names[6 + 1] = {
     "link1", "link2", "link3", "link4", "link5", "link6", nullptr};
 const char* const chain6r_90_frame_names[0 + 1] = {nullptr};
 const char* const chain6r_90_output_names[0 + 1] = {nullptr};
+const char* const chain6r_90_force_names[0 + 1] = {nullptr};
 const char* const chain6r_90_parameter_names[0 + 1] = {nullptr};
 const char* const chain6r_90_wrench_body_names[0 + 1] = {nullptr};
 const char* const chain6r_90_constraint_names[0 + 1] = {nullptr};

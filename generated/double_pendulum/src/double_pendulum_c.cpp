@@ -29,6 +29,7 @@ const char* const double_pendulum_speed_names[2 + 1] = {"d(q1)", "d(q2)", nullpt
 const char* const double_pendulum_body_names[2 + 1] = {"upper", "lower", nullptr};
 const char* const double_pendulum_frame_names[0 + 1] = {nullptr};
 const char* const double_pendulum_output_names[0 + 1] = {nullptr};
+const char* const double_pendulum_force_names[0 + 1] = {nullptr};
 const char* const double_pendulum_parameter_names[0 + 1] = {nullptr};
 const char* const double_pendulum_wrench_body_names[0 + 1] = {nullptr};
 const char* const double_pendulum_constraint_names[0 + 1] = {nullptr};

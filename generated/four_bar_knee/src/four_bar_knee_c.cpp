@@ -29,6 +29,7 @@ const char* const four_bar_knee_speed_names[2 + 1] = {"d(hip)", "d(q)", nullptr}
 const char* const four_bar_knee_body_names[2 + 1] = {"thigh", "shank", nullptr};
 const char* const four_bar_knee_frame_names[1 + 1] = {"ankle", nullptr};
 const char* const four_bar_knee_output_names[0 + 1] = {nullptr};
+const char* const four_bar_knee_force_names[0 + 1] = {nullptr};
 const char* const four_bar_knee_parameter_names[0 + 1] = {nullptr};
 const char* const four_bar_knee_wrench_body_names[1 + 1] = {"shank", nullptr};
 const char* const four_bar_knee_constraint_names[0 + 1] = {nullptr};

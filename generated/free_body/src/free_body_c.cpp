@@ -31,6 +31,7 @@ const char* const free_body_speed_names[6 + 1] = {
 const char* const free_body_body_names[1 + 1] = {"body", nullptr};
 const char* const free_body_frame_names[1 + 1] = {"nose", nullptr};
 const char* const free_body_output_names[0 + 1] = {nullptr};
+const char* const free_body_force_names[0 + 1] = {nullptr};
 const char* const free_body_parameter_names[0 + 1] = {nullptr};
 const char* const free_body_wrench_body_names[1 + 1] = {"body", nullptr};
 const char* const free_body_constraint_names[0 + 1] = {nullptr};

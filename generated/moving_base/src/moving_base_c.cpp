@@ -29,6 +29,7 @@ const char* const moving_base_speed_names[2 + 1] = {"d(q1)", "d(q2)", nullptr};
 const char* const moving_base_body_names[3 + 1] = {"base", "upper", "lower", nullptr};
 const char* const moving_base_frame_names[0 + 1] = {nullptr};
 const char* const moving_base_output_names[0 + 1] = {nullptr};
+const char* const moving_base_force_names[0 + 1] = {nullptr};
 const char* const moving_base_parameter_names[0 + 1] = {nullptr};
 const char* const moving_base_wrench_body_names[0 + 1] = {nullptr};
 const char* const moving_base_constraint_names[0 + 1] = {nullptr};

@@ -29,6 +29,7 @@ const char* const pendulum_speed_names[1 + 1] = {"d(q)", nullptr};
 const char* const pendulum_body_names[1 + 1] = {"rod", nullptr};
 const char* const pendulum_frame_names[0 + 1] = {nullptr};
 const char* const pendulum_output_names[0 + 1] = {nullptr};
+const char* const pendulum_force_names[0 + 1] = {nullptr};
 const char* const pendulum_parameter_names[0 + 1] = {nullptr};
 const char* const pendulum_wrench_body_names[0 + 1] = {nullptr};
 const char* const pendulum_constraint_names[0 + 1] = {nullptr};

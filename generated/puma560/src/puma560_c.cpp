@@ -31,6 +31,7 @@ const char* const puma560_body_names[6 + 1] = {
     "link1", "link2", "link3", "link4", "link5", "link6", nullptr};
 const char* const puma560_frame_names[1 + 1] = {"flange", nullptr};
 const char* const puma560_output_names[0 + 1] = {nullptr};
+const char* const puma560_force_names[0 + 1] = {nullptr};
 const char* const puma560_parameter_names[0 + 1] = {nullptr};
 const char* const puma560_wrench_body_names[0 + 1] = {nullptr};
 const char* const puma560_constraint_names[0 + 1] = {nullptr};

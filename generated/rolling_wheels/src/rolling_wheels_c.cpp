@@ -29,6 +29,7 @@ const char* const rolling_wheels_speed_names[2 + 1] = {"d(q1)", "d(q2)", nullptr
 const char* const rolling_wheels_body_names[2 + 1] = {"wheel", "small_wheel", nullptr};
 const char* const rolling_wheels_frame_names[0 + 1] = {nullptr};
 const char* const rolling_wheels_output_names[0 + 1] = {nullptr};
+const char* const rolling_wheels_force_names[0 + 1] = {nullptr};
 const char* const rolling_wheels_parameter_names[0 + 1] = {nullptr};
 const char* const rolling_wheels_wrench_body_names[1 + 1] = {"wheel", nullptr};
 const char* const rolling_wheels_constraint_names[0 + 1] = {nullptr};

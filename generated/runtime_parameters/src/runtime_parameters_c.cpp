@@ -29,6 +29,7 @@ const char* const runtime_parameters_speed_names[2 + 1] = {"d(q1)", "d(q2)", nul
 const char* const runtime_parameters_body_names[2 + 1] = {"crank", "rod", nullptr};
 const char* const runtime_parameters_frame_names[0 + 1] = {nullptr};
 const char* const runtime_parameters_output_names[0 + 1] = {nullptr};
+const char* const runtime_parameters_force_names[0 + 1] = {nullptr};
 const char* const runtime_parameters_parameter_names[4 + 1] = {"g", "m", "l", "I", nullptr};
 const char* const runtime_parameters_wrench_body_names[0 + 1] = {nullptr};
 const char* const runtime_parameters_constraint_names[0 + 1] = {nullptr};

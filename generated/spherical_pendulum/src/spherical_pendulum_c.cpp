@@ -29,6 +29,7 @@ const char* const spherical_pendulum_speed_names[3 + 1] = {"d(turn).x", "d(turn)
 const char* const spherical_pendulum_body_names[1 + 1] = {"bob", nullptr};
 const char* const spherical_pendulum_frame_names[0 + 1] = {nullptr};
 const char* const spherical_pendulum_output_names[0 + 1] = {nullptr};
+const char* const spherical_pendulum_force_names[0 + 1] = {nullptr};
 const char* const spherical_pendulum_parameter_names[0 + 1] = {nullptr};
 const char* const spherical_pendulum_wrench_body_names[1 + 1] = {"bob", nullptr};
 const char* const spherical_pendulum_constraint_names[0 + 1] = {nullptr};

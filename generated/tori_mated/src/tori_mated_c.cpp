@@ -29,6 +29,7 @@ const char* const tori_mated_speed_names[5 + 1] = {"d(u1)", "d(v1)", "d(u2)", "d
 const char* const tori_mated_body_names[1 + 1] = {"ring", nullptr};
 const char* const tori_mated_frame_names[0 + 1] = {nullptr};
 const char* const tori_mated_output_names[0 + 1] = {nullptr};
+const char* const tori_mated_force_names[0 + 1] = {nullptr};
 const char* const tori_mated_parameter_names[0 + 1] = {nullptr};
 const char* const tori_mated_wrench_body_names[0 + 1] = {nullptr};
 const char* const tori_mated_constraint_names[0 + 1] = {nullptr};

@@ -36,6 +36,7 @@ const char* const tree_every_joint_body_names[10 + 1] = {
     "trunk", "arm", "piston", "drill", "tube", "gimbal", "slab", "hand", "finger", "thumb", nullptr};
 const char* const tree_every_joint_frame_names[1 + 1] = {"drill_tip", nullptr};
 const char* const tree_every_joint_output_names[0 + 1] = {nullptr};
+const char* const tree_every_joint_force_names[0 + 1] = {nullptr};
 const char* const tree_every_joint_parameter_names[0 + 1] = {nullptr};
 const char* const tree_every_joint_wrench_body_names[2 + 1] = {"trunk", "drill", nullptr};
 const char* const tree_every_joint_constraint_names[0 + 1] = {nullptr};

@@ -12,12 +12,14 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <span>
 #include <utility>
 
 #include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/tree/state_values.hpp"
+#include "mechanism/force_names.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/substitute.hpp"
@@ -68,6 +70,18 @@ class AppliedForcesBuilder {
                    "the rate of state '" + parameter.name + "'");
     }
     return {shortest(), potential_, inserted(outputs), rates};
+  }
+
+  std::vector<Expr> build_each() {
+    std::vector<Expr> rows;
+    for (const std::string& name : force_names(mechanism_)) {
+      std::ranges::fill(Q_, graph_.zero());
+      wrenches_.clear();
+      for (const Force& force : mechanism_.forces)
+        if (force.name == name) add(force);
+      std::ranges::copy(shortest(), std::back_inserter(rows));
+    }
+    return rows;
   }
 
  private:
@@ -235,6 +249,11 @@ AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
       std::ranges::none_of(mechanism.parameters, &Parameter::is_state))
     return {{}, graph.zero(), {}, {}};
   return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build();
+}
+
+std::vector<Expr> force_contributions(const Mechanism& mechanism, const MotionTree& tree,
+                                      const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build_each();
 }
 
 }  // namespace alembert

@@ -25,4 +25,8 @@ std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& ap
 AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
                              const SpeedDerivatives& derivatives, ExprGraph& graph);
 
+/// Q of each name of force_names by itself, a row each.
+std::vector<Expr> force_contributions(const Mechanism& mechanism, const MotionTree& tree,
+                                      const SpeedDerivatives& derivatives, ExprGraph& graph);
+
 }  // namespace alembert

@@ -31,6 +31,7 @@ enum {
   bead_on_helix_body_count = 1,
   bead_on_helix_frame_count = 0,
   bead_on_helix_output_count = 0,
+  bead_on_helix_force_count = 0,
   bead_on_helix_parameter_count = 0,
   bead_on_helix_input_count = 0,
   bead_on_helix_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const bead_on_helix_speed_names[2 + 1];
 extern const char* const bead_on_helix_body_names[1 + 1];
 extern const char* const bead_on_helix_frame_names[0 + 1];
 extern const char* const bead_on_helix_output_names[0 + 1];
+extern const char* const bead_on_helix_force_names[0 + 1];
 extern const char* const bead_on_helix_parameter_names[0 + 1];
 extern const char* const bead_on_helix_wrench_body_names[1 + 1];
 extern const char* const bead_on_helix_constraint_names[0 + 1];

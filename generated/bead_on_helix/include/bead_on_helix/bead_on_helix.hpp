@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::bead_on_helix::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::bead_on_helix::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::bead_on_helix::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::bead_on_helix::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::bead_on_helix::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::bead_on_helix::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;

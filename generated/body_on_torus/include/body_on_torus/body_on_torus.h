@@ -30,6 +30,7 @@ enum {
   body_on_torus_body_count = 1,
   body_on_torus_frame_count = 0,
   body_on_torus_output_count = 0,
+  body_on_torus_force_count = 0,
   body_on_torus_parameter_count = 0,
   body_on_torus_input_count = 0,
   body_on_torus_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const body_on_torus_speed_names[3 + 1];
 extern const char* const body_on_torus_body_names[1 + 1];
 extern const char* const body_on_torus_frame_names[0 + 1];
 extern const char* const body_on_torus_output_names[0 + 1];
+extern const char* const body_on_torus_force_names[0 + 1];
 extern const char* const body_on_torus_parameter_names[0 + 1];
 extern const char* const body_on_torus_wrench_body_names[0 + 1];
 extern const char* const body_on_torus_constraint_names[0 + 1];

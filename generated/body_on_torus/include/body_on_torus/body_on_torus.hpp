@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::body_on_torus::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::body_on_torus::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::body_on_torus::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::body_on_torus::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::body_on_torus::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::body_on_torus::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;

@@ -31,6 +31,7 @@ enum {
   cart_pole_body_count = 2,
   cart_pole_frame_count = 0,
   cart_pole_output_count = 0,
+  cart_pole_force_count = 0,
   cart_pole_parameter_count = 0,
   cart_pole_input_count = 0,
   cart_pole_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const cart_pole_speed_names[2 + 1];
 extern const char* const cart_pole_body_names[2 + 1];
 extern const char* const cart_pole_frame_names[0 + 1];
 extern const char* const cart_pole_output_names[0 + 1];
+extern const char* const cart_pole_force_names[0 + 1];
 extern const char* const cart_pole_parameter_names[0 + 1];
 extern const char* const cart_pole_wrench_body_names[1 + 1];
 extern const char* const cart_pole_constraint_names[0 + 1];

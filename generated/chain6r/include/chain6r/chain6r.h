@@ -32,6 +32,7 @@ enum {
   chain6r_body_count = 6,
   chain6r_frame_count = 0,
   chain6r_output_count = 0,
+  chain6r_force_count = 0,
   chain6r_parameter_count = 0,
   chain6r_input_count = 0,
   chain6r_state_count = 0,
@@ -45,6 +46,7 @@ extern const char* const chain6r_speed_names[6 + 1];
 extern const char* const chain6r_body_names[6 + 1];
 extern const char* const chain6r_frame_names[0 + 1];
 extern const char* const chain6r_output_names[0 + 1];
+extern const char* const chain6r_force_names[0 + 1];
 extern const char* const chain6r_parameter_names[0 + 1];
 extern const char* const chain6r_wrench_body_names[0 + 1];
 extern const char* const chain6r_constraint_names[0 + 1];

@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::chain6r::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::chain6r::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::chain6r::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::chain6r::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::chain6r::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::chain6r::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r::kQuaternionOffsets;

@@ -30,6 +30,7 @@ enum {
   chain6r_90_body_count = 6,
   chain6r_90_frame_count = 0,
   chain6r_90_output_count = 0,
+  chain6r_90_force_count = 0,
   chain6r_90_parameter_count = 0,
   chain6r_90_input_count = 0,
   chain6r_90_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const chain6r_90_speed_names[6 + 1];
 extern const char* const chain6r_90_body_names[6 + 1];
 extern const char* const chain6r_90_frame_names[0 + 1];
 extern const char* const chain6r_90_output_names[0 + 1];
+extern const char* const chain6r_90_force_names[0 + 1];
 extern const char* const chain6r_90_parameter_names[0 + 1];
 extern const char* const chain6r_90_wrench_body_names[0 + 1];
 extern const char* const chain6r_90_constraint_names[0 + 1];

@@ -30,6 +30,7 @@ enum {
   double_pendulum_body_count = 2,
   double_pendulum_frame_count = 0,
   double_pendulum_output_count = 0,
+  double_pendulum_force_count = 0,
   double_pendulum_parameter_count = 0,
   double_pendulum_input_count = 0,
   double_pendulum_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const double_pendulum_speed_names[2 + 1];
 extern const char* const double_pendulum_body_names[2 + 1];
 extern const char* const double_pendulum_frame_names[0 + 1];
 extern const char* const double_pendulum_output_names[0 + 1];
+extern const char* const double_pendulum_force_names[0 + 1];
 extern const char* const double_pendulum_parameter_names[0 + 1];
 extern const char* const double_pendulum_wrench_body_names[0 + 1];
 extern const char* const double_pendulum_constraint_names[0 + 1];

@@ -31,6 +31,7 @@ enum {
   four_bar_knee_body_count = 2,
   four_bar_knee_frame_count = 1,
   four_bar_knee_output_count = 0,
+  four_bar_knee_force_count = 0,
   four_bar_knee_parameter_count = 0,
   four_bar_knee_input_count = 0,
   four_bar_knee_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const four_bar_knee_speed_names[2 + 1];
 extern const char* const four_bar_knee_body_names[2 + 1];
 extern const char* const four_bar_knee_frame_names[1 + 1];
 extern const char* const four_bar_knee_output_names[0 + 1];
+extern const char* const four_bar_knee_force_names[0 + 1];
 extern const char* const four_bar_knee_parameter_names[0 + 1];
 extern const char* const four_bar_knee_wrench_body_names[1 + 1];
 extern const char* const four_bar_knee_constraint_names[0 + 1];

@@ -30,6 +30,7 @@ inline constexpr int kNv = 2;  ///< speeds: size of qd, qdd, tau, c; M is kNv x 
 inline constexpr int kBodyCount = 2;
 inline constexpr int kFrameCount = 1;
 inline constexpr int kOutputCount = 0;
+inline constexpr int kForceCount = 0;
 inline constexpr int kParameterCount = 0;  ///< runtime parameters, then inputs, then states
 inline constexpr int kInputCount = 0;
 inline constexpr int kStateCount = 0;
@@ -43,6 +44,8 @@ inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(hip)",
 inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"thigh", "shank"}};
 inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {{"ankle"}};
 inline constexpr ::std::array<::std::string_view, kOutputCount> kOutputNames = {};
+/// Forces of the description, those of its coordinates too.
+inline constexpr ::std::array<::std::string_view, kForceCount> kForceNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {{"shank"}};
@@ -57,6 +60,11 @@ inline constexpr ::std::array<double, kNv> kInitialSpeeds = {{0.0, 0.0}};
 /// Limits of the coordinates as described, infinite where there are none. The equations do not enforce them.
 inline constexpr ::std::array<double, kNq> kLowerLimits = {{-0.6, 0.8}};
 inline constexpr ::std::array<double, kNq> kUpperLimits = {{1.8, 2.1}};
+/// The drives' largest force and speed, magnitudes, infinite where there are none. No equation depends on them.
+inline constexpr ::std::array<double, kNv> kEffortLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
+inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 

@@ -31,6 +31,7 @@ enum {
   free_body_body_count = 1,
   free_body_frame_count = 1,
   free_body_output_count = 0,
+  free_body_force_count = 0,
   free_body_parameter_count = 0,
   free_body_input_count = 0,
   free_body_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const free_body_speed_names[6 + 1];
 extern const char* const free_body_body_names[1 + 1];
 extern const char* const free_body_frame_names[1 + 1];
 extern const char* const free_body_output_names[0 + 1];
+extern const char* const free_body_force_names[0 + 1];
 extern const char* const free_body_parameter_names[0 + 1];
 extern const char* const free_body_wrench_body_names[1 + 1];
 extern const char* const free_body_constraint_names[0 + 1];

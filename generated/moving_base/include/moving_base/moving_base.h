@@ -30,6 +30,7 @@ enum {
   moving_base_body_count = 3,
   moving_base_frame_count = 0,
   moving_base_output_count = 0,
+  moving_base_force_count = 0,
   moving_base_parameter_count = 0,
   moving_base_input_count = 0,
   moving_base_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const moving_base_speed_names[2 + 1];
 extern const char* const moving_base_body_names[3 + 1];
 extern const char* const moving_base_frame_names[0 + 1];
 extern const char* const moving_base_output_names[0 + 1];
+extern const char* const moving_base_force_names[0 + 1];
 extern const char* const moving_base_parameter_names[0 + 1];
 extern const char* const moving_base_wrench_body_names[0 + 1];
 extern const char* const moving_base_constraint_names[0 + 1];

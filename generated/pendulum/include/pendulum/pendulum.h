@@ -30,6 +30,7 @@ enum {
   pendulum_body_count = 1,
   pendulum_frame_count = 0,
   pendulum_output_count = 0,
+  pendulum_force_count = 0,
   pendulum_parameter_count = 0,
   pendulum_input_count = 0,
   pendulum_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const pendulum_speed_names[1 + 1];
 extern const char* const pendulum_body_names[1 + 1];
 extern const char* const pendulum_frame_names[0 + 1];
 extern const char* const pendulum_output_names[0 + 1];
+extern const char* const pendulum_force_names[0 + 1];
 extern const char* const pendulum_parameter_names[0 + 1];
 extern const char* const pendulum_wrench_body_names[0 + 1];
 extern const char* const pendulum_constraint_names[0 + 1];

@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::pendulum::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::pendulum::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::pendulum::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::pendulum::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::pendulum::kQuaternionOffsets;

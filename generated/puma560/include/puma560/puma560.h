@@ -32,6 +32,7 @@ enum {
   puma560_body_count = 6,
   puma560_frame_count = 1,
   puma560_output_count = 0,
+  puma560_force_count = 0,
   puma560_parameter_count = 0,
   puma560_input_count = 0,
   puma560_state_count = 0,
@@ -45,6 +46,7 @@ extern const char* const puma560_speed_names[6 + 1];
 extern const char* const puma560_body_names[6 + 1];
 extern const char* const puma560_frame_names[1 + 1];
 extern const char* const puma560_output_names[0 + 1];
+extern const char* const puma560_force_names[0 + 1];
 extern const char* const puma560_parameter_names[0 + 1];
 extern const char* const puma560_wrench_body_names[0 + 1];
 extern const char* const puma560_constraint_names[0 + 1];

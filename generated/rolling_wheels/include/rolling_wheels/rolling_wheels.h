@@ -31,6 +31,7 @@ enum {
   rolling_wheels_body_count = 2,
   rolling_wheels_frame_count = 0,
   rolling_wheels_output_count = 0,
+  rolling_wheels_force_count = 0,
   rolling_wheels_parameter_count = 0,
   rolling_wheels_input_count = 0,
   rolling_wheels_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const rolling_wheels_speed_names[2 + 1];
 extern const char* const rolling_wheels_body_names[2 + 1];
 extern const char* const rolling_wheels_frame_names[0 + 1];
 extern const char* const rolling_wheels_output_names[0 + 1];
+extern const char* const rolling_wheels_force_names[0 + 1];
 extern const char* const rolling_wheels_parameter_names[0 + 1];
 extern const char* const rolling_wheels_wrench_body_names[1 + 1];
 extern const char* const rolling_wheels_constraint_names[0 + 1];

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::rolling_wheels::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::rolling_wheels::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::rolling_wheels::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::rolling_wheels::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::rolling_wheels::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::rolling_wheels::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;

@@ -30,6 +30,7 @@ enum {
   runtime_parameters_body_count = 2,
   runtime_parameters_frame_count = 0,
   runtime_parameters_output_count = 0,
+  runtime_parameters_force_count = 0,
   runtime_parameters_parameter_count = 4,
   runtime_parameters_input_count = 0,
   runtime_parameters_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const runtime_parameters_speed_names[2 + 1];
 extern const char* const runtime_parameters_body_names[2 + 1];
 extern const char* const runtime_parameters_frame_names[0 + 1];
 extern const char* const runtime_parameters_output_names[0 + 1];
+extern const char* const runtime_parameters_force_names[0 + 1];
 extern const char* const runtime_parameters_parameter_names[4 + 1];
 extern const char* const runtime_parameters_wrench_body_names[0 + 1];
 extern const char* const runtime_parameters_constraint_names[0 + 1];

@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::runtime_parameters::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::runtime_parameters::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::runtime_parameters::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::runtime_parameters::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::runtime_parameters::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::runtime_parameters::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;

@@ -30,6 +30,7 @@ inline constexpr int kNv = 2;  ///< speeds: size of qd, qdd, tau, c; M is kNv x 
 inline constexpr int kBodyCount = 2;
 inline constexpr int kFrameCount = 0;
 inline constexpr int kOutputCount = 0;
+inline constexpr int kForceCount = 0;
 inline constexpr int kParameterCount = 4;  ///< runtime parameters, then inputs, then states
 inline constexpr int kInputCount = 0;
 inline constexpr int kStateCount = 0;
@@ -43,6 +44,8 @@ inline constexpr ::std::array<::std::string_view, kNv> kSpeedNames = {{"d(q1)", 
 inline constexpr ::std::array<::std::string_view, kBodyCount> kBodyNames = {{"crank", "rod"}};
 inline constexpr ::std::array<::std::string_view, kFrameCount> kFrameNames = {};
 inline constexpr ::std::array<::std::string_view, kOutputCount> kOutputNames = {};
+/// Forces of the description, those of its coordinates too.
+inline constexpr ::std::array<::std::string_view, kForceCount> kForceNames = {};
 inline constexpr ::std::array<::std::string_view, kParameterCount> kParameterNames = {{"g", "m", "l", "I"}};
 /// Bodies that take an external wrench, in the order of Inputs::wrenches.
 inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames = {};
@@ -58,6 +61,11 @@ inline constexpr ::std::array<double, kNv> kInitialSpeeds = {{0.0, 0.0}};
 inline constexpr ::std::array<double, kNq> kLowerLimits = {{
     -::std::numeric_limits<double>::infinity(), -::std::numeric_limits<double>::infinity()}};
 inline constexpr ::std::array<double, kNq> kUpperLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
+/// The drives' largest force and speed, magnitudes, infinite where there are none. No equation depends on them.
+inline constexpr ::std::array<double, kNv> kEffortLimits = {{
+    ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
+inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
     ::std::numeric_limits<double>::infinity(), ::std::numeric_limits<double>::infinity()}};
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};

@@ -31,6 +31,7 @@ enum {
   spherical_pendulum_body_count = 1,
   spherical_pendulum_frame_count = 0,
   spherical_pendulum_output_count = 0,
+  spherical_pendulum_force_count = 0,
   spherical_pendulum_parameter_count = 0,
   spherical_pendulum_input_count = 0,
   spherical_pendulum_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const spherical_pendulum_speed_names[3 + 1];
 extern const char* const spherical_pendulum_body_names[1 + 1];
 extern const char* const spherical_pendulum_frame_names[0 + 1];
 extern const char* const spherical_pendulum_output_names[0 + 1];
+extern const char* const spherical_pendulum_force_names[0 + 1];
 extern const char* const spherical_pendulum_parameter_names[0 + 1];
 extern const char* const spherical_pendulum_wrench_body_names[1 + 1];
 extern const char* const spherical_pendulum_constraint_names[0 + 1];

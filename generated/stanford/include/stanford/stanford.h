@@ -30,6 +30,7 @@ enum {
   stanford_body_count = 6,
   stanford_frame_count = 0,
   stanford_output_count = 0,
+  stanford_force_count = 0,
   stanford_parameter_count = 0,
   stanford_input_count = 0,
   stanford_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const stanford_speed_names[6 + 1];
 extern const char* const stanford_body_names[6 + 1];
 extern const char* const stanford_frame_names[0 + 1];
 extern const char* const stanford_output_names[0 + 1];
+extern const char* const stanford_force_names[0 + 1];
 extern const char* const stanford_parameter_names[0 + 1];
 extern const char* const stanford_wrench_body_names[0 + 1];
 extern const char* const stanford_constraint_names[0 + 1];

@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::stanford::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::stanford::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::stanford::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::stanford::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::stanford::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::stanford::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::stanford::kQuaternionOffsets;

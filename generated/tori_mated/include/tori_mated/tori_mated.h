@@ -30,6 +30,7 @@ enum {
   tori_mated_body_count = 1,
   tori_mated_frame_count = 0,
   tori_mated_output_count = 0,
+  tori_mated_force_count = 0,
   tori_mated_parameter_count = 0,
   tori_mated_input_count = 0,
   tori_mated_state_count = 0,
@@ -43,6 +44,7 @@ extern const char* const tori_mated_speed_names[5 + 1];
 extern const char* const tori_mated_body_names[1 + 1];
 extern const char* const tori_mated_frame_names[0 + 1];
 extern const char* const tori_mated_output_names[0 + 1];
+extern const char* const tori_mated_force_names[0 + 1];
 extern const char* const tori_mated_parameter_names[0 + 1];
 extern const char* const tori_mated_wrench_body_names[0 + 1];
 extern const char* const tori_mated_constraint_names[0 + 1];

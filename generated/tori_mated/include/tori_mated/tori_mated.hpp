@@ -34,6 +34,7 @@ struct Mechanism {
   static constexpr int kNbodies = ::alembert::mechanisms::tori_mated::kBodyCount;
   static constexpr int kNframes = ::alembert::mechanisms::tori_mated::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::tori_mated::kOutputCount;
+  static constexpr int kNforces = ::alembert::mechanisms::tori_mated::kForceCount;
   static constexpr int kNinputs = ::alembert::mechanisms::tori_mated::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tori_mated::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;

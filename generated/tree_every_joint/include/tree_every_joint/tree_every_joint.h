@@ -31,6 +31,7 @@ enum {
   tree_every_joint_body_count = 10,
   tree_every_joint_frame_count = 1,
   tree_every_joint_output_count = 0,
+  tree_every_joint_force_count = 0,
   tree_every_joint_parameter_count = 0,
   tree_every_joint_input_count = 0,
   tree_every_joint_state_count = 0,
@@ -44,6 +45,7 @@ extern const char* const tree_every_joint_speed_names[20 + 1];
 extern const char* const tree_every_joint_body_names[10 + 1];
 extern const char* const tree_every_joint_frame_names[1 + 1];
 extern const char* const tree_every_joint_output_names[0 + 1];
+extern const char* const tree_every_joint_force_names[0 + 1];
 extern const char* const tree_every_joint_parameter_names[0 + 1];
 extern const char* const tree_every_joint_wrench_body_names[2 + 1];
 extern const char* const tree_every_joint_constraint_names[0 + 1];
