@@ -303,6 +303,9 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command->add_option("--q", simulate.start.q, "initial coordinates")->check(any_number())->delimiter(',');
   command->add_option("--qd", simulate.start.qd, "initial speeds")->check(any_number())->delimiter(',');
+  command->add_option("--states", simulate.start.states, "initial states, those under `states`")
+      ->check(any_number())
+      ->delimiter(',');
   command
       ->add_option("--hold", simulate.start.hold, "coordinates to keep while the constraints are satisfied")
       ->delimiter(',');

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "alembert/consistent_state.hpp"
 #include "mechanism/load.hpp"
@@ -20,15 +21,16 @@ constexpr std::size_t kListed = 12;
 
 EvaluationState given_state(const CompiledMechanism& compiled, const StartOptions& options) {
   EvaluationState state = DynamicsEvaluator(compiled).initial_state();
-  const auto replace = [&](const char* option, const std::vector<double>& given,
-                           std::vector<double>& values) {
+  const auto replace = [&](const char* option, const std::vector<double>& given, std::span<double> values) {
     if (given.empty()) return;
     if (given.size() != values.size())
       throw InputError(compiled.mechanism->where, fmt::format("{} takes {} values", option, values.size()));
-    values = given;
+    std::ranges::copy(given, values.begin());
   };
+  const auto states = std::ranges::count_if(compiled.mechanism->parameters, &Parameter::is_state);
   replace("--q", options.q, state.q);
   replace("--qd", options.qd, state.qd);
+  replace("--states", options.states, std::span(state.parameters).last(static_cast<std::size_t>(states)));
   if (const Coordinate* none = normalise_quaternions(*compiled.mechanism, state.q)) {
     throw InputError(compiled.mechanism->where,
                      fmt::format("--q gives the quaternion '{}' no direction: its length is 0", none->name));
