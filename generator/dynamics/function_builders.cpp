@@ -5,12 +5,11 @@
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
-#include "dynamics/recursions/articulated_bodies.hpp"
+#include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/recursions/constraints.hpp"
-#include "dynamics/recursions/mass_matrix.hpp"
+#include "dynamics/recursions/moving_bodies.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
-#include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
 #include "support/error.hpp"
 #include "symbolic/count_operations.hpp"
@@ -47,46 +46,24 @@ Results shortest_of(std::size_t trees, Make make) {
   return {shortest};
 }
 template <class Make>
+Results for_shortest_moving_tree(const Ingredients& given, Make make) {
+  return shortest_of(given.trees.size(), [&](std::size_t i) {
+    return make(given.mechanism(), *given.trees[i], given.kinematics.derivatives, given.graph());
+  });
+}
+template <class Make>
 Results for_shortest_tree(const Ingredients& given, Make make) {
   return shortest_of(given.trees.size(),
                      [&](std::size_t i) { return make(given.mechanism(), *given.trees[i], given.graph()); });
 }
 
-/// M^-1 of the right side, by the way that takes fewer operations.
-std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const EquationsOfMotion& equations,
-                                   std::vector<Expr> right_side) {
-  std::optional<std::vector<Expr>> articulated;
-  if (equations.articulated) {
-    const auto solve = [&](const MotionTree& tree) {
-      return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
-    };
-    articulated = solve(*equations.articulated);
-    // Regrouping may have left mass between two motions of one speed.
-    if (!articulated) articulated = solve(kinematics.tree);
-  }
-  if (!articulated) return straight_line_solve(equations.M, std::move(right_side));
-  *articulated = value_number(*articulated);
-  const std::size_t length = count_operations(*articulated).total();
-  // M and c alone are a part of the other way, which is O(n^3): it is not made in vain.
-  std::vector<Expr> part = equations.M;
-  part.insert(part.end(), right_side.begin(), right_side.end());
-  if (5 * count_operations(part).total() > 6 * length) return *articulated;
-  const std::vector<Expr> other = straight_line_solve(equations.M, std::move(right_side));
-  // Where it is close, the optimised programs decide.
-  const std::size_t other_length = count_operations(value_number(other)).total();
-  const bool close = 5 * std::max(length, other_length) < 6 * std::min(length, other_length);
-  const auto weigh = [&](std::size_t operations, const std::vector<Expr>& values) {
-    return close ? kinematics.lengths.of(values).first : operations;
-  };
-  return weigh(other_length, other) > weigh(length, *articulated) ? *articulated : other;
+Results build_forward_dynamics(const Ingredients& given) {
+  return {forward_dynamics(given.kinematics, *given.equations)};
 }
 
-Results build_forward_dynamics(const Ingredients& given) {
-  std::vector<Expr> right_side;
-  for (int k = 0; k < given.mechanism().nv; ++k)
-    right_side.push_back(tau_symbol(given.mechanism(), k, given.graph()) -
-                         given.equations->c[static_cast<std::size_t>(k)]);
-  return {solved_for_rates(given.kinematics, *given.equations, std::move(right_side))};
+Results build_forward_dynamics_derivatives(const Ingredients& given) {
+  ForwardDerivatives found = forward_dynamics_derivatives(given.kinematics, *given.equations);
+  return {std::move(found.along_speeds), std::move(found.by_speeds), std::move(found.by_forces)};
 }
 
 Results build_gravity(const Ingredients& given) {
@@ -204,6 +181,18 @@ Results build_frame_jacobians(const Ingredients& given) {
   return {frame_jacobians(given.mechanism(), given.kinematics.derivatives, poses, given.graph())};
 }
 
+Results build_frame_jacobian_rates(const Ingredients& given) {
+  const std::vector<Expr> J = build_frame_jacobians(given).front();
+  const SpeedDerivatives& derivatives = given.kinematics.derivatives;
+  return {derivatives.first_rate(derivatives.partials(J), J.size())};
+}
+
+Results build_centroidal_momentum(const Ingredients& given) {
+  CentroidalMomentum found = centroidal_momentum(given.mechanism(), given.kinematics.tree,
+                                                 given.kinematics.derivatives, given.graph());
+  return {std::move(found.h), std::move(found.A), std::move(found.bias), std::move(found.com)};
+}
+
 Results build_constraints(const Ingredients& given) {
   ConstraintEquations equations = constraint_equations(given.mechanism(), given.kinematics.tree,
                                                        given.kinematics.derivatives, given.graph());
@@ -245,6 +234,11 @@ constexpr Builder kBuilders[] = {
        return {given.equations->M, given.equations->c};
      }},
     {FunctionKind("forward_dynamics"), true, build_forward_dynamics},
+    {FunctionKind("mass_matrix_inverse"), true,
+     [](const Ingredients& given) -> Results {
+       return {inverse_mass_matrix(given.kinematics, *given.equations)};
+     }},
+    {FunctionKind("forward_dynamics_derivatives"), true, build_forward_dynamics_derivatives},
     {FunctionKind("coordinate_rates"), false, build_coordinate_rates},
     {FunctionKind("energy"), false, build_energy},
     {FunctionKind("body_poses"), false,
@@ -252,9 +246,25 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("frame_poses"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, frame_poses); }},
     {FunctionKind("frame_jacobians"), false, build_frame_jacobians},
+    {FunctionKind("frame_velocities"), false,
+     [](const Ingredients& given) { return for_shortest_moving_tree(given, frame_velocities); }},
+    {FunctionKind("frame_bias_accelerations"), false,
+     [](const Ingredients& given) {
+       return for_shortest_moving_tree(
+           given, [](auto&... of) { return frame_accelerations(of..., SpeedRates::left_out); });
+     }},
+    {FunctionKind("frame_jacobian_rates"), false, build_frame_jacobian_rates},
     {FunctionKind("constraints"), false, build_constraints},
     {FunctionKind("body_jacobians"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, body_jacobians); }},
+    {FunctionKind("body_velocities"), false,
+     [](const Ingredients& given) { return for_shortest_moving_tree(given, body_velocities); }},
+    {FunctionKind("body_accelerations"), false,
+     [](const Ingredients& given) {
+       return for_shortest_moving_tree(
+           given, [](auto&... of) { return body_accelerations(of..., SpeedRates::included); });
+     }},
+    {FunctionKind("centroidal_momentum"), false, build_centroidal_momentum},
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},

@@ -38,7 +38,16 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
   if (function == "body_poses" || function == "frame_poses") {
     return {columns(values, {0, 1, 2, 4, 5, 6, 8, 9, 10}), columns(values, {3, 7, 11})};
   }
-  if (function == "body_jacobians" || function == "frame_jacobians")
+  static const std::set<std::string> six_columns{"body_velocities", "body_accelerations", "frame_velocities",
+                                                 "frame_bias_accelerations"};
+  if (six_columns.count(function) != 0) return {columns(values, {0, 1, 2}), columns(values, {3, 4, 5})};
+  if (name == "Minv" || name == "qdd_tau") {
+    const Eigen::VectorXd back = unit.cwiseInverse();
+    return {back.asDiagonal() * values * back.asDiagonal()};
+  }
+  if (name == "qdd_q" || name == "qdd_qd") return {unit.cwiseInverse().asDiagonal() * values};
+  if (function == "body_jacobians" || function == "frame_jacobians" || function == "frame_jacobian_rates" ||
+      (function == "centroidal_momentum" && name != "com"))
     return {half_rows(values, true), half_rows(values, false)};
   if (function == "energy") return {values.topRows(1), values.bottomRows(1)};
   if (function == "body_inertias")

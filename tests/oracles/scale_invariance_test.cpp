@@ -87,19 +87,21 @@ void expect_powers_of_two(const std::string& given) {
     std::vector<Eigen::VectorXd> scaled_tau;
     for (std::size_t i = 0; i < states.size(); ++i) {
       scaled_states.push_back(scaled_state(description, scaled.lengths, scale, states[i]));
-      scaled_tau.emplace_back(scaled_array("inverse_dynamics", tau[i], speeds, scale));
+      scaled_tau.emplace_back(scaled_array("inverse_dynamics", "tau", tau[i], speeds, scale));
     }
     const auto after = results(scaled.text, scaled_states, scaled_tau, functions);
     for (std::size_t i = 0; i < states.size(); ++i) {
       for (const auto& [function, arrays] : before[i]) {
         for (const auto& [name, values] : arrays) {
-          Eigen::MatrixXd again =
-              scaled_array(function, after[i].at(function).at(name), back, {-scale.length, -scale.mass});
-          if (function != "forward_dynamics") {
-            expect_same(function, again, values, kRounding);
-          } else {
-            expect_same(function, units[i].asDiagonal() * again, units[i].asDiagonal() * values, of_rates[i]);
-          }
+          Eigen::MatrixXd again = scaled_array(function, name, after[i].at(function).at(name), back,
+                                               {-scale.length, -scale.mass});
+          const bool solved = function.rfind("forward_dynamics", 0) == 0 || name == "Minv";
+          const auto in_units = [&](const Eigen::MatrixXd& of) -> Eigen::MatrixXd {
+            if (!solved) return of;
+            const Eigen::MatrixXd rows = units[i].asDiagonal() * of;
+            return name == "Minv" || name == "qdd_tau" ? rows * units[i].asDiagonal() : rows;
+          };
+          expect_same(function, in_units(again), in_units(values), solved ? of_rates[i] : kRounding);
         }
       }
     }

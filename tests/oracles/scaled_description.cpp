@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <regex>
+#include <set>
 #include <stdexcept>
 
 namespace alembert::oracles {
@@ -189,15 +190,25 @@ State scaled_state(const Description& description, const std::set<std::string>& 
   return state;
 }
 
-Eigen::MatrixXd scaled_array(const std::string& function, const Eigen::MatrixXd& values,
-                             const std::vector<int>& speeds, const Scale& scale) {
+Eigen::MatrixXd scaled_array(const std::string& function, const std::string& name,
+                             const Eigen::MatrixXd& values, const std::vector<int>& speeds,
+                             const Scale& scale) {
+  static const std::set<std::string> six_columns{"body_velocities", "body_accelerations", "frame_velocities",
+                                                 "frame_bias_accelerations"};
   const int energy = scale.mass + 2 * scale.length;
   const auto of_speed = [&](Eigen::Index i) { return speeds[static_cast<std::size_t>(i)]; };
   const auto exponent = [&](Eigen::Index r, Eigen::Index c) {
     if (function == "energy") return energy;
     if (function == "forward_dynamics") return of_speed(r);
     if (function == "body_poses" || function == "frame_poses") return c % 4 == 3 ? scale.length : 0;
-    if (function == "body_jacobians" || function == "frame_jacobians")
+    if (name == "Minv" || name == "qdd_tau") return of_speed(r) + of_speed(c) - energy;
+    if (name == "qdd_q" || name == "qdd_qd") return of_speed(r) - of_speed(c);
+    if (six_columns.count(function) != 0) return c < 3 ? 0 : scale.length;
+    if (function == "centroidal_momentum") {
+      if (name == "com") return scale.length;
+      return (r < 3 ? energy : scale.mass + scale.length) - (name == "A" ? of_speed(c) : 0);
+    }
+    if (function == "body_jacobians" || function == "frame_jacobians" || function == "frame_jacobian_rates")
       return (r % 6 < 3 ? 0 : scale.length) - of_speed(c);
     if (function == "body_inertias") return c == 0 ? scale.mass : c < 4 ? scale.length : energy;
     return energy - of_speed(r) - (values.cols() > 1 ? of_speed(c) : 0);

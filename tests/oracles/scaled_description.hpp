@@ -38,7 +38,8 @@ State scaled_state(const Description& description, const std::set<std::string>& 
                    const State& state);
 
 /// What an array of a function becomes.
-Eigen::MatrixXd scaled_array(const std::string& function, const Eigen::MatrixXd& values,
-                             const std::vector<int>& speeds, const Scale& scale);
+Eigen::MatrixXd scaled_array(const std::string& function, const std::string& name,
+                             const Eigen::MatrixXd& values, const std::vector<int>& speeds,
+                             const Scale& scale);
 
 }  // namespace alembert::oracles

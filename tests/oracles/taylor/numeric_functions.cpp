@@ -1,6 +1,8 @@
 // Results of functions by jets (see the header).
 #include "oracles/taylor/numeric_functions.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <array>
 #include <functional>
 
@@ -14,37 +16,48 @@ namespace alembert::oracles {
 namespace {
 
 /// Where something is in the world, at which of its points, and how that moves.
+template <class R>
 struct Motion {
-  Eigen::Matrix<double, 3, 4> pose;
-  Eigen::Matrix<double, 6, 1> velocity;  // angular, of the point
+  Eigen::Matrix<R, 3, 4> pose;
+  Eigen::Matrix<R, 6, 1> velocity, acceleration;  // angular, of the point
 };
 
 /// Along whatever the pose moves along.
 template <class R>
-Motion motion_at(const RigidMotion<Jet<R>>& pose, const std::array<double, 3>& point) {
+Motion<R> motion_at(const RigidMotion<Jet<R>>& pose, const std::array<double, 3>& point) {
   using T = Jet<R>;
   const Vector3<T> at = rotated(pose, Vector3<T>{T(point[0]), T(point[1]), T(point[2])}) + pose.translation;
-  Motion motion;
+  Motion<R> motion;
   const Vector3<R> omega = angular_velocity(pose);
+  // Of a column c, c'' = al x c + om x (om x c): the sum of c x c'' over all three is 2 al.
+  Vector3<R> twice{R(0.0), R(0.0), R(0.0)};
+  for (const Vector3<T>& column : pose.column)
+    for (std::size_t r = 0; r < 3; ++r) {
+      const std::size_t s = (r + 1) % 3, t = (r + 2) % 3;
+      twice[r] = twice[r] + column[s].value * column[t].second - column[t].value * column[s].second;
+    }
   for (Eigen::Index r = 0; r < 3; ++r) {
     const auto row = static_cast<std::size_t>(r);
     for (std::size_t c = 0; c < 3; ++c)
-      motion.pose(r, static_cast<Eigen::Index>(c)) = static_cast<double>(pose.column[c][row].value);
-    motion.pose(r, 3) = static_cast<double>(pose.translation[row].value);
-    motion.velocity[r] = static_cast<double>(omega[row]);
-    motion.velocity[3 + r] = static_cast<double>(at[row].first);
+      motion.pose(r, static_cast<Eigen::Index>(c)) = pose.column[c][row].value;
+    motion.pose(r, 3) = pose.translation[row].value;
+    motion.velocity[r] = omega[row];
+    motion.velocity[3 + r] = at[row].first;
+    motion.acceleration[r] = twice[row] / R(2);
+    motion.acceleration[3 + r] = at[row].second;
   }
   return motion;
 }
 
 /// Motions of bodies at their centres of mass, and of frames at their origins.
+template <class R>
 struct Motions {
-  std::vector<Motion> bodies, frames;
+  std::vector<Motion<R>> bodies, frames;
 };
 template <class R>
-Motions motions(const Description& description, const std::vector<Jet<R>>& q, const Jet<R>& t) {
+Motions<R> motions(const Description& description, const std::vector<Jet<R>>& q, const Jet<R>& t) {
   const auto poses = world_poses(description, q, t);
-  Motions result;
+  Motions<R> result;
   for (std::size_t i = 0; i < poses.size(); ++i)
     result.bodies.push_back(motion_at(poses[i], description.bodies[i].com));
   for (const RigidMotion<Jet<R>>& frame : frame_poses(description, q, t))
@@ -52,10 +65,14 @@ Motions motions(const Description& description, const std::vector<Jet<R>>& q, co
   return result;
 }
 
-Eigen::MatrixXd pose_rows(const std::vector<Motion>& motions) {
+template <class R>
+Eigen::MatrixXd pose_rows(const std::vector<Motion<R>>& motions) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(motions.size()), 12);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    rows.row(i) = motions[static_cast<std::size_t>(i)].pose.reshaped<Eigen::RowMajor>().transpose();
+    rows.row(i) = motions[static_cast<std::size_t>(i)]
+                      .pose.template cast<double>()
+                      .template reshaped<Eigen::RowMajor>()
+                      .transpose();
   return rows;
 }
 
@@ -71,9 +88,10 @@ Eigen::MatrixXd inertia_rows(const Description& description) {
 
 /// By jets along each speed: coordinates move with it, a quaternion by turning about an axis of the child.
 template <class R>
-Arrays derivatives_of_forces(const Description& description, const State& given) {
+std::pair<MatrixOf<R>, MatrixOf<R>> derivatives_of_forces(const Description& description,
+                                                          const State& given) {
   using T = Jet<R>;
-  Eigen::MatrixXd along(description.nv, description.nv), by_speeds(description.nv, description.nv);
+  MatrixOf<R> along(description.nv, description.nv), by_speeds(description.nv, description.nv);
   const StateOf<T> fixed = lifted<T>(given);
   for (int k = 0; k < description.nv; ++k) {
     StateOf<T> moved = fixed, faster = fixed;
@@ -82,22 +100,103 @@ Arrays derivatives_of_forces(const Description& description, const State& given)
     const std::vector<T> by_q = numeric_forces(description, moved, given.wrenches);
     const std::vector<T> by_qd = numeric_forces(description, faster, given.wrenches);
     for (int i = 0; i < description.nv; ++i) {
-      along(i, k) = static_cast<double>(by_q[static_cast<std::size_t>(i)].first);
-      by_speeds(i, k) = static_cast<double>(by_qd[static_cast<std::size_t>(i)].first);
+      along(i, k) = by_q[static_cast<std::size_t>(i)].first;
+      by_speeds(i, k) = by_qd[static_cast<std::size_t>(i)].first;
     }
   }
-  return {{"tau_q", along}, {"tau_qd", by_speeds}};
+  return {along, by_speeds};
 }
 
-Eigen::MatrixXd jacobian(const std::vector<std::vector<Motion>>& partial) {
+template <class R>
+Eigen::MatrixXd jacobian(const std::vector<std::vector<Motion<R>>>& partial) {
   Eigen::MatrixXd J(6 * static_cast<Eigen::Index>(partial[0].size()),
                     static_cast<Eigen::Index>(partial.size()));
   for (std::size_t k = 0; k < partial.size(); ++k) {
     for (std::size_t i = 0; i < partial[k].size(); ++i)
-      J.block<6, 1>(6 * static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = partial[k][i].velocity;
+      J.block<6, 1>(6 * static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          partial[k][i].velocity.template cast<double>();
   }
   return J;
 }
+
+/// A row of six for each.
+template <class R>
+Eigen::MatrixXd rows_of(const std::vector<Motion<R>>& motions, Eigen::Matrix<R, 6, 1> Motion<R>::*what) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(motions.size()), 6);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    rows.row(i) = (motions[static_cast<std::size_t>(i)].*what).template cast<double>().transpose();
+  return rows;
+}
+
+/// Rates of the frames' velocities along each speed, as the mechanism moves: by jets of jets.
+template <class R>
+Eigen::MatrixXd jacobian_rates(const Description& description, const State& given) {
+  using T = Jet<R>;
+  const std::vector<R> no_rates(given.speeds.size(), R(0.0));
+  StateOf<T> moving = lifted<T>(given);
+  moving.q = trajectory(description, lifted<R>(given), no_rates);
+  const Jet<T> t(T(R(given.time), R(1.0), R(0.0)), T(0.0), T(0.0));
+  Eigen::MatrixXd J(6 * static_cast<Eigen::Index>(description.frames.size()), description.nv);
+  for (int k = 0; k < description.nv; ++k) {
+    Eigen::Index row = 0;
+    for (const RigidMotion<Jet<T>>& pose : frame_poses(description, unit_motion(description, moving, k), t)) {
+      const Vector3<T> omega = angular_velocity(pose);
+      for (const T& entry : omega) J(row++, k) = static_cast<double>(entry.first);
+      for (const Jet<T>& entry : pose.translation) J(row++, k) = static_cast<double>(entry.first.first);
+    }
+  }
+  return J;
+}
+
+/// About the centre of mass: momenta of bodies that move so, or the forces that give them these accelerations.
+template <class R>
+struct Centre {
+  using Vector = Eigen::Matrix<R, 3, 1>;
+  using Matrix = Eigen::Matrix<R, 3, 3>;
+  using Six = Eigen::Matrix<R, 6, 1>;
+  const Description& description;
+  const std::vector<Motion<R>>& bodies;  ///< where they are
+  Vector com = Vector::Zero();
+  Centre(const Description& given, const std::vector<Motion<R>>& at) : description(given), bodies(at) {
+    R mass(0.0);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      mass += R(given.bodies[i].mass);
+      com += R(given.bodies[i].mass) * center(i);
+    }
+    com /= mass;
+  }
+  Vector center(std::size_t i) const {
+    const Vector own = Eigen::Map<const Eigen::Vector3d>(description.bodies[i].com.data()).template cast<R>();
+    return bodies[i].pose.template leftCols<3>() * own + bodies[i].pose.col(3);
+  }
+  Matrix inertia(std::size_t i) const {
+    const std::array<double, 6>& I = description.bodies[i].inertia;
+    Matrix own;
+    own << R(I[0]), R(I[3]), R(I[4]), R(I[3]), R(I[1]), R(I[5]), R(I[4]), R(I[5]), R(I[2]);
+    return bodies[i].pose.template leftCols<3>() * own * bodies[i].pose.template leftCols<3>().transpose();
+  }
+  Six momentum(const std::vector<Motion<R>>& moving) const {
+    Six sum = Six::Zero();
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      const Vector linear = R(description.bodies[i].mass) * moving[i].velocity.template tail<3>();
+      sum.template head<3>() +=
+          inertia(i) * moving[i].velocity.template head<3>() + (center(i) - com).cross(linear);
+      sum.template tail<3>() += linear;
+    }
+    return sum;
+  }
+  Six rate(const std::vector<Motion<R>>& moving) const {
+    Six sum = Six::Zero();
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      const Vector omega = moving[i].velocity.template head<3>();
+      const Vector force = R(description.bodies[i].mass) * moving[i].acceleration.template tail<3>();
+      sum.template head<3>() += inertia(i) * moving[i].acceleration.template head<3>() +
+                                omega.cross(inertia(i) * omega) + (center(i) - com).cross(force);
+      sum.template tail<3>() += force;
+    }
+    return sum;
+  }
+};
 
 Eigen::VectorXd column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -109,8 +208,8 @@ struct Quantities {
   const Description& description;
   const State& state;
   DynamicsOf<R> dynamics;
-  std::vector<std::vector<Motion>> bodies, frames;  ///< along each speed
-  Motions now;
+  std::vector<std::vector<Motion<R>>> bodies, frames;  ///< along each speed
+  Motions<R> now;
 
   Quantities(const Description& given, const State& at)
       : description(given), state(at), dynamics(numeric_lagrangian<R>(given, at)) {
@@ -121,6 +220,16 @@ struct Quantities {
       frames.push_back(now.frames);
     }
   }
+  /// As the mechanism moves, with these rates of the speeds.
+  Motions<R> moving(const std::vector<double>& rates) const {
+    const StateOf<R> exact = lifted<R>(state);
+    const std::vector<R> given(rates.begin(), rates.end());
+    return motions(description, trajectory(description, exact, given), Jet<R>(exact.time, R(1.0), R(0.0)));
+  }
+  Motions<R> moving() const { return moving(std::vector<double>(state.rates.size(), 0.0)); }
+  MatrixOf<R> inverse() const {
+    return dynamics.mass_matrix.ldlt().solve(MatrixOf<R>::Identity(description.nv, description.nv));
+  }
   Eigen::MatrixXd M() const { return dynamics.mass_matrix.template cast<double>(); }
   Eigen::VectorXd c() const { return dynamics.bias.template cast<double>(); }
   /// -sum m (velocity of the centre of mass along each speed) . (gravity)
@@ -129,8 +238,9 @@ struct Quantities {
     for (std::size_t k = 0; k < bodies.size(); ++k)
       for (std::size_t i = 0; i < description.bodies.size(); ++i)
         for (std::size_t axis = 0; axis < 3; ++axis)
-          g[static_cast<Eigen::Index>(k)] -= description.bodies[i].mass * description.gravity[axis] *
-                                             bodies[k][i].velocity[3 + static_cast<Eigen::Index>(axis)];
+          g[static_cast<Eigen::Index>(k)] -=
+              static_cast<double>(R(description.bodies[i].mass * description.gravity[axis]) *
+                                  bodies[k][i].velocity[3 + static_cast<Eigen::Index>(axis)]);
     return g;
   }
 };
@@ -220,6 +330,53 @@ const Builders<R>& builders() {
        [](From x) {
          return Arrays{{"qdd", column(x.state.rates)}};
        }},
+      {"mass_matrix_inverse",
+       [](From x) {
+         return Arrays{{"Minv", x.inverse().template cast<double>()}};
+       }},
+      {"forward_dynamics_derivatives",
+       [](From x) {
+         const auto [along, by_speeds] = derivatives_of_forces<R>(x.description, x.state);
+         const MatrixOf<R> inverse = x.inverse();
+         const auto solved = [&](const MatrixOf<R>& of) -> Eigen::MatrixXd {
+           return MatrixOf<R>(-inverse * of).template cast<double>();
+         };
+         return Arrays{{"qdd_q", solved(along)},
+                       {"qdd_qd", solved(by_speeds)},
+                       {"qdd_tau", inverse.template cast<double>()}};
+       }},
+      {"body_velocities",
+       [](From x) {
+         return Arrays{{"V", rows_of(x.moving().bodies, &Motion<R>::velocity)}};
+       }},
+      {"body_accelerations",
+       [](From x) {
+         return Arrays{{"A", rows_of(x.moving(x.state.rates).bodies, &Motion<R>::acceleration)}};
+       }},
+      {"frame_velocities",
+       [](From x) {
+         return Arrays{{"V", rows_of(x.moving().frames, &Motion<R>::velocity)}};
+       }},
+      {"frame_bias_accelerations",
+       [](From x) {
+         return Arrays{{"bias", rows_of(x.moving().frames, &Motion<R>::acceleration)}};
+       }},
+      {"frame_jacobian_rates",
+       [](From x) {
+         return Arrays{{"Jdot", jacobian_rates<R>(x.description, x.state)}};
+       }},
+      {"centroidal_momentum",
+       [](From x) {
+         const std::vector<Motion<R>> bodies = x.moving().bodies;
+         const Centre<R> centre(x.description, bodies);
+         Eigen::MatrixXd A(6, x.description.nv);
+         for (Eigen::Index k = 0; k < A.cols(); ++k)
+           A.col(k) = centre.momentum(x.bodies[static_cast<std::size_t>(k)]).template cast<double>();
+         return Arrays{{"h", centre.momentum(bodies).template cast<double>()},
+                       {"A", A},
+                       {"bias", centre.rate(bodies).template cast<double>()},
+                       {"com", centre.com.template cast<double>()}};
+       }},
       {"coordinate_rates",
        [](From x) {
          return Arrays{{"qdot", column(coordinate_rates(x.description, x.state.q, x.state.speeds))}};
@@ -258,7 +415,11 @@ const Builders<R>& builders() {
                        {"position", rows.position.template cast<double>()}};
        }},
       {"inverse_dynamics_derivatives",
-       [](From x) { return derivatives_of_forces<R>(x.description, x.state); }},
+       [](From x) {
+         const auto [along, by_speeds] = derivatives_of_forces<R>(x.description, x.state);
+         return Arrays{{"tau_q", along.template cast<double>()},
+                       {"tau_qd", by_speeds.template cast<double>()}};
+       }},
   };
   return all;
 }

@@ -1,0 +1,183 @@
+// Velocities and accelerations from the world outward, in world axes (see the header). By a motion from a frame that
+// has angular velocity om, its rate al, velocity v and acceleration a,
+//
+//   shift by r    v + om x r + dr/dt, a + al x r + om x (om x r) + 2 om x dr/dt + d^2r/dt^2
+//   turn by w     om + w, al + om x w + dw/dt
+//
+// where dr/dt, w and their rates are componentwise in the axes of the frame that the motion leads from (shift) or
+// to (turn).
+#include "dynamics/recursions/moving_bodies.hpp"
+
+#include <array>
+#include <span>
+
+#include "differentiation/jacobian.hpp"
+
+namespace alembert {
+namespace {
+
+struct MovingFrame {
+  Pose pose;
+  Vec3 om, v, al, a;
+};
+
+Vec3 three(const std::vector<Expr>& values) {
+  return {{values[0], values[1], values[2]}};
+}
+
+class Movements {
+ public:
+  Movements(const Mechanism& mechanism, const MotionTree& tree, const SpeedDerivatives& derivatives,
+            ExprGraph& graph, SpeedRates rates)
+      : mechanism_(mechanism), tree_(tree), derivatives_(derivatives), graph_(graph), rates_(rates) {
+    for (const MotionNode& node : tree.nodes)
+      nodes_.push_back(
+          next(node.parent < 0 ? world() : nodes_[static_cast<std::size_t>(node.parent)], node.motion));
+  }
+
+  MovingFrame frame(const Frame& frame) const {
+    MovingFrame at = frame.body < 0 ? world() : body(static_cast<std::size_t>(frame.body));
+    for (const Motion& motion : elementary_motions(frame.transform, mechanism_, graph_))
+      at = next(at, motion);
+    return at;
+  }
+  /// A body at its centre of mass.
+  MovingFrame center(std::size_t index) const {
+    return next(body(index), translation_motion(mechanism_.bodies[index].mass_properties.com));
+  }
+
+ private:
+  MovingFrame world() const {
+    const Vec3 none = zeros<3, 1>(graph_);
+    return {identity_pose(graph_), none, none, none, none};
+  }
+  MovingFrame body(std::size_t index) const {
+    const BodyPlace& place = tree_.places[index];
+    MovingFrame at = place.node < 0 ? world() : nodes_[static_cast<std::size_t>(place.node)];
+    for (const Motion& motion : place.tail) at = next(at, motion);
+    return at;
+  }
+
+  MovingFrame next(const MovingFrame& from, const Motion& motion) const {
+    const std::vector<SpeedPartial> partials = twist_partials(motion, mechanism_, derivatives_, graph_);
+    const Vec3 velocity = three(derivatives_.first_rate(partials, 3));
+    const Vec3 acceleration =
+        three(rates_ == SpeedRates::included ? derivatives_.second_rate(partials, 3)
+                                             : derivatives_.quadratic_rate(partials, 3));
+    MovingFrame to = from;
+    to.pose = moved(from.pose, motion);
+    if (motion.kind == MotionKind::translation) {
+      const Mat3& R = from.pose.rotation;
+      const Vec3 r = R * motion.offset, dr = R * velocity;
+      to.v = from.v + cross(from.om, r) + dr;
+      to.a = from.a + cross(from.al, r) + cross(from.om, cross(from.om, r));
+      to.a = to.a + graph_.integer(2) * cross(from.om, dr) + R * acceleration;
+    } else {
+      const Vec3 w = to.pose.rotation * velocity;
+      to.om = from.om + w;
+      to.al = from.al + cross(from.om, w) + to.pose.rotation * acceleration;
+    }
+    return to;
+  }
+
+  const Mechanism& mechanism_;
+  const MotionTree& tree_;
+  const SpeedDerivatives& derivatives_;
+  ExprGraph& graph_;
+  SpeedRates rates_;
+  std::vector<MovingFrame> nodes_;
+};
+
+void append(std::vector<Expr>& out, const Vec3& angular, const Vec3& linear) {
+  out.insert(out.end(), angular.entries.begin(), angular.entries.end());
+  out.insert(out.end(), linear.entries.begin(), linear.entries.end());
+}
+
+}  // namespace
+
+std::vector<Expr> frame_velocities(const Mechanism& mechanism, const MotionTree& tree,
+                                   const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
+  std::vector<Expr> out;
+  for (const Frame& frame : mechanism.frames) {
+    const MovingFrame at = movements.frame(frame);
+    append(out, at.om, at.v);
+  }
+  return out;
+}
+
+std::vector<Expr> frame_accelerations(const Mechanism& mechanism, const MotionTree& tree,
+                                      const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                      SpeedRates rates) {
+  const Movements movements(mechanism, tree, derivatives, graph, rates);
+  std::vector<Expr> out;
+  for (const Frame& frame : mechanism.frames) {
+    const MovingFrame at = movements.frame(frame);
+    append(out, at.al, at.a);
+  }
+  return out;
+}
+
+std::vector<Expr> body_velocities(const Mechanism& mechanism, const MotionTree& tree,
+                                  const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
+  std::vector<Expr> out;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const MovingFrame at = movements.center(b);
+    append(out, at.om, at.v);
+  }
+  return out;
+}
+
+std::vector<Expr> body_accelerations(const Mechanism& mechanism, const MotionTree& tree,
+                                     const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                     SpeedRates rates) {
+  const Movements movements(mechanism, tree, derivatives, graph, rates);
+  std::vector<Expr> out;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const MovingFrame at = movements.center(b);
+    append(out, at.al, at.a);
+  }
+  return out;
+}
+
+CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionTree& tree,
+                                       const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
+  const Vec3 none = zeros<3, 1>(graph);
+  std::vector<MovingFrame> bodies;
+  Expr mass = graph.zero();
+  Vec3 moment = none;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    bodies.push_back(movements.center(b));
+    const Expr m = mechanism.bodies[b].mass_properties.mass;
+    mass += m;
+    moment = moment + m * bodies.back().pose.origin;
+  }
+  const Vec3 com{{moment[0] / mass, moment[1] / mass, moment[2] / mass}};
+  CentroidalMomentum out;
+  out.com.assign(com.entries.begin(), com.entries.end());
+  Vec3 angular = none, linear = none, angular_rate = none, linear_rate = none;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const MassProperties& of = mechanism.bodies[b].mass_properties;
+    const auto& [pose, om, v, al, a] = bodies[b];
+    const Vec3 arm = pose.origin - com, momentum = of.mass * v, force = of.mass * a;
+    const auto spin = [&](const Vec3& turn) {
+      return pose.rotation * (of.inertia * (transpose(pose.rotation) * turn));
+    };
+    const Vec3 own = spin(om);
+    linear = linear + momentum;
+    angular = angular + own + cross(arm, momentum);
+    linear_rate = linear_rate + force;
+    angular_rate = angular_rate + spin(al) + cross(om, own) + cross(arm, force);
+  }
+  append(out.h, angular, linear);
+  append(out.bias, angular_rate, linear_rate);
+  std::vector<Expr> speeds;
+  for (int k = 0; k < mechanism.nv; ++k) speeds.push_back(derivatives.speed(k));
+  const Jacobian by_speeds = jacobian(out.h, speeds);
+  out.A.assign(by_speeds.entries.begin(), by_speeds.entries.end());
+  return out;
+}
+
+}  // namespace alembert
