@@ -99,7 +99,7 @@ class Simulation {
     CommonOptions common = common_;
     common.file = file;
     if (!first) common.inputs.clear();
-    std::vector<FunctionKind> functions = trajectory_functions();
+    std::vector<FunctionKind> functions = trajectory_functions(method());
     if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
       functions.push_back(FunctionKind("body_poses"));
     const CompiledMechanism compiled = compile(common, functions, Inapplicable::refuse_singular);
@@ -134,13 +134,19 @@ class Simulation {
   }
 
  private:
+  IntegrationMethod method() const {
+    if (options_.integrator == "euler") return IntegrationMethod::semi_implicit_euler;
+    if (options_.integrator == "linearly-implicit") return IntegrationMethod::linearly_implicit_euler;
+    if (options_.integrator == "implicit") return IntegrationMethod::implicit_euler;
+    return IntegrationMethod::rk4;
+  }
+
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
     TrajectoryOptions out;
     out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
     out.duration = options_.duration;
     out.step = options_.step;
-    out.method =
-        options_.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
+    out.method = method();
     if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
       out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
     const std::optional<long> steps = step_count(out);

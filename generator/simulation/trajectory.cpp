@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "dynamics/checks/state_checks.hpp"
 #include "simulation/frame_monitor.hpp"
@@ -64,6 +65,10 @@ class MovingMechanism {
           return advance_by_rk4(system_, q_, u_, h, force, {}, report_);
         case IntegrationMethod::semi_implicit_euler:
           return advance_by_semi_implicit_euler(system_, q_, u_, h, force, {}, report_);
+        case IntegrationMethod::linearly_implicit_euler:
+          return advance_by_linearly_implicit_euler(system_, q_, u_, h, force, {}, report_);
+        case IntegrationMethod::implicit_euler:
+          return advance_by_implicit_euler(system_, q_, u_, h, force, {}, report_);
       }
       return Status::ok;
     };
@@ -117,6 +122,12 @@ class MovingMechanism {
                           fmt::format("after the step from t = {:.9g} the state finds no way back to the "
                                       "constraints: try a shorter --step (the output so far is kept)",
                                       t));
+      case Status::singular_step:
+        return InputError(
+            mechanism_.where,
+            fmt::format("the equations of the implicit step from t = {:.9g} are singular: try another --step "
+                        "(the output so far is kept)",
+                        t));
       case Status::not_positive_definite:
       case Status::not_finite:
       case Status::residual_too_large:
@@ -171,10 +182,12 @@ class MovingMechanism {
 
 }  // namespace
 
-std::vector<FunctionKind> trajectory_functions() {
+std::vector<FunctionKind> trajectory_functions(IntegrationMethod method) {
   std::vector<FunctionKind> kinds = interpreted_functions();
   kinds.push_back(FunctionKind("energy"));
   kinds.push_back(FunctionKind("outputs"));
+  if (method == IntegrationMethod::linearly_implicit_euler || method == IntegrationMethod::implicit_euler)
+    kinds.push_back(FunctionKind("inverse_dynamics_derivatives"));
   return kinds;
 }
 

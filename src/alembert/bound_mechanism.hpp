@@ -9,6 +9,7 @@
 //   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
 //   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
 //   coordinate_rates(q, u)             N(q) u
+//   inverse_dynamics_derivatives(q, u, rates, tau_q, tau_qd)   as in mechanism.hpp; called only by implicit steps
 //   quaternion_offsets()               a range of indices into q: where the unit quaternions start
 //   holonomic(row)                     whether a row of the constraints binds the coordinates
 #pragma once
@@ -42,6 +43,11 @@ class BoundMechanism {
   }
   CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
     return M::coordinate_rates(q, u);
+  }
+  template <class Matrix>
+  void inverse_dynamics_derivatives(const CoordinateVector<M>& q, const SpeedVector<M>& u,
+                                    const SpeedVector<M>& rates, Matrix& tau_q, Matrix& tau_qd) const {
+    M::inverse_dynamics_derivatives(q, u, rates, in_, tau_q, tau_qd);
   }
   template <class Matrix, class Vector>
   void constraints(const CoordinateVector<M>& q, const SpeedVector<M>& u, Matrix& P, Vector& gamma,
