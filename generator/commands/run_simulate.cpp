@@ -116,10 +116,13 @@ class Simulation {
     MotionRecorder recorder(compiled);
     PointSplitter points(options_, csv ? &*csv : nullptr, seen_ ? &recorder : nullptr);
     trajectory.every = points.every();
+    std::vector<std::string> events;
+    if (first) trajectory.event = [&](const std::string& line) { events.push_back(line); };
     std::optional<InputError> stopped =
         integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
     points.finish();
     if (trajectory.progress) tell("\r");
+    for (const std::string& event : events) trajectory.note(event);
     if (csv) csv->finish();
     if (!recorder.motion().times.empty())
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());

@@ -37,6 +37,7 @@ struct TrajectoryOptions {
   InputTable inputs;                          ///< what inputs are over time
   std::function<void(double done)> progress;  ///< called now and then with the fraction that is done, 0 to 1
   std::function<void(const std::string&)> note;   ///< told what is worth knowing: redundant rows, once
+  std::function<void(const std::string&)> event;  ///< told at the end what happened (event_watch.hpp)
 };
 
 /// Functions that must have been compiled for a motion.

@@ -129,43 +129,37 @@ class ImplicitEquations {
 
   /// Newton's method for x of the implicit Euler method, from the linearly implicit step x or from no change,
   /// whichever is nearer to it. Its steps are halved until they lead nearer; where none does, as at a jump of a
-  /// force, it ends. Where nothing is nearer than no change, x is left as it was.
-  /// \return whether the equations are kept as they should be, or there was any progress
+  /// force, it ends.
+  /// \return whether the equations are kept, to 64 sqrt(epsilon) of the speeds and 1024 epsilon in SI units
   [[nodiscard]] bool refine(Unknowns& x) {
     using std::sqrt;
-    constexpr int kIterations = 30;
-    const Unknowns given = x;
+    constexpr int kIterations = 20;
     Unknowns left = x, trial = x, trial_left = x;
     trial.setZero();
-    const bool stays = find_rest(trial, trial_left), goes = find_rest(x, left);
-    if (!stays && !goes) return false;
-    const S enough = S(64) * sqrt(std::numeric_limits<S>::epsilon()) *
-                     ((stays ? trial_left : left).norm() + u_.cwiseQuotient(unit_).norm());
-    bool any = goes && (!stays || left.norm() < trial_left.norm());
-    if (!any) {
+    const bool stays = find_rest(trial, trial_left);
+    if (!find_rest(x, left) || (stays && !(left.norm() < trial_left.norm()))) {
       x = trial;
-      left = trial_left;
-      if (!find_rest(x, left)) return false;  // M there
+      if (!find_rest(x, left)) return false;
     }
+    const S epsilon = std::numeric_limits<S>::epsilon();
+    const S enough =
+        S(64) * sqrt(epsilon) * (left.norm() + u_.cwiseQuotient(unit_).norm()) + S(1024) * epsilon;
     for (int k = 0; k < kIterations && !(left.norm() <= enough); ++k) {
       const Speeds rate = unit_.cwiseProduct(x.head(u_.rows())) / h_;
       system_.inverse_dynamics_derivatives(next_q_, next_u_, rate, K_, C_);
       set_matrix();
       Unknowns change = -left;
-      if (solve_regular(A_, change) != Status::ok) break;
+      if (solve_regular(A_, change) != Status::ok) return false;
       bool nearer = false;
-      for (S a(1); !nearer && a > S(1e-3); a *= S(0.5)) {
+      for (S a(1); !nearer && a > S(0.01); a *= S(0.5)) {
         trial = x + a * change;
-        nearer = find_rest(trial, trial_left) && trial_left.norm() <= (S(1) - S(1e-3) * a) * left.norm();
+        nearer = find_rest(trial, trial_left) && trial_left.norm() <= (S(1) - S(0.1) * a) * left.norm();
       }
-      if (!nearer) break;
-      any = true;
+      if (!nearer) return false;
       x = trial;
       left = trial_left;
     }
-    if (any || left.norm() <= enough) return true;
-    x = given;
-    return false;
+    return left.norm() <= enough;
   }
 
   Speeds speeds(const Unknowns& x) const { return u_ + unit_.cwiseProduct(x.head(u_.rows())); }
@@ -242,6 +236,66 @@ class ImplicitEquations {
   SizedMatrix<S, kSize, kSize> A_;
 };
 
+/// A step under forces that are held.
+/// \param iterate    whether with Newton's method
+/// \param converged  result: whether that came to its end, if the status is ok
+template <class System, class Coordinates, class Speeds>
+[[nodiscard]] Status step_implicitly(System& system, Coordinates& q, Speeds& u, const Speeds& tau,
+                                     typename System::Scalar h, bool iterate, bool& converged,
+                                     const StepOptions<typename System::Scalar>& options,
+                                     ConstraintReport<System::kNc>& report) {
+  using Equations = ImplicitEquations<System>;
+  Equations equations(system, q, u, tau, h);
+  Speeds rate = u;
+  if (system.nc() != 0) {
+    if (const Status status = equations.set_constraints(options, rate, report); status != Status::ok)
+      return status;
+  }
+  typename Equations::Unknowns x;
+  const Status predicted = equations.predict(rate, x);
+  if (predicted != Status::ok) {
+    if (predicted != Status::singular_step || !iterate) return predicted;
+    x.setZero();
+  }
+  converged = !iterate || !(h < 0 || h > 0) || equations.refine(x);
+  if (!converged && predicted != Status::ok) return predicted;
+  Speeds next_u = equations.speeds(x);
+  Coordinates next_q = equations.coordinates(next_u);
+  if (const Status status = settle(system, next_q, next_u, options, report); status != Status::ok)
+    return status;
+  q = next_q;
+  u = next_u;
+  return Status::ok;
+}
+
+/// Steps of half the length where Newton's method comes to no end, down to h / 2^halvings, where it need not.
+template <class System, class Coordinates, class Speeds>
+[[nodiscard]] Status halve_until_converged(System& system, Coordinates& q, Speeds& u, const Speeds& tau,
+                                           typename System::Scalar h, int halvings,
+                                           const StepOptions<typename System::Scalar>& options,
+                                           ConstraintReport<System::kNc>& report) {
+  const auto start = system.time();
+  Coordinates next_q = q;
+  Speeds next_u = u;
+  bool converged = false;
+  Status status = step_implicitly(system, next_q, next_u, tau, h, true, converged, options, report);
+  if (halvings > 0 && !(status == Status::ok && converged)) {
+    next_q = q;
+    next_u = u;
+    system.set_time(start);
+    const auto half = h / 2;
+    for (int part = 0; part < 2; ++part) {
+      status = halve_until_converged(system, next_q, next_u, tau, half, halvings - 1, options, report);
+      if (status != Status::ok) return status;
+    }
+    system.set_time(start + h);
+  }
+  if (status != Status::ok) return status;
+  q = next_q;
+  u = next_u;
+  return Status::ok;
+}
+
 /// A step of any System (bound_mechanism.hpp) that has inverse_dynamics_derivatives, whose time is advanced too:
 /// the linearly implicit one, or the implicit one.
 template <class System, class Coordinates, class Speeds, class Force>
@@ -249,36 +303,24 @@ template <class System, class Coordinates, class Speeds, class Force>
                                         bool iterate, Force&& force,
                                         const StepOptions<typename System::Scalar>& options,
                                         ConstraintReport<System::kNc>& report) {
-  using Equations = ImplicitEquations<System>;
+  constexpr int kHalvings = 5;
   if (!is_finite(h)) return Status::not_finite;
   const auto start = system.time();
-  const auto advance = [&]() -> Status {
-    const Speeds tau = forces_of(system, q, u, force);
-    if (!is_finite_state(start, q, u)) return Status::not_finite;
-    Equations equations(system, q, u, tau, h);
-    Speeds rate = u;
-    if (system.nc() != 0) {
-      if (const Status status = equations.set_constraints(options, rate, report); status != Status::ok)
-        return status;
-    }
-    typename Equations::Unknowns x;
-    const Status predicted = equations.predict(rate, x);
-    if (predicted != Status::ok) {
-      if (predicted != Status::singular_step || !iterate) return predicted;
-      x.setZero();
-    }
-    if (iterate && (h < 0 || h > 0) && !equations.refine(x) && predicted != Status::ok) return predicted;
-    Speeds next_u = equations.speeds(x);
-    Coordinates next_q = equations.coordinates(next_u);
-    if (const Status status = settle(system, next_q, next_u, options, report); status != Status::ok)
-      return status;
-    q = next_q;
-    u = next_u;
-    return Status::ok;
-  };
-  const Status status = advance();
-  if (status != Status::ok) system.set_time(start);
-  return status;
+  const Speeds tau = forces_of(system, q, u, force);
+  if (!is_finite_state(start, q, u) || !all_finite(tau)) return Status::not_finite;
+  bool converged = true;
+  Coordinates next_q = q;
+  Speeds next_u = u;
+  const Status status =
+      iterate ? halve_until_converged(system, next_q, next_u, tau, h, kHalvings, options, report)
+              : step_implicitly(system, next_q, next_u, tau, h, false, converged, options, report);
+  if (status != Status::ok) {
+    system.set_time(start);
+    return status;
+  }
+  q = next_q;
+  u = next_u;
+  return Status::ok;
 }
 
 }  // namespace detail
@@ -327,10 +369,10 @@ template <class M, class Force>
 }
 
 /// One step of the implicit Euler method: the linearly implicit one, then Newton's method until the equations are
-/// kept to 64 sqrt(epsilon) of the speeds, as a rule in two to five iterations where something hits something, and
-/// none elsewhere. For hard ground with friction at the length of a frame: contacts that begin within a step are
-/// felt in it, friction stops what slides instead of throwing it back, and bounces die. Where a force jumps and the
-/// iteration comes no nearer, the step is that of the nearest state it found.
+/// kept to 64 sqrt(epsilon) of the speeds. Where that comes to no end, two steps of half the length are made, and so
+/// on down to h / 32, where the nearest state will do. For hard ground with friction at the length of a frame:
+/// contacts that begin within a step are felt in it, friction stops what slides instead of throwing it back, and
+/// bounces die.
 ///
 /// Arguments and result as for linearly_implicit_euler_step.
 template <class M, class Force>
