@@ -289,8 +289,12 @@ int run(int argc, char** argv) {
   command->add_option("--every", simulate.every, "steps from one row of the table to the next")
       ->check(above_zero())
       ->capture_default_str();
-  command->add_option("--integrator", simulate.integrator, "rk4 or euler (semi-implicit)")
-      ->check(CLI::IsMember({"rk4", "euler"}))
+  command
+      ->add_option(
+          "--integrator", simulate.integrator,
+          "rk4, euler (semi-implicit); for forces that are stiff for the step linearly-implicit or implicit "
+          "(Euler both), which damp")
+      ->check(CLI::IsMember({"rk4", "euler", "linearly-implicit", "implicit"}))
       ->capture_default_str();
   command->add_option("--csv", simulate.csv,
                       "table to write; - is standard output (default without --html and --glb)");

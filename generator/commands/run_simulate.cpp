@@ -99,7 +99,7 @@ class Simulation {
     CommonOptions common = common_;
     common.file = file;
     if (!first) common.inputs.clear();
-    std::vector<FunctionKind> functions = trajectory_functions();
+    std::vector<FunctionKind> functions = trajectory_functions(method());
     if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
       functions.push_back(FunctionKind("body_poses"));
     const CompiledMechanism compiled = compile(common, functions, Inapplicable::refuse_singular);
@@ -116,10 +116,13 @@ class Simulation {
     MotionRecorder recorder(compiled);
     PointSplitter points(options_, csv ? &*csv : nullptr, seen_ ? &recorder : nullptr);
     trajectory.every = points.every();
+    std::vector<std::string> events;
+    if (first) trajectory.event = [&](const std::string& line) { events.push_back(line); };
     std::optional<InputError> stopped =
         integrate(compiled, start, trajectory, [&](const TrajectoryPoint& point) { points.take(point); });
     points.finish();
     if (trajectory.progress) tell("\r");
+    for (const std::string& event : events) trajectory.note(event);
     if (csv) csv->finish();
     if (!recorder.motion().times.empty())
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
@@ -134,13 +137,19 @@ class Simulation {
   }
 
  private:
+  IntegrationMethod method() const {
+    if (options_.integrator == "euler") return IntegrationMethod::semi_implicit_euler;
+    if (options_.integrator == "linearly-implicit") return IntegrationMethod::linearly_implicit_euler;
+    if (options_.integrator == "implicit") return IntegrationMethod::implicit_euler;
+    return IntegrationMethod::rk4;
+  }
+
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
     TrajectoryOptions out;
     out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
     out.duration = options_.duration;
     out.step = options_.step;
-    out.method =
-        options_.integrator == "rk4" ? IntegrationMethod::rk4 : IntegrationMethod::semi_implicit_euler;
+    out.method = method();
     if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
       out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
     const std::optional<long> steps = step_count(out);

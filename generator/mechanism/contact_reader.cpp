@@ -156,6 +156,7 @@ class ContactReader {
       result.push_back(std::move(wrench));
     };
     add(frame_, f, arm);
+    result.back().depth = depth_;
     if (other_ >= 0) add(other_, zero() - f, other_arm);
     return result;
   }

@@ -52,6 +52,7 @@ class CoordinateForces {
       force.kind = ForceKind::on_speed;
       force.speed = coordinate_.first_speed + static_cast<int>(k);
       force.value = value(coordinate_.speed_symbols[k]);
+      force.passive = true;
       force.where = loading_.document.where(node);
       loading_.mechanism.forces.push_back(std::move(force));
     }

@@ -208,6 +208,8 @@ struct Force {
   int frame = -1;          ///< wrench: index into Mechanism::frames
   bool frame_axes = true;  ///< wrench: in the axes of the frame, else in the world's
   Vec3 force, torque;
+  std::optional<Expr> depth = {};  ///< wrench of a contact, once each: how deep it is, m; negative: apart
+  bool passive = false;            ///< on_speed: damping and friction of a coordinate, not of a drive
   SourceLocation where;
 };
 

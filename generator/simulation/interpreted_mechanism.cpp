@@ -56,6 +56,18 @@ void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::Ve
   }
 }
 
+void InterpretedMechanism::inverse_dynamics_derivatives(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                                        const Eigen::VectorXd& rates, Eigen::MatrixXd& tau_q,
+                                                        Eigen::MatrixXd& tau_qd) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Index n = nv();
+  EvaluationState state = at(q, u);
+  state.qdd.assign(rates.begin(), rates.end());
+  const std::vector<double> values = evaluator_(FunctionKind("inverse_dynamics_derivatives"), state);
+  tau_q = Eigen::Map<const RowMajor>(values.data(), n, n);
+  tau_qd = Eigen::Map<const RowMajor>(values.data() + n * n, n, n);
+}
+
 Eigen::VectorXd InterpretedMechanism::coordinate_rates(const Eigen::VectorXd& q,
                                                        const Eigen::VectorXd& u) const {
   const std::vector<double> values = evaluator_(FunctionKind("coordinate_rates"), at(q, u));

@@ -36,6 +36,10 @@ class InterpretedMechanism {
   /// it for one that depends on others.
   void constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
                    Eigen::VectorXd& gamma, Eigen::VectorXd& velocity, Eigen::VectorXd& position) const;
+  /// Only where it was compiled.
+  void inverse_dynamics_derivatives(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                    const Eigen::VectorXd& rates, Eigen::MatrixXd& tau_q,
+                                    Eigen::MatrixXd& tau_qd) const;
   Eigen::VectorXd coordinate_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
   Eigen::VectorXd states() const;
   void set_states(const Eigen::VectorXd& states);

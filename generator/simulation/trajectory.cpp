@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "dynamics/checks/state_checks.hpp"
+#include "simulation/event_watch.hpp"
 #include "simulation/frame_monitor.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 
@@ -64,6 +66,10 @@ class MovingMechanism {
           return advance_by_rk4(system_, q_, u_, h, force, {}, report_);
         case IntegrationMethod::semi_implicit_euler:
           return advance_by_semi_implicit_euler(system_, q_, u_, h, force, {}, report_);
+        case IntegrationMethod::linearly_implicit_euler:
+          return advance_by_linearly_implicit_euler(system_, q_, u_, h, force, {}, report_);
+        case IntegrationMethod::implicit_euler:
+          return advance_by_implicit_euler(system_, q_, u_, h, force, {}, report_);
       }
       return Status::ok;
     };
@@ -77,6 +83,22 @@ class MovingMechanism {
       return singular;
     }
     return std::nullopt;
+  }
+
+  EvaluationState state() const { return system_.state(q_, u_); }
+  void set_state(const EvaluationState& state) {
+    q_ = vector_of(state.q);
+    u_ = vector_of(state.qd);
+    system_.set_inputs(state);
+  }
+  /// Where a step from a state leads, if anywhere; nothing is changed.
+  std::optional<EvaluationState> after(const EvaluationState& before, IntegrationMethod method, double h) {
+    const EvaluationState here = state();
+    set_state(before);
+    std::optional<EvaluationState> there;
+    if (!step(method, h)) there = state();
+    set_state(here);
+    return there;
   }
 
   std::optional<InputError> check_frames() { return monitor_.check(system_.state(q_, u_)); }
@@ -118,6 +140,12 @@ class MovingMechanism {
                           fmt::format("after the step from t = {:.9g} the state finds no way back to the "
                                       "constraints: try a shorter --step (the output so far is kept)",
                                       t));
+      case Status::singular_step:
+        return InputError(
+            mechanism_.where,
+            fmt::format("the equations of the implicit step from t = {:.9g} are singular: try another --step "
+                        "(the output so far is kept)",
+                        t));
       case Status::not_positive_definite:
       case Status::not_finite:
       case Status::residual_too_large:
@@ -172,10 +200,12 @@ class MovingMechanism {
 
 }  // namespace
 
-std::vector<FunctionKind> trajectory_functions() {
+std::vector<FunctionKind> trajectory_functions(IntegrationMethod method) {
   std::vector<FunctionKind> kinds = interpreted_functions();
   kinds.push_back(FunctionKind("energy"));
   kinds.push_back(FunctionKind("outputs"));
+  if (method == IntegrationMethod::linearly_implicit_euler || method == IntegrationMethod::implicit_euler)
+    kinds.push_back(FunctionKind("inverse_dynamics_derivatives"));
   return kinds;
 }
 
@@ -196,6 +226,23 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
                      "--duration and --step make no sensible number of steps (at most 1e9)");
   }
   MovingMechanism motion(compiled, start, options.inputs);
+  std::optional<EventWatch> watch;
+  if (options.event) watch.emplace(compiled);
+  if (watch) watch->start(motion.state());
+  const auto go_on = [&](double h) -> std::optional<InputError> {
+    if (!watch || watch->empty()) return motion.step(options.method, h);
+    const EvaluationState before = motion.state();
+    std::optional<InputError> stopped = motion.step(options.method, h);
+    if (!stopped)
+      watch->step(motion.state(),
+                  [&](double part) { return motion.after(before, options.method, part * h); });
+    return stopped;
+  };
+  const auto tell_events = [&](std::optional<InputError> stopped) {
+    if (watch)
+      for (const std::string& line : watch->summary()) options.event(line);
+    return stopped;
+  };
   bool noted = false;
   const auto give = [&](long steps) -> std::optional<InputError> {
     TrajectoryPoint point;
@@ -222,18 +269,18 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   for (long i = 1; i <= *count; ++i) {
     const double rest = options.duration - static_cast<double>(*count - 1) * options.step;
     const double h = i == *count ? std::min(rest, options.step) : options.step;
-    if (std::optional<InputError> stopped = motion.step(options.method, h)) {
+    if (std::optional<InputError> stopped = go_on(h)) {
       if ((i - 1) % options.every != 0) give(i - 1);  // the last state that is good
-      return stopped;
+      return tell_events(std::move(stopped));
     }
     motion.set_time(time_after(i));
     if (i % options.every == 0 || i == *count) {
-      if (std::optional<InputError> stopped = give(i)) return stopped;
+      if (std::optional<InputError> stopped = give(i)) return tell_events(std::move(stopped));
     }
     if (options.progress && i % std::max(1L, *count / 100) == 0)
       options.progress(static_cast<double>(i) / static_cast<double>(*count));
   }
-  return std::nullopt;
+  return tell_events(std::nullopt);
 }
 
 }  // namespace alembert

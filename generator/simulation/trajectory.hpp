@@ -27,7 +27,7 @@ struct TrajectoryPoint {
   double energy() const { return kinetic + potential; }
 };
 
-enum class IntegrationMethod { rk4, semi_implicit_euler };
+enum class IntegrationMethod { rk4, semi_implicit_euler, linearly_implicit_euler, implicit_euler };
 
 struct TrajectoryOptions {
   double duration = 10;  ///< s
@@ -36,11 +36,12 @@ struct TrajectoryOptions {
   IntegrationMethod method = IntegrationMethod::rk4;
   InputTable inputs;                          ///< what inputs are over time
   std::function<void(double done)> progress;  ///< called now and then with the fraction that is done, 0 to 1
-  std::function<void(const std::string&)> note;  ///< told what is worth knowing: redundant rows, once
+  std::function<void(const std::string&)> note;   ///< told what is worth knowing: redundant rows, once
+  std::function<void(const std::string&)> event;  ///< told at the end what happened (event_watch.hpp)
 };
 
 /// Functions that must have been compiled for a motion.
-std::vector<FunctionKind> trajectory_functions();
+std::vector<FunctionKind> trajectory_functions(IntegrationMethod method);
 
 /// Number of steps that the options ask for, or none if that makes no sense. Where the duration is no
 /// multiple of the step, the last one is shorter.

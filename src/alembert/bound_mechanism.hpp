@@ -11,6 +11,7 @@
 //   coordinate_rates(q, u)             N(q) u
 //   states(), set_states(s)            the states besides q and u, kNs x 1
 //   state_rates(q, u)                  ds/dt
+//   inverse_dynamics_derivatives(q, u, rates, tau_q, tau_qd)   as in mechanism.hpp; called only by implicit steps
 //   quaternion_offsets()               a range of indices into q: where the unit quaternions start
 //   holonomic(row)                     whether a row of the constraints binds the coordinates
 #pragma once
@@ -65,6 +66,11 @@ class BoundMechanism {
     } else {
       return {};
     }
+  }
+  template <class Matrix>
+  void inverse_dynamics_derivatives(const CoordinateVector<M>& q, const SpeedVector<M>& u,
+                                    const SpeedVector<M>& rates, Matrix& tau_q, Matrix& tau_qd) const {
+    M::inverse_dynamics_derivatives(q, u, rates, in_, tau_q, tau_qd);
   }
   template <class Matrix, class Vector>
   void constraints(const CoordinateVector<M>& q, const SpeedVector<M>& u, Matrix& P, Vector& gamma,

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <type_traits>
-#include <utility>
 
 #include "alembert/forward_dynamics.hpp"
 
@@ -19,24 +17,6 @@ struct Linearization {
   SpeedVector<M> qdd;
   SpeedMatrix<M> qdd_q, qdd_qd, qdd_tau;
 };
-
-namespace detail {
-
-template <class M, class = void>
-struct HasDerivatives : std::false_type {};
-template <class M>
-struct HasDerivatives<M,
-                      std::void_t<decltype(M::inverse_dynamics_derivatives(
-                          std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
-                          std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
-                          std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
-    : std::true_type {};
-
-}  // namespace detail
-
-/// True if M also has inverse_dynamics_derivatives: generate it with this function.
-template <class M>
-inline constexpr bool has_derivatives_v = detail::HasDerivatives<M>::value;
 
 /// Linearizes forward dynamics, as if there were no constraints: with qdd = M^-1 (tau - c),
 /// d qdd = M^-1 (d tau - tau_q d q - tau_qd d qd), where tau_q and tau_qd are the derivatives of inverse

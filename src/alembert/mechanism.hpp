@@ -11,6 +11,8 @@
 //   M::energy(q, u, in)                      kinetic and potential energy
 // and, with n_s states besides q and u (those under `states` in its description),
 //   M::kNstates, M::state_rates(q, u, in)    n_s; ds/dt, s being the last n_s entries of in.parameters
+//   M::inverse_dynamics_derivatives(q, u, du/dt, in, tau_q, tau_qd)
+//                                            derivatives of tau along the speeds and by the speeds, n_v x n_v
 // and, with n_c rows of constraints on its motion,
 //   M::kNc, M::kHolonomic                    n_c; std::array<bool, n_c>: rows that bind the coordinates
 //   M::ConstraintMatrix, M::ConstraintVector n_c x n_v and n_c x 1
@@ -83,6 +85,17 @@ struct HasStateRates<M, std::void_t<decltype(M::state_rates(
                             std::declval<const typename M::Inputs&>()))>> : std::true_type {};
 
 template <class M, class = void>
+struct HasDerivatives : std::false_type {};
+
+template <class M>
+struct HasDerivatives<M,
+                      std::void_t<decltype(M::inverse_dynamics_derivatives(
+                          std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+                          std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
+                          std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
+    : std::true_type {};
+
+template <class M, class = void>
 struct ConstraintCount : std::integral_constant<int, 0> {};
 
 template <class M>
@@ -125,6 +138,10 @@ inline constexpr bool is_mechanism_v = detail::IsMechanism<M>::value;
 /// True if M also has `energy`.
 template <class M>
 inline constexpr bool has_energy_v = is_mechanism_v<M>&& detail::HasEnergy<M>::value;
+
+/// True if M also has inverse_dynamics_derivatives: generate it with this function.
+template <class M>
+inline constexpr bool has_derivatives_v = is_mechanism_v<M>&& detail::HasDerivatives<M>::value;
 
 /// True if M also has `constraints` and all that goes with them.
 template <class M>

@@ -15,6 +15,7 @@ enum class Status {
   inconsistent_constraints = 3,  ///< a row of the constraints contradicts the others
   no_convergence = 4,            ///< an iteration came to no solution
   residual_too_large = 5,        ///< the closest state is further away than was allowed
+  singular_step = 6,             ///< the equations of an implicit step have no solution for its length
 };
 
 /// The status in words, for messages.
@@ -32,6 +33,8 @@ constexpr const char* to_string(Status status) noexcept {
       return "the iteration found no solution";
     case Status::residual_too_large:
       return "the closest state is too far away";
+    case Status::singular_step:
+      return "the equations of the implicit step are singular";
   }
   return "unknown status";
 }

@@ -8,20 +8,21 @@ import pytest
 from conftest import ROOT
 
 
-def by_the_command(name, duration, step, q, qd):
+def by_the_command(name, duration, step, q, qd, integrator="rk4"):
     done = subprocess.run([alembert.executable(), "simulate", str(ROOT / "mechanisms" / f"{name}.yaml"), "--duration", str(duration),
-                           "--step", str(step), "--every", "1", "--q=" + ",".join(map(str, q)), "--qd=" + ",".join(map(str, qd))],
+                           "--step", str(step), "--every", "1", "--integrator", integrator, "--q=" + ",".join(map(str, q)), "--qd=" + ",".join(map(str, qd))],
                           capture_output=True, text=True, check=True)
     return np.loadtxt(io.StringIO(done.stdout), delimiter=",", skiprows=1)
 
 
+@pytest.mark.parametrize("method", ["rk4", "linearly-implicit"])
 @pytest.mark.parametrize("name", ["double_pendulum", "free_body", "moving_base"])
-def test_motions_are_those_of_the_command(load, name):
+def test_motions_are_those_of_the_command(load, name, method):
     m = load(name)
     rng = np.random.default_rng(2)
     q, qd = m.initial_coordinates + rng.uniform(0, 0.4, m.nq), rng.normal(size=m.nv)
-    rows = by_the_command(name, 0.205, 0.01, q, qd)
-    motion = alembert.simulate(m, q, qd, 0.205, 0.01)
+    rows = by_the_command(name, 0.205, 0.01, q, qd, method)
+    motion = alembert.simulate(m, q, qd, 0.205, 0.01, method=method)
     assert motion.t.shape == (22,) and motion.q.shape == (22, m.nq) and motion.qd.shape == (22, m.nv)
     assert motion.t[-1] == 0.205 and np.allclose(motion.t, rows[:, 0], rtol=0, atol=1e-12)
     assert np.allclose(motion.q, rows[:, 1:1 + m.nq], rtol=1e-9, atol=1e-9)
@@ -42,6 +43,31 @@ def test_the_order_is_four(load, name):
     exact = end(0.0005)
     ratio = np.linalg.norm(end(0.02) - exact) / np.linalg.norm(end(0.01) - exact)
     assert 12 < ratio < 20
+
+
+def test_stiff_forces_are_taken_at_the_step_of_a_frame(tmp_path):
+    file = tmp_path / "block.yaml"
+    file.write_text("alembert: 1\nname: block\ngravity: [0, 0, 0]\ncoordinates: [{name: x, initial: 1, stiffness: 2000, damping: 4001}]\n"
+                    "bodies: [{name: block, transform: [{translate: [x, 0, 0]}], mass: 2}]\n")
+    m = alembert.load(file)
+    h = 1 / 60
+    motion = alembert.simulate(m, [[1.0], [-2.0]], [[0.0], [0.5]], 1, h, method="linearly-implicit")
+    u = np.array([0.0, 0.5])
+    x = np.array([1.0, -2.0])
+    for k in range(1, 61):  # the implicit Euler method
+        u = (2 * u - h * 2000 * x) / (2 + h * 4001 + h * h * 2000)
+        x = x + h * u
+        assert np.allclose(motion.q[k, :, 0], x, rtol=1e-11, atol=0) and np.allclose(motion.qd[k, :, 0], u, rtol=1e-9, atol=1e-12)
+    assert not np.all(np.abs(alembert.simulate(m, [1.0], [0.0], 1, h).q) < 1e3)
+    # What tau is, it is for a step: from its beginning.
+    times = []
+    alembert.simulate(m, [1.0], [0.0], 0.03, 0.01, lambda t, q, qd: times.append(t) or 0 * qd, method="linearly-implicit")
+    assert times == [0, 0.01, 0.02]
+    with pytest.raises(ValueError, match="method: expected 'rk4' or 'linearly-implicit', found 'magic'"):
+        alembert.simulate(m, [1.0], [0.0], 1, h, method="magic")
+    short = alembert.load(file, functions=["mass_matrix_and_bias"])
+    with pytest.raises(ValueError, match="written without inverse_dynamics_derivatives, which motions need"):
+        alembert.simulate(short, [1.0], [0.0], 1, h, method="linearly-implicit")
 
 
 def test_many_states_are_the_same_as_one_by_one(load):

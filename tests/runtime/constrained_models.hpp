@@ -34,6 +34,11 @@ struct PointOnRod {
     M << m, 0, 0, m;
     c << 0, m * g;
   }
+  static void inverse_dynamics_derivatives(const Vector&, const Vector&, const Vector&, const Inputs&,
+                                           Eigen::Matrix<S, 2, 2>& tau_q, Eigen::Matrix<S, 2, 2>& tau_qd) {
+    tau_q.setZero();
+    tau_qd.setZero();
+  }
   static void constraints(const Vector& q, const Vector& u, const Inputs&, ConstraintMatrix& P,
                           ConstraintVector& gamma, ConstraintVector& velocity, ConstraintVector& position) {
     for (int row = 0; row < kNc; ++row) {
@@ -115,6 +120,17 @@ struct HeldTop {
     c.setZero();
     c(2) = m * g;
     c.template tail<3>() = w.cross(h);
+  }
+  static void inverse_dynamics_derivatives(const CoordinateVector&, const SpeedVector& u, const SpeedVector&,
+                                           const Inputs&, Eigen::Matrix<S, 6, 6>& tau_q,
+                                           Eigen::Matrix<S, 6, 6>& tau_qd) {
+    tau_q.setZero();
+    tau_qd.setZero();
+    const Vector3 w = u.template tail<3>(), h = inertia().cwiseProduct(w);
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 e = Vector3::Unit(k), change = inertia().cwiseProduct(e);
+      tau_qd.template block<3, 1>(3, 3 + k) = e.cross(h) + w.cross(change);
+    }
   }
   static void constraints(const CoordinateVector& q, const SpeedVector& u, const Inputs&, ConstraintMatrix& P,
                           ConstraintVector& gamma, ConstraintVector& velocity, ConstraintVector& position) {

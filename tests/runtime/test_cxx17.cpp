@@ -2,6 +2,7 @@
 #include "alembert/consistent_state.hpp"
 #include "alembert/energy.hpp"
 #include "alembert/forward_dynamics.hpp"
+#include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "alembert/linearize.hpp"
 #include "alembert/topology.hpp"
@@ -35,6 +36,12 @@ alembert::Status constrained_step_in_cxx17(Top::CoordinateVector& q, Top::SpeedV
   };
   alembert::ConstraintReport<3> report;
   if (const auto status = alembert::consistent_state<Top>(q, u, in, report); status != alembert::Status::ok)
+    return status;
+  if (const auto status = alembert::linearly_implicit_euler_step<Top>(q, u, in, 0.1f, force, {}, &report);
+      status != alembert::Status::ok)
+    return status;
+  if (const auto status = alembert::implicit_euler_step<Top>(q, u, in, 0.1f, force);
+      status != alembert::Status::ok)
     return status;
   return alembert::rk4_step<Top>(q, u, in, 0.1f, force);
 }

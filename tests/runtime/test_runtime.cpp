@@ -341,6 +341,7 @@ TEST(Runtime, StatusInWords) {
                "the constraints contradict each other");
   EXPECT_STREQ(alembert::to_string(Status::no_convergence), "the iteration found no solution");
   EXPECT_STREQ(alembert::to_string(Status::residual_too_large), "the closest state is too far away");
+  EXPECT_STREQ(alembert::to_string(Status::singular_step), "the equations of the implicit step are singular");
 }
 
 }  // namespace

@@ -27,12 +27,15 @@ def _start(module: ModuleType, label: str, value: ArrayLike, size: int) -> NDArr
     return array
 
 
-def _needed(module: ModuleType) -> None:
+def _needed(module: ModuleType, method: str) -> None:
     if module.constraint_names:
         raise ValueError(f"{module.name} has constraints, which this does not keep: `alembert simulate` does")
     missing = [] if hasattr(module, "forward_dynamics") or hasattr(module, "mass_matrix_and_bias") else ["forward_dynamics"]
     if module.quaternion_offsets and not hasattr(module, "coordinate_rates"):
         missing.append("coordinate_rates")
+    if method == "linearly-implicit":
+        missing = [name for name in ("mass_matrix_and_bias", "inverse_dynamics_derivatives") if not hasattr(module, name)] + [
+            name for name in missing if name != "forward_dynamics"]
     if missing:
         raise ValueError(f"{module.name} was written without {' and '.join(missing)}, which motions need")
 
@@ -53,7 +56,20 @@ def _accelerations(module: ModuleType, t: float, q: NDArray[Any], qd: NDArray[An
     if hasattr(module, "forward_dynamics"):
         return module.forward_dynamics(q, qd, tau, t, **inputs)
     M, c = module.mass_matrix_and_bias(q, qd, t, **inputs)
-    return numpy.linalg.solve(M, (tau - c)[..., None])[..., 0]
+    return _solve(M, tau - c)
+
+
+def _solve(A: NDArray[Any], b: NDArray[Any]) -> Any:
+    return numpy.linalg.solve(A, b[..., None])[..., 0]
+
+
+def _implicit_change(module: ModuleType, t: float, h: Any, q: NDArray[Any], qd: NDArray[Any], tau: NDArray[Any],
+                     inputs: Dict[str, Any]) -> NDArray[Any]:
+    """The change of the speeds in a step of the linearly implicit Euler method that ends at t (alembert/implicit_step.hpp)."""
+    M, c = module.mass_matrix_and_bias(q, qd, t, **inputs)
+    K, C = module.inverse_dynamics_derivatives(q, qd, _solve(M, tau - c), t, **inputs)
+    with numpy.errstate(all="ignore"):
+        return _solve(M + h * C + h * h * K, h * (tau - c - h * (K @ qd[..., None])[..., 0]))
 
 
 def _times(start: float, until: float, step: float) -> NDArray[Any]:
@@ -79,9 +95,9 @@ def _forces(module: ModuleType, value: ArrayLike, speeds: NDArray[Any]) -> NDArr
 
 
 def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step: float,
-             tau: Union[ArrayLike, Force, None] = None, *, t: float = 0.0, every: int = 1,
+             tau: Union[ArrayLike, Force, None] = None, *, t: float = 0.0, every: int = 1, method: str = "rk4",
              **inputs: Any) -> Motion:
-    """The motion from a state, by the classical Runge-Kutta method of order 4 with fixed steps.
+    """The motion from a state, with fixed steps: by the classical Runge-Kutta method of order 4, or one for stiff forces.
 
     module  of alembert.load or `alembert generate --language python`, with forward_dynamics or mass_matrix_and_bias and, if it has
             quaternions, coordinate_rates
@@ -92,6 +108,9 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     tau     generalized forces: nothing; an array that broadcasts to qd, which is held; or a function of (t, q, qd), called four
             times a step, whose q has unit quaternions
     t       time of the beginning, s
+    method  "rk4"; or "linearly-implicit": the linearly implicit Euler method, order 1 and L-stable, for hard springs and
+            strong dampers of the description at long steps. It damps, takes `tau` once a step and holds it, and needs
+            mass_matrix_and_bias and inverse_dynamics_derivatives
     every   how many steps lie between moments that are kept; the first and the last one are kept in any case
     inputs  parameters, wrenches, threads and runtime parameters by name, as the module's functions take them
 
@@ -102,7 +121,9 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     >>> motion = alembert.simulate(arm, arm.initial_coordinates, arm.initial_speeds, 2, 1e-3, lambda t, q, qd: -qd)
     >>> motion.q[-1]
     """
-    _needed(module)
+    if method not in ("rk4", "linearly-implicit"):
+        raise ValueError(f"method: expected 'rk4' or 'linearly-implicit', found {method!r}")
+    _needed(module, method)
     if isinstance(every, bool) or not isinstance(every, (int, numpy.integer)) or every < 1:
         raise ValueError(f"every: expected a whole number above 0, found {every!r}")
     times = _times(float(t), float(until), float(step))
@@ -121,15 +142,21 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     if not callable(tau):
         held = _forces(module, 0.0 if tau is None else tau, speeds)
 
+    def force(moment: float, unit: NDArray[Any], u: NDArray[Any]) -> NDArray[Any]:
+        return held if held is not None else _forces(module, tau(moment, unit, u), speeds)  # type: ignore[operator]
+
+    def for_all(found: NDArray[Any], u: NDArray[Any]) -> NDArray[Any]:
+        if found.shape != u.shape:
+            raise ValueError(f"inputs are for {len(found)} states, q and qd for one: give q as (N, {module.nq})")
+        return found
+
+    def qdot(at: NDArray[Any], u: NDArray[Any]) -> NDArray[Any]:
+        return module.coordinate_rates(at, u) if module.quaternion_offsets else u
+
     def rates(moment: float, at: NDArray[Any], u: NDArray[Any]) -> Any:
         # Accelerations are those of unit quaternions, rates those of q as it is: both are smooth, and the order stays.
         unit = _unit(module, at)
-        force = held if held is not None else _forces(module, tau(moment, unit, u), speeds)  # type: ignore[operator]
-        qdot = module.coordinate_rates(at, u) if module.quaternion_offsets else u
-        qdd = _accelerations(module, moment, unit, u, force, inputs)
-        if qdd.shape != u.shape:
-            raise ValueError(f"inputs are for {len(qdd)} states, q and qd for one: give q as (N, {module.nq})")
-        return qdot, qdd
+        return qdot(at, u), for_all(_accelerations(module, moment, unit, u, force(moment, unit, u), inputs), u)
 
     now = _unit(module, now)
     kept = [k for k in range(len(times)) if k % every == 0 or k == len(times) - 1]
@@ -144,6 +171,12 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
             break
         h = times[k + 1] - moment
         number = now.dtype.type
+        if method == "linearly-implicit":
+            change = _implicit_change(module, float(times[k + 1]), number(h), now, speeds, force(float(moment), now, speeds), inputs)
+            with numpy.errstate(all="ignore"):
+                speeds = speeds + for_all(change, speeds)
+                now = _unit(module, now + number(h) * qdot(now, speeds))
+            continue
         q_sum, u_sum = now, speeds
         q_rate, u_rate = numpy.zeros_like(now), numpy.zeros_like(speeds)
         for share, weight in ((0.0, 1 / 6), (0.5, 1 / 3), (0.5, 1 / 3), (1.0, 1 / 6)):

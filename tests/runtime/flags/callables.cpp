@@ -3,6 +3,7 @@
 // ALEMBERT_CASE is such a one.
 #include <cmath>
 
+#include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "runtime/models.hpp"
 
@@ -23,6 +24,12 @@ int main() {
 #elif ALEMBERT_CASE == 4
   const auto force = [](double, const M::Quaternion&, M::Vector u) -> M::Vector&& { return std::move(u); };
   return alembert::rk4_step<M>(q, w, in, 0.1, force) == alembert::Status::ok ? 0 : 1;
+#elif ALEMBERT_CASE == 5
+  const auto force = [](double, const M::Quaternion&, const M::Vector& u) { return -0.5 * u; };
+  return alembert::linearly_implicit_euler_step<M>(q, w, in, 0.1, force) == alembert::Status::ok ? 0 : 1;
+#elif ALEMBERT_CASE == 6
+  const auto force = [](double, const M::Quaternion&, const M::Vector& u) { return -0.5 * u; };
+  return alembert::implicit_euler_step<M>(q, w, in, 0.1, force) == alembert::Status::ok ? 0 : 1;
 #else
   const auto by_value = [](double, const M::Quaternion&, const M::Vector& u) -> M::Vector {
     return -0.5 * u;
@@ -34,6 +41,8 @@ int main() {
   ok = ok && alembert::rk4_step<M>(q, w, in, 0.1, in_place) == alembert::Status::ok;
   ok = ok && alembert::rk4_step<M>(q, w, in, 0.1, models::no_force<M>) == alembert::Status::ok;
   ok = ok && alembert::semi_implicit_euler_step<M>(q, w, in, 0.1, by_value) == alembert::Status::ok;
+  ok = ok && alembert::linearly_implicit_euler_step<M>(q, w, in, 0.1, by_value) == alembert::Status::ok;
+  ok = ok && alembert::implicit_euler_step<M>(q, w, in, 0.1, by_value) == alembert::Status::ok;
   return ok && std::isfinite(w.norm()) ? 0 : 1;
 #endif
 }

@@ -8,6 +8,7 @@
 
 #include "alembert/consistent_state.hpp"
 #include "alembert/energy.hpp"
+#include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "alembert/linearize.hpp"
 #include "alembert/topology.hpp"
@@ -134,6 +135,14 @@ void check_steps(const char* model, const State<M>& good) {
   check<M>(
       (std::string(model) + " semi_implicit_euler_step").c_str(), good, of_q | of_u | of_tau | of_t | of_h,
       [&](State<M>& s) { return alembert::semi_implicit_euler_step<M>(s.q, s.u, s.in, s.h, force_of(s)); });
+  if constexpr (alembert::has_derivatives_v<M>) {
+    check<M>((std::string(model) + " linearly_implicit_euler_step").c_str(), good,
+             of_q | of_u | of_tau | of_t | of_h, [&](State<M>& s) {
+               return alembert::linearly_implicit_euler_step<M>(s.q, s.u, s.in, s.h, force_of(s));
+             });
+    check<M>((std::string(model) + " implicit_euler_step").c_str(), good, of_q | of_u | of_tau | of_t | of_h,
+             [&](State<M>& s) { return alembert::implicit_euler_step<M>(s.q, s.u, s.in, s.h, force_of(s)); });
+  }
   // A step of zero advances nothing, and a negative one leads back.
   State<M> s = good;
   expect(alembert::rk4_step<M>(s.q, s.u, s.in, 0, force_of(s)), Status::ok, "a step of zero");
