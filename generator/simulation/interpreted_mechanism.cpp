@@ -90,6 +90,14 @@ Eigen::VectorXd InterpretedMechanism::state_rates(const Eigen::VectorXd& q, cons
   return Eigen::Map<const Eigen::VectorXd>(values.data(), state_count_);
 }
 
+Eigen::MatrixXd InterpretedMechanism::state_rate_derivatives(const Eigen::VectorXd& q,
+                                                             const Eigen::VectorXd& u) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const std::vector<double> values = evaluator_(FunctionKind("state_rates_derivatives"), at(q, u));
+  const Eigen::Index n = state_count_;
+  return Eigen::Map<const RowMajor>(values.data() + values.size() - n * n, n, n);
+}
+
 std::vector<FunctionKind> interpreted_functions() {
   return {FunctionKind("mass_matrix_and_bias"), FunctionKind("coordinate_rates"), FunctionKind("constraints"),
           FunctionKind("state_rates")};

@@ -43,6 +43,7 @@ class InterpretedMechanism {
   Eigen::VectorXd coordinate_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
   Eigen::VectorXd states() const;
   void set_states(const Eigen::VectorXd& states);
+  Eigen::MatrixXd state_rate_derivatives(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
   Eigen::VectorXd state_rates(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const;
   const std::vector<int>& quaternion_offsets() const { return quaternion_offsets_; }
   bool holonomic(int row) const {

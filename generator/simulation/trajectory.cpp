@@ -204,8 +204,10 @@ std::vector<FunctionKind> trajectory_functions(IntegrationMethod method) {
   std::vector<FunctionKind> kinds = interpreted_functions();
   kinds.push_back(FunctionKind("energy"));
   kinds.push_back(FunctionKind("outputs"));
-  if (method == IntegrationMethod::linearly_implicit_euler || method == IntegrationMethod::implicit_euler)
+  if (method == IntegrationMethod::linearly_implicit_euler || method == IntegrationMethod::implicit_euler) {
     kinds.push_back(FunctionKind("inverse_dynamics_derivatives"));
+    kinds.push_back(FunctionKind("state_rates_derivatives"));
+  }
   return kinds;
 }
 

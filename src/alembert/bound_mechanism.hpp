@@ -11,6 +11,7 @@
 //   coordinate_rates(q, u)             N(q) u
 //   states(), set_states(s)            the states besides q and u, kNs x 1
 //   state_rates(q, u)                  ds/dt
+//   state_rate_derivatives(q, u)       of these by the states; called only by implicit steps
 //   inverse_dynamics_derivatives(q, u, rates, tau_q, tau_qd)   as in mechanism.hpp; called only by implicit steps
 //   quaternion_offsets()               a range of indices into q: where the unit quaternions start
 //   holonomic(row)                     whether a row of the constraints binds the coordinates
@@ -66,6 +67,17 @@ class BoundMechanism {
     } else {
       return {};
     }
+  }
+  Eigen::Matrix<Scalar, kNs, kNs> state_rate_derivatives([[maybe_unused]] const CoordinateVector<M>& q,
+                                                         [[maybe_unused]] const SpeedVector<M>& u) const {
+    Eigen::Matrix<Scalar, kNs, kNs> by_states;
+    if constexpr (kNs > 0) {
+      static_assert(detail::HasStateRatesDerivatives<M>::value,
+                    "M has states: generate it with state_rates_derivatives");
+      Eigen::Matrix<Scalar, kNs, kNv> along, by_speeds;
+      M::state_rates_derivatives(q, u, in_, along, by_speeds, by_states);
+    }
+    return by_states;
   }
   template <class Matrix>
   void inverse_dynamics_derivatives(const CoordinateVector<M>& q, const SpeedVector<M>& u,

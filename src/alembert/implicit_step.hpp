@@ -16,6 +16,9 @@
 // (linearly_implicit_euler_step), which implicit_euler_step follows up with more of them. The time is that of the
 // step's end in all but the rows of constraints, so that what is prescribed in time is met.
 //
+// States besides q and u follow with the step's end: (1 - h r_s) ds = h r(q', u', s), r being their rates and r_s the
+// derivatives of these by the states.
+//
 // Both are of order 1 and L-stable: what is stiff and linear fades in one step, however long, and what is slow
 // is damped: an undamped oscillation of w rad/s loses w^2 h of its energy a second.
 // E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, sections IV.3 and IV.7.
@@ -296,6 +299,27 @@ template <class System, class Coordinates, class Speeds>
   return Status::ok;
 }
 
+/// The states besides q and u, by a linearly implicit step to the system's time.
+template <class System, class Coordinates, class Speeds>
+[[nodiscard]] Status step_states(System& system, const Coordinates& q, const Speeds& u,
+                                 typename System::Scalar h) {
+  if constexpr (System::kNs != 0) {
+    using S = typename System::Scalar;
+    auto states = system.states();
+    const Eigen::Index n = states.rows();
+    if (n == 0) return Status::ok;
+    auto change = states;
+    change = h * system.state_rates(q, u);
+    Eigen::Matrix<S, System::kNs, System::kNs> A = -h * system.state_rate_derivatives(q, u);
+    for (Eigen::Index i = 0; i < n; ++i) A(i, i) += S(1);
+    if (const Status status = solve_regular(A, change); status != Status::ok) return status;
+    states += change;
+    if (!all_finite(states)) return Status::not_finite;
+    system.set_states(states);
+  }
+  return Status::ok;
+}
+
 /// A step of any System (bound_mechanism.hpp) that has inverse_dynamics_derivatives, whose time is advanced too:
 /// the linearly implicit one, or the implicit one.
 template <class System, class Coordinates, class Speeds, class Force>
@@ -311,9 +335,10 @@ template <class System, class Coordinates, class Speeds, class Force>
   bool converged = true;
   Coordinates next_q = q;
   Speeds next_u = u;
-  const Status status =
-      iterate ? halve_until_converged(system, next_q, next_u, tau, h, kHalvings, options, report)
-              : step_implicitly(system, next_q, next_u, tau, h, false, converged, options, report);
+  Status status = iterate
+                      ? halve_until_converged(system, next_q, next_u, tau, h, kHalvings, options, report)
+                      : step_implicitly(system, next_q, next_u, tau, h, false, converged, options, report);
+  if (status == Status::ok) status = step_states(system, next_q, next_u, h);
   if (status != Status::ok) {
     system.set_time(start);
     return status;
@@ -353,7 +378,8 @@ template <class System, class Coordinates, class Speeds, class Force>
 /// Stiff forces must be those of the mechanism (`forces`, `damping`, `stiffness`, ... of its description). What
 /// `force` returns is taken at the start of the step and held, and so are the directions of reactions.
 ///
-/// Arguments and result as for rk4_step; M must have been generated with inverse_dynamics_derivatives.
+/// Arguments and result as for rk4_step; M must have been generated with inverse_dynamics_derivatives, and with
+/// state_rates_derivatives if it has states.
 /// singular_step: h is just so long that the equations have no solution, which can be where the state is unstable
 /// and h of the size of its time scale; a shorter step has one.
 template <class M, class Force>

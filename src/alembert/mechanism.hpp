@@ -11,6 +11,8 @@
 //   M::energy(q, u, in)                      kinetic and potential energy
 // and, with n_s states besides q and u (those under `states` in its description),
 //   M::kNstates, M::state_rates(q, u, in)    n_s; ds/dt, s being the last n_s entries of in.parameters
+//   M::state_rates_derivatives(q, u, in, r_q, r_qd, r_s)
+//                                            for implicit steps: along and by the speeds, and by the states
 //   M::inverse_dynamics_derivatives(q, u, du/dt, in, tau_q, tau_qd)
 //                                            derivatives of tau along the speeds and by the speeds, n_v x n_v
 // and, with n_c rows of constraints on its motion,
@@ -83,6 +85,19 @@ template <class M>
 struct HasStateRates<M, std::void_t<decltype(M::state_rates(
                             std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
                             std::declval<const typename M::Inputs&>()))>> : std::true_type {};
+
+template <class M, class = void>
+struct HasStateRatesDerivatives : std::false_type {};
+
+template <class M>
+struct HasStateRatesDerivatives<
+    M, std::void_t<decltype(M::state_rates_derivatives(
+           std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+           std::declval<const typename M::Inputs&>(),
+           std::declval<Eigen::Matrix<typename M::Scalar, M::kNstates, M::kNv>&>(),
+           std::declval<Eigen::Matrix<typename M::Scalar, M::kNstates, M::kNv>&>(),
+           std::declval<Eigen::Matrix<typename M::Scalar, M::kNstates, M::kNstates>&>()))>> : std::true_type {
+};
 
 template <class M, class = void>
 struct HasDerivatives : std::false_type {};
