@@ -53,6 +53,13 @@ Names names_of(const Mechanism& mechanism) {
   return names;
 }
 
+std::vector<std::string> names_of(const Mechanism& mechanism, ParameterRole role) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : mechanism.parameters)
+    if (parameter.runtime && parameter.role == role) names.push_back(parameter.name);
+  return names;
+}
+
 std::string wrapped(const std::vector<std::string>& items) {
   const std::string list = fmt::format("{}", fmt::join(items, ", "));
   return list.size() < 60 ? list : "\n    " + wrap_list(list, 4, 4, kWidth);
@@ -204,33 +211,42 @@ struct Indices {
 };
 
 std::vector<Indices> indices_of(const Mechanism& mechanism) {
-  std::vector<Indices> out = {{"Coordinate", {}}, {"Speed", {}},     {"Body", {}},
-                              {"Frame", {}},      {"Parameter", {}}, {"Wrench", {}},
-                              {"Input", {}},      {"Output", {}},    {"State", {}}};
-  const auto add = [&out](std::size_t kind, std::string name, int value) {
+  std::vector<Indices> out;
+  const auto add = [&out](std::string_view type, std::string name, int value) {
     // Names from descriptions are identifiers; others get no constant.
     if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
+    auto of_type = std::ranges::find(out, type, &Indices::type);
+    if (of_type == out.end()) of_type = out.insert(out.end(), {std::string(type), {}});
     // A macro would be replaced, and a class has no member of its own name.
-    if (!objection_to_mechanism_name(name).empty() || name == out[kind].type) name += "_";
-    while (std::ranges::find(out[kind].items, name, &Index::name) != out[kind].items.end()) name += "2";
-    out[kind].items.push_back({std::move(name), value});
+    if (!objection_to_mechanism_name(name).empty() || name == type) name += "_";
+    while (std::ranges::find(of_type->items, name, &Index::name) != of_type->items.end()) name += "2";
+    of_type->items.push_back({std::move(name), value});
   };
-  for (const Coordinate& c : mechanism.coordinates) {
-    add(0, c.name, c.first_q);
-    add(1, c.name, c.first_speed);
+  for (const Coordinate& c : mechanism.coordinates) add("Coordinate", c.name, c.first_q);
+  for (const Coordinate& c : mechanism.coordinates) add("Speed", c.name, c.first_speed);
+  int next = 0;
+  for (const Body& b : mechanism.bodies) add("Body", b.name, next++);
+  next = 0;
+  for (const Frame& f : mechanism.frames) add("Frame", f.name, next++);
+  for (const ParameterRole role : {ParameterRole::parameter, ParameterRole::input, ParameterRole::state}) {
+    next = 0;
+    for (const Parameter& p : mechanism.parameters) {
+      if (!p.runtime) continue;
+      if (p.role == role)
+        add(role == ParameterRole::parameter ? "Parameter"
+            : role == ParameterRole::input   ? "Input"
+                                             : "State",
+            p.name, next);
+      ++next;
+    }
   }
-  int body = 0, wrench = 0, frame = 0, output = 0, parameter = 0;
-  for (const Body& b : mechanism.bodies) {
-    add(2, b.name, body++);
-    if (b.external_wrench) add(5, b.name, wrench++);
-  }
-  for (const Frame& f : mechanism.frames) add(3, f.name, frame++);
-  for (const Output& o : mechanism.outputs) add(7, o.name, output++);
-  int force = 0;
-  for (const std::string& name : force_names(mechanism)) add(9, name, force++);
-  for (const Parameter& p : mechanism.parameters)
-    if (p.runtime) add(p.is_input() ? 6 : p.is_state() ? 8 : 4, p.name, parameter++);
-  std::erase_if(out, [](const Indices& indices) { return indices.items.empty(); });
+  next = 0;
+  for (const Body& b : mechanism.bodies)
+    if (b.external_wrench) add("Wrench", b.name, next++);
+  next = 0;
+  for (const std::string& name : force_names(mechanism)) add("Force", name, next++);
+  next = 0;
+  for (const Output& o : mechanism.outputs) add("Output", o.name, next++);
   return out;
 }
 
@@ -341,6 +357,8 @@ Slots python_constant_slots(const Mechanism& mechanism) {
       {"output_names", tuple(literals(names.outputs))},
       {"force_names", tuple(literals(names.forces))},
       {"parameter_names", tuple(literals(names.parameters))},
+      {"input_names", tuple(literals(names_of(mechanism, ParameterRole::input)))},
+      {"state_names", tuple(literals(names_of(mechanism, ParameterRole::state)))},
       {"wrench_names", tuple(literals(names.wrench_bodies))},
       {"constraint_names", tuple(literals(names.constraints))},
       {"holonomic", tuple(holonomic(mechanism, "True", "False"))},

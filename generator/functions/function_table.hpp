@@ -273,9 +273,9 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "Those of forward dynamics are M^-1 B. Where a force has a kink, they are those of the branch that is taken.", ""},
     {"state_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Derivatives of the applied forces by the states.",
-     "S = dQ/ds, where tau = M(q) qdd + c and c contains -Q",
-     {{"S", "a column for each of the states, in their order", kPerSpeed, kPerState}},
-     "Those of forward dynamics are M^-1 S.", ""},
+     "Q_s = dQ/ds, where tau = M(q) qdd + c and c contains -Q",
+     {{"Q_s", "a column for each of the states, in their order", kPerSpeed, kPerState}},
+     "Those of forward dynamics are M^-1 Q_s.", ""},
     {"state_rates_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Partial derivatives of the rates of the states: along the speeds, by the speeds and by the states.",
      "r_q[.][k] = change of r(q, qd, s) as q changes by N(q) e_k, r_qd = dr/dqd, r_s = dr/ds",
@@ -300,9 +300,15 @@ constexpr bool takes_arrays(const OutputFunction& function) {
   }
   return true;
 }
+/// S is the scalar type of what is generated.
+constexpr bool has_fit_names(const OutputFunction& function) {
+  for (const ResultArray& result : function.results)
+    if (result.name == "S") return false;
+  return true;
+}
 static_assert([] {
   for (const OutputFunction& row : kOutputFunctions)
-    if (!takes_arrays(row)) return false;
+    if (!takes_arrays(row) || !has_fit_names(row)) return false;
   return true;
 }());
 

@@ -103,7 +103,7 @@ TEST(C99, NamesAreTextOnly) {
 }
 TEST(C99, Forces) {
   check_file(ALEMBERT_SOURCE_DIR "/mechanisms/forces/hopping_leg.yaml");
-  check_file(ALEMBERT_SOURCE_DIR "/mechanisms/forces/elbow.yaml");
+  check_file(ALEMBERT_SOURCE_DIR "/mechanisms/forces/elbow_elastic_tendons.yaml");
 }
 TEST(C99, ChainWithLoops) {
   alembert::CompileOptions options;

@@ -177,3 +177,38 @@ def test_constraints_and_missing_functions_are_refused(load):
     m = load("free_body", ["energy"])
     with pytest.raises(ValueError, match="without forward_dynamics"):
         alembert.simulate(m, m.initial_coordinates, m.initial_speeds, 1, 0.1)
+
+
+STATES = """alembert: 1
+name: block
+gravity: [0, 0, 0]
+inputs: [{name: drive, initial: 1}]
+coordinates: [x]
+states:
+  - {name: a, initial: 0.25, rate: (drive - a)/0.05}
+  - {name: way, rate: d(x)}
+bodies: [{name: block, transform: [{translate: [x, 0, 0]}], mass: 2}]
+forces: [{name: motor, on: x, value: 4*a}]
+"""
+
+
+@pytest.mark.parametrize("method, step, near", [("rk4", 0.005, 1e-6), ("linearly-implicit", 1e-4, 5e-4)])
+def test_states_are_integrated_too(tmp_path, method, step, near):
+    file = tmp_path / "block.yaml"
+    file.write_text(STATES)
+    m = alembert.load(file)
+    assert m.state_names == ("a", "way") and m.input_names == ("drive",)
+    motion = alembert.simulate(m, [1.0], [0.0], 0.3, step, method=method)
+    a = 1 - 0.75 * np.exp(-motion.t / 0.05)
+    assert np.allclose(motion.states[:, 0], a, rtol=0, atol=near)
+    assert np.allclose(motion.qd[:, 0], 2 * (motion.t - 0.75 * 0.05 * (1 - np.exp(-motion.t / 0.05))), rtol=0, atol=near)
+    assert np.allclose(motion.states[:, 1], motion.q[:, 0] - 1, rtol=0, atol=1e-12)
+    both = alembert.simulate(m, [1.0], [0.0], 0.3, step, method=method, states=[[0.25, 0], [2, 1]], drive=[1, 3])
+    assert both.states.shape == (len(motion.t), 2, 2) and np.array_equal(both.states[:, 0], motion.states)
+    assert np.allclose(both.states[:, 1, 0], 3 - np.exp(-motion.t / 0.05), rtol=0, atol=2 * near)
+    with pytest.raises(ValueError, match="a is a state"):
+        alembert.simulate(m, [1.0], [0.0], 0.3, step, a=2)
+    with pytest.raises(ValueError, match=r"states: expected shape \(2,\)"):
+        alembert.simulate(m, [1.0], [0.0], 0.3, step, states=[1.0])
+    with pytest.raises(ValueError, match="give a dict by name"):
+        alembert.simulate(m, [1.0], [0.0], 0.3, step, parameters=[1, 0, 0])

@@ -1,7 +1,7 @@
 """The motion of a loaded mechanism in time, of one state or of many at once: alembert.simulate."""
 import math
 from types import ModuleType
-from typing import Any, Callable, Dict, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,7 @@ class Motion(NamedTuple):
     t: NDArray[Any]   #: (K,) s
     q: NDArray[Any]   #: (K, nq) or (K, N, nq) coordinates, quaternions of norm 1
     qd: NDArray[Any]  #: (K, nv) or (K, N, nv) speeds
+    states: NDArray[Any]  #: (K, ns) or (K, N, ns): those under `states` of the description
 
 
 def _start(module: ModuleType, label: str, value: ArrayLike, size: int) -> NDArray[Any]:
@@ -36,6 +37,10 @@ def _needed(module: ModuleType, method: str) -> None:
     if method == "linearly-implicit":
         missing = [name for name in ("mass_matrix_and_bias", "inverse_dynamics_derivatives") if not hasattr(module, name)] + [
             name for name in missing if name != "forward_dynamics"]
+    if module.state_names and not hasattr(module, "state_rates"):
+        missing.append("state_rates")
+    if module.state_names and method == "linearly-implicit" and not hasattr(module, "state_rates_derivatives"):
+        missing.append("state_rates_derivatives")
     if missing:
         raise ValueError(f"{module.name} was written without {' and '.join(missing)}, which motions need")
 
@@ -72,6 +77,14 @@ def _implicit_change(module: ModuleType, t: float, h: Any, q: NDArray[Any], qd: 
         return _solve(M + h * C + h * h * K, h * (tau - c - h * (K @ qd[..., None])[..., 0]))
 
 
+def _change_of_states(module: ModuleType, t: float, h: Any, q: NDArray[Any], qd: NDArray[Any], inputs: Dict[str, Any]) -> Any:
+    """The change of the states in a linearly implicit step that ends at t."""
+    rates = module.state_rates(q, qd, t, **inputs)
+    by_states = module.state_rates_derivatives(q, qd, t, **inputs)[2]
+    with numpy.errstate(all="ignore"):
+        return _solve(numpy.eye(rates.shape[-1], dtype=rates.dtype) - h * by_states, h * rates)
+
+
 def _times(start: float, until: float, step: float) -> NDArray[Any]:
     """Ends of the steps: whole ones, and a shorter one last where the time is no multiple of the step."""
     for label, value in (("t", start), ("until", until), ("step", step)):
@@ -96,7 +109,7 @@ def _forces(module: ModuleType, value: ArrayLike, speeds: NDArray[Any]) -> NDArr
 
 def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step: float,
              tau: Union[ArrayLike, Force, None] = None, *, t: float = 0.0, every: int = 1, method: str = "rk4",
-             **inputs: Any) -> Motion:
+             states: Optional[ArrayLike] = None, **inputs: Any) -> Motion:
     """The motion from a state, with fixed steps: by the classical Runge-Kutta method of order 4, or one for stiff forces.
 
     module  of alembert.load or `alembert generate --language python`, with forward_dynamics or mass_matrix_and_bias and, if it has
@@ -111,10 +124,11 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     method  "rk4"; or "linearly-implicit": the linearly implicit Euler method, order 1 and L-stable, for hard springs and
             strong dampers of the description at long steps. It damps, takes `tau` once a step and holds it, and needs
             mass_matrix_and_bias and inverse_dynamics_derivatives
+    states  (ns,) or (N, ns): what the states of the description, state_names, begin with; their initial values unless given
     every   how many steps lie between moments that are kept; the first and the last one are kept in any case
     inputs  parameters, wrenches, threads and runtime parameters by name, as the module's functions take them
 
-    Returns Motion(t, q, qd). A state that leaves the finite numbers stays out there, without an error. ValueError for a
+    Returns Motion(t, q, qd, states). A state that leaves the finite numbers stays out there, without an error. ValueError for a
     mechanism with constraints.
 
     >>> arm = alembert.load("arm.yaml")
@@ -134,10 +148,21 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
             raise ValueError(f"q: the quaternion that begins at {first} is zero")
     if now.ndim == 2 and speeds.ndim == 2 and len(now) != len(speeds):
         raise ValueError(f"qd: expected {len(now)} states as in q, found {len(speeds)}")
-    many = next((len(array) for array in (now, speeds) if array.ndim == 2), None)
-    states = () if many is None else (many,)
-    now = numpy.broadcast_to(now, states + (module.nq,)).copy()
-    speeds = numpy.broadcast_to(speeds, states + (module.nv,)).copy()
+    if module.state_names and inputs.get("parameters") is not None and not isinstance(inputs["parameters"], Mapping):
+        raise ValueError(f"parameters: {module.name} has states, which stand among them: give a dict by name, or keywords")
+    for label in module.state_names:
+        if label in inputs or label in (inputs.get("parameters") or ()):
+            raise ValueError(f"{label} is a state: give what it begins with by states")
+    rest = _start(module, "states", module.default_parameters[len(module.parameter_names) - len(module.state_names):]
+                  if states is None else states, len(module.state_names))
+    arrays = {"q": now, "qd": speeds, "states": rest}
+    sizes = {len(array) for array in arrays.values() if array.ndim == 2}
+    if len(sizes) > 1:
+        raise ValueError(f"states: expected {len(now if now.ndim == 2 else speeds)} as of q and qd, found {len(rest)}")
+    shape = tuple(sizes)
+    now = numpy.broadcast_to(now, shape + (module.nq,)).copy()
+    speeds = numpy.broadcast_to(speeds, shape + (module.nv,)).copy()
+    rest = numpy.broadcast_to(rest, shape + (len(module.state_names),)).copy()
     held: Optional[NDArray[Any]] = None
     if not callable(tau):
         held = _forces(module, 0.0 if tau is None else tau, speeds)
@@ -153,38 +178,47 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     def qdot(at: NDArray[Any], u: NDArray[Any]) -> NDArray[Any]:
         return module.coordinate_rates(at, u) if module.quaternion_offsets else u
 
-    def rates(moment: float, at: NDArray[Any], u: NDArray[Any]) -> Any:
+    def with_states(s: NDArray[Any]) -> Dict[str, Any]:
+        return {**inputs, **{name: s[..., i] for i, name in enumerate(module.state_names)}}
+
+    def rates(moment: float, at: NDArray[Any], u: NDArray[Any], s: NDArray[Any]) -> Any:
         # Accelerations are those of unit quaternions, rates those of q as it is: both are smooth, and the order stays.
-        unit = _unit(module, at)
-        return qdot(at, u), for_all(_accelerations(module, moment, unit, u, force(moment, unit, u), inputs), u)
+        unit, given = _unit(module, at), with_states(s)
+        sdot = module.state_rates(unit, u, moment, **given) if module.state_names else s
+        return qdot(at, u), for_all(_accelerations(module, moment, unit, u, force(moment, unit, u), given), u), sdot
 
     now = _unit(module, now)
     kept = [k for k in range(len(times)) if k % every == 0 or k == len(times) - 1]
     motion = Motion(times[kept], numpy.empty((len(kept),) + now.shape, now.dtype),
-                    numpy.empty((len(kept),) + speeds.shape, speeds.dtype))
+                    numpy.empty((len(kept),) + speeds.shape, speeds.dtype),
+                    numpy.empty((len(kept),) + rest.shape, rest.dtype))
     place = 0
     for k, moment in enumerate(times):
         if k == kept[place]:
-            motion.q[place], motion.qd[place] = now, speeds
+            motion.q[place], motion.qd[place], motion.states[place] = now, speeds, rest
             place += 1
         if k + 1 == len(times):
             break
         h = times[k + 1] - moment
         number = now.dtype.type
         if method == "linearly-implicit":
-            change = _implicit_change(module, float(times[k + 1]), number(h), now, speeds, force(float(moment), now, speeds), inputs)
+            end = float(times[k + 1])
+            change = _implicit_change(module, end, number(h), now, speeds, force(float(moment), now, speeds), with_states(rest))
             with numpy.errstate(all="ignore"):
                 speeds = speeds + for_all(change, speeds)
                 now = _unit(module, now + number(h) * qdot(now, speeds))
+            if module.state_names:
+                rest = rest + _change_of_states(module, end, number(h), now, speeds, with_states(rest))
             continue
-        q_sum, u_sum = now, speeds
-        q_rate, u_rate = numpy.zeros_like(now), numpy.zeros_like(speeds)
+        q_sum, u_sum, s_sum = now, speeds, rest
+        q_rate, u_rate, s_rate = numpy.zeros_like(now), numpy.zeros_like(speeds), numpy.zeros_like(rest)
         for share, weight in ((0.0, 1 / 6), (0.5, 1 / 3), (0.5, 1 / 3), (1.0, 1 / 6)):
             offset = number(share * h)
             with numpy.errstate(all="ignore"):
-                at, u = now + offset * q_rate, speeds + offset * u_rate
-            q_rate, u_rate = rates(float(moment + share * h), at, u)
+                at, u, s = now + offset * q_rate, speeds + offset * u_rate, rest + offset * s_rate
+            q_rate, u_rate, s_rate = rates(float(moment + share * h), at, u, s)
             with numpy.errstate(all="ignore"):
-                q_sum, u_sum = q_sum + number(weight * h) * q_rate, u_sum + number(weight * h) * u_rate
-        now, speeds = _unit(module, q_sum), u_sum
+                part = number(weight * h)
+                q_sum, u_sum, s_sum = q_sum + part * q_rate, u_sum + part * u_rate, s_sum + part * s_rate
+        now, speeds, rest = _unit(module, q_sum), u_sum, s_sum
     return motion
