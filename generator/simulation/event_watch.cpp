@@ -61,7 +61,7 @@ void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMe
   const auto u = static_cast<std::size_t>(coordinate.first_speed),
              speeds = static_cast<std::size_t>(coordinate.nv());
   if (coordinate.limits) {
-    const auto [lower, upper] = *coordinate.limits;
+    const double lower = coordinate.limits->first, upper = coordinate.limits->second;
     watch(fmt::format("coordinate '{}' passes its lower limit {:.6g}", coordinate.name, lower),
           "by up to {:.6g}", [q, lower](const EvaluationState& state, const std::vector<double>&) {
             return lower - state.q[q];

@@ -185,9 +185,10 @@ class MovingMechanism {
     }
     return InputError(
         mechanism_.where,
-        fmt::format("no finite step from t = {:.9g}: the mass matrix is not positive definite there, or "
-                    "the motion diverges; try a shorter --step (the output so far is kept)",
-                    time()));
+        fmt::format(
+            "no finite step from t = {:.9g}: the mass matrix is not positive definite there, or "
+            "the motion diverges; try a shorter --step, or --integrator implicit (the output so far is kept)",
+            time()));
   }
 
   const Mechanism& mechanism_;

@@ -50,6 +50,26 @@ TEST(SimulateConstrained, SleighFollowsItsClosedForm) {
   }
 }
 
+TEST(SimulateConstrained, ImplicitStepsComeToTheSleighsClosedFormByOrderOne) {
+  const TemporaryFolder folder;
+  const double m = 1.4, a = 0.35, J = 0.11 + m * a * a, V = 2 * std::sqrt(J / m), k = m * a * V / J;
+  for (const std::string integrator : {"linearly-implicit", "implicit"}) {
+    const auto error = [&](const std::string& step) {
+      const CommandResult result =
+          alembert(folder, "simulate " + mechanism_file("paper/chaplygin_sleigh") +
+                               " --qd 0,0,2 --duration 0.5 --integrator " + integrator + " --step " + step);
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      const Csv table(result.out);
+      const std::vector<double>& row = table.rows.back();
+      EXPECT_LT(row[table.column("residual")], 1e-9);
+      return row[6] - 2 / std::cosh(k * row[0]);
+    };
+    const double coarse = error("0.005");
+    EXPECT_LT(std::abs(coarse), 0.02);
+    EXPECT_NEAR(coarse / error("0.0025"), 2, 0.1) << integrator;
+  }
+}
+
 TEST(SimulateConstrained, ClosesALoopAndKeepsItClosed) {
   const TemporaryFolder folder;
   const std::string csv = folder / "out.csv";
