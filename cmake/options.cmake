@@ -15,7 +15,7 @@ option(ALEMBERT_BUILD_DEMO "Add the target demo: the PUMA 560 from its descripti
 option(ALEMBERT_BUILD_REPRODUCTION "Add the target reproduce: the paper's tables and figures, made anew" OFF)
 option(ALEMBERT_TEST_SANITIZED "Add a test that builds the tests with clang and sanitizers and runs them" OFF)
 option(ALEMBERT_TEST_WHOLE_PROGRAMS "Run each test program in one process: faster where starting one takes long" OFF)
-option(ALEMBERT_UNITY_TESTS "Compile each test program as one file, which reads what its files include once" OFF)
+option(ALEMBERT_UNITY "Compile each test program as one file, and rooms of the generator a dozen files at a time: what they include is read once" OFF)
 option(ALEMBERT_CCACHE "Compile through ccache where it is there" ${PROJECT_IS_TOP_LEVEL})
 set(ALEMBERT_ENGINE_FLAGS "" CACHE STRING "Flags of the rooms that generating spends its time in, after those of the build type: -O1 where all else has -O0")
 set(ALEMBERT_TEST_FLAGS "" CACHE STRING "Flags of the tests and their oracles after those of the build type, for example -O0 to compile them faster")

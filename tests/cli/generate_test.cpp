@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cli/command.hpp"
+#include "rounds.hpp"
 
 namespace alembert::test {
 namespace {
@@ -191,13 +192,14 @@ TEST(Generate, KilledRunsLeaveNothingToTheNext) {
   const TemporaryFolder folder;
   const std::vector<Version> versions = two_versions(folder);
   const std::string out = folder / "out", command = ALEMBERT_EXECUTABLE " generate ";
+  const int trials = rounds(120);
   // Killed at any time of a run, however long runs take here.
   const std::string script = folder.write("killed.sh", R"(
 start=$(date +%s%N)
 )" + command + versions[0].file + " --parts 4 --out-dir " + (folder / "timed") +
                                                            R"(
 span=$(((($(date +%s%N) - start) / 1000000 + 2) * 3 / 2))
-for i in $(seq 120); do
+for i in $(seq )" + std::to_string(trials) + R"(); do
   )" + command + "$(if [ $((i % 2)) = 0 ]; then echo " + versions[0].file +
                                                            "; else echo " + versions[1].file +
                                                            "; fi) --parts 4 --out-dir " + out + R"( &
@@ -210,7 +212,7 @@ for i in $(seq 120); do
   cp -r )" + out + " " + folder / "trial" + "$i\ndone\n");
   ASSERT_EQ(run_command(folder, "bash " + script, "", 240).exit_code, 0);
   std::size_t files = 0;
-  for (int i = 1; i <= 120; ++i) {
+  for (int i = 1; i <= trials; ++i) {
     std::map<std::string, std::string> texts = texts_below(folder / ("trial" + std::to_string(i)));
     std::erase_if(texts, [](const auto& text) { return text.first.find("pendulum") != std::string::npos; });
     ASSERT_TRUE(texts.empty() || texts == versions[0].texts || texts == versions[1].texts) << i;
@@ -222,7 +224,7 @@ for i in $(seq 120); do
 TEST(Generate, RunsAtTheSameTimeDoNotMix) {
   const TemporaryFolder folder;
   const std::vector<Version> versions = two_versions(folder);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < rounds(40); ++i) {
     std::string both = "sh -c '";
     for (const Version& version : versions)
       both += ALEMBERT_EXECUTABLE " generate " + version.file + " --parts 4 --out-dir " + (folder / "out") +

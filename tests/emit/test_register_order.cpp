@@ -8,6 +8,7 @@
 #include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "registers/register_order.hpp"
+#include "rounds.hpp"
 
 namespace alembert {
 namespace {
@@ -35,7 +36,7 @@ std::size_t loads(const Program& program, std::size_t registers) {
 
 TEST(RegisterOrder, KeepsInstructionsAndEveryBit) {
   std::mt19937_64 random(11);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < test::rounds(300); ++round) {
     const Program program = schedule(optimize(random_program(150, Mix::everything, random)));
     for (const States states : {States::one, States::many}) {
       const Program result = order_for_registers(program, states);

@@ -10,6 +10,7 @@
 #include "program/program_maker.hpp"
 #include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
+#include "rounds.hpp"
 
 namespace alembert {
 namespace {
@@ -63,7 +64,7 @@ void expect_same(const Program& given, const Program& rerolled, Values same, std
 
 TEST(Reroll, ARecursionBecomesLoopsWhateverItsSignsAndOrder) {
   std::mt19937_64 random(3);
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::rounds(10)); ++seed) {
     const std::uint32_t n = 12 + 3 * static_cast<std::uint32_t>(seed);
     const Program given = schedule(ChainMaker(n, seed).m.program);
     const Program rerolled = reroll(given);
@@ -76,7 +77,7 @@ TEST(Reroll, ARecursionBecomesLoopsWhateverItsSignsAndOrder) {
 
 TEST(Reroll, StepsMayHaveTermsInAnyOrderAndNegativeAxes) {
   std::mt19937_64 random(6);
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::rounds(10)); ++seed) {
     const std::uint32_t n = 12 + 3 * static_cast<std::uint32_t>(seed);
     const Program given = schedule(ChainMaker(n, seed, ChainMaker::Steps::varied).m.program);
     const Program rerolled = reroll(given);
@@ -93,7 +94,7 @@ TEST(Reroll, StepsMayHaveTermsInAnyOrderAndNegativeAxes) {
 
 TEST(Reroll, DotProductsStayBehindTheLoops) {
   std::mt19937_64 random(4);
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::rounds(10)); ++seed) {
     constexpr std::uint32_t n = 20;
     ChainMaker chain(n, seed);
     std::vector<std::uint32_t> M(std::size_t{n} * n);

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
@@ -141,7 +142,7 @@ class RegroupingSearch {
       for (std::size_t i = n; i-- > 0;) better = improve(i, candidates[i]) || better;
       if (!better) break;
     }
-    const RigidLinks::Flow flow = links_.flow(choices_);
+    const RigidLinks::Flow& flow = links_.flow(choices_);
     for (std::size_t i = 0; i < n; ++i)
       choices_[i].forms = best_forms(pattern(i, choices_[i], flow.splits[i]));
     return {choices_, std::move(candidates)};
@@ -171,7 +172,7 @@ class RegroupingSearch {
     if (link.main_child >= 0) {
       const RigidLink& child = links_.links()[static_cast<std::size_t>(link.main_child)];
       p.child = true;
-      p.twisted = abs(sin(2 * child.twist)) > kAngleRounding;  // right angles only rename axes
+      p.twisted = child.twisted;
       p.length = child.length != 0;
       p.offset = child.offset != 0;
     }
@@ -211,13 +212,14 @@ class RegroupingSearch {
         if ((points & bit(static_cast<std::size_t>(frame))) != 0 || std::popcount(points) > 1) continue;
         if (points != 0 && (links_.links()[i].main_child < 0 || (points & 1u) != 0)) continue;
         const RigidLinks::Splits stay(links_, i, {frame, 0, points, false, {}}, inertia);
-        const RigidLinks::Splits move(links_, i, {frame, 0, points, true, {}}, inertia);
+        std::optional<RigidLinks::Splits> move;
+        if (terms_may_move_ && points == 0 && !inertia.terms.empty())
+          move.emplace(links_, i, Regrouping{frame, 0, points, true, {}}, inertia);
         for (unsigned zeros = 1; zeros < bit(kInertiaEntries.size()); ++zeros) {
           const int count = std::popcount(zeros) - std::popcount(points);
           if (count != movable) continue;
           consider(stay, {frame, zeros, points, false, {}});
-          if (terms_may_move_ && points == 0 && !inertia.terms.empty())
-            consider(move, {frame, zeros, points, true, {}});
+          if (move) consider(*move, {frame, zeros, points, true, {}});
         }
       }
     }
@@ -258,7 +260,7 @@ class RegroupingSearch {
   }
 
   bool improve(std::size_t i, const std::vector<Regrouping>& candidates) {
-    const RigidLinks::Flow flow = links_.flow(choices_);
+    const RigidLinks::Flow& flow = links_.flow(choices_);
     std::size_t best = chain_cost(i, choices_[i], flow);
     bool better = false;
     for (const Regrouping& how : candidates) {

@@ -81,8 +81,7 @@ class TreeBuilder {
 
 }  // namespace
 
-WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
-  const std::vector<Split> splits = flow(regroupings).splits;
+RigidLinks::Skeleton RigidLinks::skeleton(ExprGraph& graph) const {
   TreeBuilder builder(graph, length_);
   std::vector<std::array<int, 4>> frames;  // node of each MassFrame of a link
   for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -95,8 +94,7 @@ WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Ex
       } else {
         // Beside the main child: from its twisted frame, whose U is made anyway.
         const MassFrame from = has_frame(p, MassFrame::twist) ? MassFrame::twist : MassFrame::joint;
-        const Matrix4e back = rigid_inverse(pose_in_link(p, from));
-        node = builder.pose(frames[p][static_cast<std::size_t>(from)], back * link.before);
+        node = builder.pose(frames[p][static_cast<std::size_t>(from)], frame(p, from).back * link.before);
       }
     } else {
       node = builder.pose(-1, link.before);
@@ -124,27 +122,12 @@ WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Ex
     }
     frames.push_back(at);
   }
-  std::vector<MomentForms> moments(builder.tree.nodes.size());
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    // Frames that coincide share a node: what is fixed to them adds up.
-    const auto put = [&](MassFrame frame, const LinkInertia& inertia) {
-      const std::size_t node = static_cast<std::size_t>(frames[i][static_cast<std::size_t>(frame)]);
-      NodeMass& mass = builder.tree.masses[node];
-      const NodeMass more = terms_.node_mass(inertia, graph);
-      mass.mass += more.mass;
-      mass.moment = mass.moment + more.moment;
-      mass.inertia = mass.inertia + more.inertia;
-      moments[node] = regroupings[i].forms;
-    };
-    for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
-      if (splits[i].points[k] == 0) continue;
-      LinkInertia point;
-      point.number(3, 3) = splits[i].points[k];
-      put(kMassFrames[k], point);
-    }
-    put(regroupings[i].frame, splits[i].remaining);
-  }
+  return {std::move(builder.tree), std::move(frames)};
+}
 
+std::vector<BodyPlace> RigidLinks::places(const Skeleton& skeleton, ExprGraph& graph) const {
+  const TreeBuilder builder(graph, length_);
+  std::vector<BodyPlace> out;
   for (const BodyPlace& place : tree_->places) {
     BodyPlace moved = place;
     if (place.node >= 0) {
@@ -163,13 +146,44 @@ WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, Ex
             turn.matrix(static_cast<std::size_t>(r), static_cast<std::size_t>(c)) =
                 abs(pose(r, c)) <= kAngleRounding ? graph.zero() : rounded_number(graph, pose(r, c));
         }
-        moved.node = frames[i][0];
+        moved.node = skeleton.frames[i][0];
         moved.tail.insert(moved.tail.begin(), {shift, turn});
       }
     }
-    builder.tree.places.push_back(std::move(moved));
+    out.push_back(std::move(moved));
   }
-  WrittenTree written(std::move(builder.tree));
+  return out;
+}
+
+WrittenTree RigidLinks::link_tree(const std::vector<Regrouping>& regroupings, ExprGraph& graph) const {
+  const std::vector<Split>& splits = flow(regroupings).splits;
+  const bool first = !skeleton_;
+  if (first) skeleton_ = skeleton(graph);
+  MotionTree tree = skeleton_->tree;
+  std::vector<MomentForms> moments(tree.nodes.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    // Frames that coincide share a node: what is fixed to them adds up.
+    const auto put = [&](MassFrame frame, const LinkInertia& inertia) {
+      const std::size_t node =
+          static_cast<std::size_t>(skeleton_->frames[i][static_cast<std::size_t>(frame)]);
+      NodeMass& mass = tree.masses[node];
+      const NodeMass more = terms_.node_mass(inertia, graph);
+      mass.mass += more.mass;
+      mass.moment = mass.moment + more.moment;
+      mass.inertia = mass.inertia + more.inertia;
+      moments[node] = regroupings[i].forms;
+    };
+    for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
+      if (splits[i].points[k] == 0) continue;
+      LinkInertia point;
+      point.number(3, 3) = splits[i].points[k];
+      put(kMassFrames[k], point);
+    }
+    put(regroupings[i].frame, splits[i].remaining);
+  }
+  if (first) skeleton_->tree.places = places(*skeleton_, graph);
+  tree.places = skeleton_->tree.places;
+  WrittenTree written(std::move(tree));
   written.moments = std::move(moments);
   return written;
 }

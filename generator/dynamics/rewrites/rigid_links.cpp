@@ -126,6 +126,7 @@ RigidLinks::RigidLinks(const Mechanism& mechanism, const MotionTree& tree, ExprG
   }
   measure();
   place();
+  keep_frames();
 }
 
 void RigidLinks::measure() {
@@ -228,6 +229,7 @@ void RigidLinks::place() {
     link.before = link.before * turn(2, -d.last_angle);
     if (link.parent >= 0 && links_[static_cast<std::size_t>(link.parent)].main_child == static_cast<int>(i)) {
       link.twist = d.twist;
+      link.twisted = abs(sin(2 * d.twist)) > kAngleRounding;  // right angles only rename axes
       link.length = d.length;
       link.offset = d.last_shift;
       // Parallel axes share the slide; it all happens here.
@@ -244,17 +246,8 @@ bool RigidLinks::has_frame(std::size_t i, MassFrame frame) const {
   return frame == MassFrame::joint || links_[i].main_child >= 0;
 }
 
-Matrix4e RigidLinks::pose_in_link(std::size_t i, MassFrame frame) const {
-  if (frame == MassFrame::joint) return Matrix4e::Identity();
-  const RigidLink& child = links_[static_cast<std::size_t>(links_[i].main_child)];
-  Matrix4e pose = turn(0, child.twist);
-  if (frame == MassFrame::twist) return pose;
-  pose = pose * shift({child.length, 0, 0});
-  return frame == MassFrame::length ? pose : Matrix4e(pose * shift({0, 0, child.offset}));
-}
-
-LinkInertia RigidLinks::in_frame(std::size_t i, MassFrame frame, const LinkInertia& inertia) const {
-  return inertia.seen_through(rigid_inverse(pose_in_link(i, frame)));
+LinkInertia RigidLinks::in_frame(std::size_t i, MassFrame which, const LinkInertia& inertia) const {
+  return inertia.seen_through(frame(i, which).back);
 }
 
 LinkInertia RigidLinks::to_parent(std::size_t i, const LinkInertia& moved) const {
@@ -290,21 +283,40 @@ std::vector<Matrix4e> RigidLinks::movable(std::size_t i) const {
   return basis;
 }
 
+void RigidLinks::keep_frames() {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    std::vector<Matrix4e> poses{Matrix4e::Identity()};
+    if (links_[i].main_child >= 0) {
+      const RigidLink& child = links_[static_cast<std::size_t>(links_[i].main_child)];
+      poses.push_back(turn(0, child.twist));
+      poses.emplace_back(poses.back() * shift({child.length, 0, 0}));
+      poses.emplace_back(poses.back() * shift({0, 0, child.offset}));
+    }
+    movable_.push_back(movable(i));
+    std::vector<Frame>& frames = frames_.emplace_back();
+    for (const Matrix4e& pose : poses) {
+      const Matrix4e back = rigid_inverse(pose);
+      frames.push_back({pose, back, {}});
+      for (const Matrix4e& d : movable_.back())
+        frames.back().movable.emplace_back(back * d * back.transpose());
+    }
+  }
+}
+
 RigidLinks::Splits::Splits(const RigidLinks& links, std::size_t i, const Regrouping& how,
                            const LinkInertia& inertia)
     : length_(links.links_[i].size),
       moves_terms_(how.moves_terms),
       possible_(!(how.moves_terms && how.points != 0)),
       inertia_(links.in_frame(i, how.frame, inertia)),
-      basis_(links.movable(i)) {
+      basis_(links.movable_[i]),
+      columns_(links.frame(i, how.frame).movable) {
   const auto drop = [&](Matrix4e& S) { drop_rounding(S, mass_scale(S, length_), length_); };
   drop(inertia_.number);
   for (auto& [term, S] : inertia_.terms) drop(S);
-  const Matrix4e back = rigid_inverse(links.pose_in_link(i, how.frame));
-  for (const Matrix4e& d : basis_) columns_.emplace_back(back * d * back.transpose());
   for (std::size_t k = 0; k < kMassFrames.size(); ++k) {
     if ((how.points >> k & 1u) == 0) continue;
-    const Vector4e at = (back * links.pose_in_link(i, kMassFrames[k])).col(3);
+    const Vector4e at = (links.frame(i, how.frame).back * links.frame(i, kMassFrames[k]).pose).col(3);
     columns_.emplace_back(at * at.transpose());
     points_.push_back(k);
   }
@@ -374,19 +386,27 @@ std::optional<RigidLinks::Split> RigidLinks::Splits::zeroing(unsigned zeros) con
   return out;
 }
 
-RigidLinks::Flow RigidLinks::flow(const std::vector<Regrouping>& regroupings) const {
-  Flow out;
-  for (const RigidLink& link : links_) out.inertias.push_back(link.inertia);
-  out.splits.resize(links_.size());
-  for (std::size_t i = links_.size(); i-- > 0;) {
-    auto split = this->split(i, regroupings[i], out.inertias[i]);
-    if (!split) split = this->split(i, Regrouping{}, out.inertias[i]);
-    out.splits[i] = *split;
-    if (links_[i].parent >= 0) {
-      out.inertias[static_cast<std::size_t>(links_[i].parent)] += to_parent(i, out.splits[i].moved);
+const RigidLinks::Flow& RigidLinks::flow(const std::vector<Regrouping>& regroupings) const {
+  const std::size_t n = links_.size();
+  std::vector<bool> changed(n, known_.regroupings.empty());
+  known_.flow.inertias.resize(n);
+  known_.flow.splits.resize(n);
+  known_.handed.resize(n);
+  for (std::size_t i = n; i-- > 0;) {
+    if (!changed[i] && known_.regroupings[i].splits_like(regroupings[i])) continue;
+    LinkInertia& inertia = known_.flow.inertias[i] = links_[i].inertia;
+    for (std::size_t child = n; child-- > i + 1;) {
+      if (links_[child].parent == static_cast<int>(i)) inertia += known_.handed[child];
     }
+    auto split = this->split(i, regroupings[i], inertia);
+    if (!split) split = this->split(i, Regrouping{}, inertia);
+    known_.flow.splits[i] = *std::move(split);
+    if (links_[i].parent < 0) continue;
+    known_.handed[i] = to_parent(i, known_.flow.splits[i].moved);
+    changed[static_cast<std::size_t>(links_[i].parent)] = true;
   }
-  return out;
+  known_.regroupings = regroupings;
+  return known_.flow;
 }
 
 }  // namespace alembert

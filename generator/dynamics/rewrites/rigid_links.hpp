@@ -48,6 +48,11 @@ struct Regrouping {
   bool moves_terms =
       false;  ///< runtime terms move like the numbers, without point masses; otherwise they stay in the link
   MomentForms forms{};
+  /// Whether an inertia is split alike: `forms` has no part in it.
+  bool splits_like(const Regrouping& other) const {
+    return frame == other.frame && zeros == other.zeros && points == other.points &&
+           moves_terms == other.moves_terms;
+  }
 };
 
 struct RigidLink {
@@ -59,6 +64,7 @@ struct RigidLink {
   bool grounded = false;  ///< does not move, and nothing before it does
   Extended angle_offset = 0;
   Extended twist = 0, length = 0, offset = 0;  ///< from the parent, if this is its main child
+  bool twisted = false;                        ///< by more than what only renames axes
   Matrix4e before = Matrix4e::Identity();  ///< parent's frame to this one before its motion, offset included
   LinkInertia inertia;                     ///< in the frame after the motion
   Matrix4e adjusted = Matrix4e::Identity();  ///< node's frame after its motion to this link's frame
@@ -88,7 +94,7 @@ class RigidLinks {
 
   /// How many independent parts of its inertia link i can hand to its parent: r (r + 1) / 2 with r still
   /// points and directions.
-  int movable_count(std::size_t i) const { return static_cast<int>(movable(i).size()); }
+  int movable_count(std::size_t i) const { return static_cast<int>(movable_[i].size()); }
 
   /// `remaining` is in the chosen frame, `moved` in the frame after the motion (zero if nothing moves),
   /// `points` are masses at the frames.
@@ -111,9 +117,9 @@ class RigidLinks {
 
     const Extended& length_;
     bool moves_terms_, possible_;
-    LinkInertia inertia_;            ///< in the frame
-    std::vector<Matrix4e> basis_;    ///< what can move, in the joint's frame
-    std::vector<Matrix4e> columns_;  ///< the same and the point masses, in the frame
+    LinkInertia inertia_;                 ///< in the frame
+    const std::vector<Matrix4e>& basis_;  ///< what can move, in the joint's frame
+    std::vector<Matrix4e> columns_;       ///< the same and the point masses, in the frame
     std::vector<std::size_t> points_;
   };
   std::optional<Split> split(std::size_t i, const Regrouping& how, const LinkInertia& inertia) const {
@@ -126,7 +132,8 @@ class RigidLinks {
     std::vector<LinkInertia> inertias;
     std::vector<Split> splits;
   };
-  Flow flow(const std::vector<Regrouping>& regroupings) const;
+  /// Valid until the next call, which computes anew only what differs.
+  const Flow& flow(const std::vector<Regrouping>& regroupings) const;
 
   /// What the parent receives of a part moved by link i: X d X^T.
   LinkInertia to_parent(std::size_t i, const LinkInertia& moved) const;
@@ -137,15 +144,41 @@ class RigidLinks {
  private:
   void measure();  ///< sizes of the links
   void place();    ///< turns and slides the frames about the axes
-  Matrix4e pose_in_link(std::size_t i, MassFrame frame) const;
   std::vector<Matrix4e> movable(std::size_t i) const;
+  void keep_frames();  ///< fills frames_ and movable_
+
+  /// A frame of a link that its mass may be written down in.
+  struct Frame {
+    Matrix4e pose, back;            ///< from the joint's frame and to it
+    std::vector<Matrix4e> movable;  ///< what can move, in this frame
+  };
+  const Frame& frame(std::size_t i, MassFrame which) const {
+    return frames_[i][static_cast<std::size_t>(which)];
+  }
+  /// The nodes of a tree of these links, without masses, and those of each MassFrame of a link.
+  struct Skeleton {
+    MotionTree tree;
+    std::vector<std::array<int, 4>> frames;
+  };
+  Skeleton skeleton(ExprGraph& graph) const;
+  std::vector<BodyPlace> places(const Skeleton& skeleton, ExprGraph& graph) const;
 
   const MotionTree* tree_ = nullptr;
   RuntimeTerms terms_;
   std::vector<RigidLink> links_;
-  std::vector<int> link_of_node_;       ///< link that a node moves with; -1: world
-  std::vector<Matrix4e> pose_of_node_;  ///< of a node in its link's original frame
-  Extended length_ = 0;                 ///< of the whole
+  std::vector<int> link_of_node_;           ///< link that a node moves with; -1: world
+  std::vector<Matrix4e> pose_of_node_;      ///< of a node in its link's original frame
+  Extended length_ = 0;                     ///< of the whole
+  std::vector<std::vector<Frame>> frames_;  ///< of each link those that exist
+  std::vector<std::vector<Matrix4e>> movable_;
+  // Trees of the same links are asked for again and again, and inertias that flow nearly alike.
+  struct KnownFlow {
+    std::vector<Regrouping> regroupings;
+    Flow flow;
+    std::vector<LinkInertia> handed;  ///< to the parent
+  };
+  mutable KnownFlow known_;
+  mutable std::optional<Skeleton> skeleton_;
 };
 
 }  // namespace alembert
