@@ -137,7 +137,7 @@ class ForceReader {
     if (items.size() < 2)
       throw InputError(document_.where(node), fmt::format("{} has {} frame{}; expected two or more", what,
                                                           items.size(), items.size() == 1 ? "" : "s"));
-    std::vector<int> frames;
+    std::vector<int>& frames = force_.path;
     for (const YamlNode* item : items) {
       frames.push_back(loading_.reader.expect_frame(*item, what));
       if (frames.size() > 1 && frames.back() == frames[frames.size() - 2])
