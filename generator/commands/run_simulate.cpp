@@ -37,6 +37,12 @@ void check_outputs(const SimulateOptions& options, const SourceLocation& where) 
     throw InputError(where, "--scene needs --html or --glb to be seen in");
 }
 
+std::size_t path_points(const Mechanism& mechanism) {
+  std::size_t count = mechanism.contacts.size();
+  for (const Force& force : mechanism.forces) count += force.path.size();
+  return count;
+}
+
 /// Passes on points of a motion: to a table each so many steps, to a recorder each so many others, and the
 /// last one to both.
 class PointSplitter {
@@ -158,7 +164,9 @@ class Simulation {
                        "--duration and --step make no sensible number of steps (at most 1e9)");
     }
     const double frames = static_cast<double>(*steps / steps_per_frame(options_.step, options_.fps) + 1);
-    const double numbers = frames * static_cast<double>(12 * mechanism.bodies.size() + mechanism.nq + 3);
+    const double numbers = frames * static_cast<double>(12 * mechanism.bodies.size() + mechanism.nq + 3 +
+                                                        mechanism.forces.size() + mechanism.outputs.size() +
+                                                        3 * path_points(mechanism));
     if (seen_ && numbers > kMostNumbers)
       throw InputError(mechanism.where, fmt::format("{:.3g} frames are too many to be seen", frames),
                        "choose a smaller --duration or --fps");

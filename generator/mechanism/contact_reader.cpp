@@ -25,8 +25,9 @@ class ContactReader {
         name_(name) {}
 
   std::vector<Force> read(const SourceLocation& where) {
-    frame_ = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
-    radius_ = or_zero("radius");
+    contact_.name = name_;
+    frame_ = contact_.frame = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
+    radius_ = contact_.radius = or_zero("radius");
     const YamlNode *plane = section_.find("plane"), *sphere = section_.find("sphere");
     if ((plane == nullptr) == (sphere == nullptr))
       throw InputError(loading_.document.where(section_.node()),
@@ -35,7 +36,11 @@ class ContactReader {
       read_plane(*plane);
     else
       read_sphere(*sphere);
-    return wrenches(where);
+    std::vector<Force> forces = wrenches(where);
+    contact_.other = other_;
+    contact_.normal = normal_;
+    loading_.mechanism.contacts.push_back(contact_);
+    return forces;
   }
 
  private:
@@ -94,6 +99,9 @@ class ContactReader {
       throw InputError(loading_.document.where(direction), of("the normal of the plane") + " is 0");
     const Expr length = sqrt(dot(normal_, normal_));
     for (Expr& entry : normal_.entries) entry = entry / length;
+    contact_.plane = true;
+    contact_.plane_point = point;
+    contact_.plane_normal = normal_;
     if (other_ >= 0) {
       const Mat3 R = rotation(other_);
       normal_ = R * normal_;
@@ -108,6 +116,7 @@ class ContactReader {
     other_ = loading_.reader.expect_frame(sphere.require("frame"), of("the sphere"));
     check_apart(node, other_);
     const Expr radius = coefficient(sphere.require("radius"), of("the radius of the sphere"), true);
+    contact_.other_radius = radius;
     const Expr distance = loading_.reader.distance(frame_, other_);
     normal_ = vector(frame_, FrameQuantity::position) - vector(other_, FrameQuantity::position);
     for (Expr& entry : normal_.entries) entry = entry / distance;
@@ -127,6 +136,7 @@ class ContactReader {
     const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
     const Expr strength = positive("stiffness") * (deep * sqrt(deep)) * if_positive(damped, damped);
+    contact_.strength = strength;
     const Expr friction = or_zero("friction");
     if (friction.is_zero()) return strength * normal_;
     const Expr slow = positive("slip_velocity");
@@ -164,6 +174,7 @@ class ContactReader {
   Loading& loading_;
   Section section_;
   std::string name_;
+  SphereContact contact_;
   int frame_ = -1, other_ = -1;  ///< indices of frames; -1: the world
   Expr radius_, depth_;
   Vec3 normal_;  ///< world axes, from the other to the sphere

@@ -132,11 +132,6 @@ class ForceReader {
     force_.speed = coordinate.first_speed + (real ? 0 : static_cast<int>(axis));
   }
 
-  struct PathPoint {
-    int frame;
-    std::optional<Expr> when;  ///< where this is positive; empty: always
-  };
-
   /// `NAME`, or `{frame: NAME, when: expression}` but for ends.
   PathPoint path_point(const YamlNode& node, bool end, const std::string& what) {
     if (node.kind != YamlNode::Kind::mapping || end) return {loading_.reader.expect_frame(node, what), {}};
@@ -170,7 +165,7 @@ class ForceReader {
     if (items.size() < 2)
       throw InputError(document_.where(node), fmt::format("{} has {} frame{}; expected two or more", what,
                                                           items.size(), items.size() == 1 ? "" : "s"));
-    std::vector<PathPoint> points;
+    std::vector<PathPoint>& points = force_.path;
     for (const YamlNode* item : items) {
       const bool end = item == items.front() || item == items.back();
       points.push_back(path_point(*item, end, what));

@@ -196,21 +196,42 @@ enum class ForceKind {
   wrench,     ///< force at the origin of a frame and torque on it
 };
 
+/// A point that a path leads over where `when` is positive; always, if there is none.
+struct PathPoint {
+  int frame;  ///< index into Mechanism::frames
+  std::optional<Expr> when = {};
+};
+
 /// What acts besides gravity and external wrenches: expressions over coordinates, speeds, t, runtime
 /// parameters, inputs, Mechanism::frame_symbols and distances.
 struct Force {
   std::string name;
   ForceKind kind = ForceKind::on_speed;
-  int speed = -1;          ///< on_speed: which one
-  Expr value;              ///< on_speed: the generalized force; potential: J; path: the tension, N
-  Expr length;             ///< path: over Mechanism::distances
-  Expr rate;               ///< path: the symbol that stands for the rate of the length
-  int frame = -1;          ///< wrench: index into Mechanism::frames
-  bool frame_axes = true;  ///< wrench: in the axes of the frame, else in the world's
+  int speed = -1;               ///< on_speed: which one
+  Expr value;                   ///< on_speed: the generalized force; potential: J; path: the tension, N
+  std::vector<PathPoint> path;  ///< path: from end to end
+  Expr length;                  ///< path: over Mechanism::distances
+  Expr rate;                    ///< path: the symbol that stands for the rate of the length
+  int frame = -1;               ///< wrench: index into Mechanism::frames
+  bool frame_axes = true;       ///< wrench: in the axes of the frame, else in the world's
   Vec3 force, torque;
   std::optional<Expr> depth = {};  ///< wrench of a contact, once each: how deep it is, m; negative: apart
   bool passive = false;            ///< on_speed: damping and friction of a coordinate, not of a drive
   SourceLocation where;
+};
+
+/// A sphere that touches a plane or another sphere, for those who look at it: its forces are among
+/// Mechanism::forces, by the same name. Expressions as of forces.
+struct SphereContact {
+  std::string name;
+  int frame = -1;                  ///< of the sphere's centre: index into Mechanism::frames
+  int other = -1;                  ///< of the plane or the other sphere; -1: the world
+  Expr radius;                     ///< of the sphere
+  Vec3 normal;                     ///< towards the sphere, world axes
+  Expr strength;                   ///< the normal force, N
+  bool plane = false;              ///< else a sphere
+  Expr other_radius;               ///< sphere
+  Vec3 plane_point, plane_normal;  ///< plane: in the axes of `other`
 };
 
 /// A quantity that is worth having, with its derivatives: an expression as of a force.
@@ -231,6 +252,7 @@ struct Mechanism {
   std::vector<Frame> frames;
   std::vector<Constraint> constraints;
   std::vector<Force> forces;  ///< those of coordinates (damping, friction, stiffness) first
+  std::vector<SphereContact> contacts;
   std::vector<Output> outputs;
   std::vector<FrameSymbols> frame_symbols;  ///< those that constraints, forces and outputs use
   std::vector<FrameDistance> distances;     ///< likewise

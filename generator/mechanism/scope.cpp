@@ -70,10 +70,11 @@ std::vector<std::string> Scope::coordinate_names() const {
 void Scope::check_used(Warnings& warnings) const {
   for (const auto* named : in_order_) {
     const auto& [name, entry] = *named;
-    if (entry.used || entry.kind == NameKind::coordinate || entry.kind == NameKind::quaternion) continue;
+    if (entry.used || entry.kind == NameKind::coordinate || entry.kind == NameKind::quaternion ||
+        entry.kind == NameKind::state)
+      continue;
     const std::string message = fmt::format("{} '{}' is not used", noun(entry.kind), name);
-    if (entry.kind != NameKind::input && entry.kind != NameKind::state)
-      throw InputError(entry.where, message);
+    if (entry.kind != NameKind::input) throw InputError(entry.where, message);
     warnings.push_back({entry.where, message});
   }
 }

@@ -16,6 +16,7 @@ void MotionRecorder::record(const TrajectoryPoint& point) {
   motion_.poses.push_back(std::move(poses));
   motion_.kinetic.push_back(point.kinetic);
   motion_.potential.push_back(point.potential);
+  readings_.append(point.state, motion_.acting);
 }
 
 long steps_per_frame(double step, double fps) {

@@ -174,17 +174,20 @@ Mesh contact_mesh(const Contact& contact, const InitialValues& values, const Mec
 
 }  // namespace
 
+bool has_shapes(const Mechanism& mechanism, int body) {
+  if (body >= 0) return !mechanism.bodies[static_cast<std::size_t>(body)].geometry.empty();
+  return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& b) {
+    return b.parent < 0 && b.transform.factors.empty() && !b.geometry.empty();
+  });
+}
+
 void add_contacts(Scene& scene, Looks& looks, const Mechanism& mechanism, ExprGraph& graph,
                   const BakedMotion& motion) {
   const InitialValues values(mechanism, graph);
-  const bool scenery_given =
-      std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [&](const Body& body) {
-        return body.parent < 0 && body.transform.factors.empty() && !body.geometry.empty();
-      });
   for (const Contact& contact : ContactFinder(mechanism, values).find()) {
     const bool world = contact.body < 0;
     const std::size_t b = static_cast<std::size_t>(std::max(contact.body, 0));
-    if (world ? scenery_given : !mechanism.bodies[b].geometry.empty()) continue;
+    if (has_shapes(mechanism, contact.body)) continue;
     Mesh mesh;
     try {
       mesh = contact_mesh(contact, values, mechanism, motion);

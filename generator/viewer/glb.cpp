@@ -8,6 +8,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "viewer/moving_parts.hpp"
+
 namespace alembert {
 
 namespace {
@@ -40,6 +42,8 @@ Json floats(std::span<const float> values) {
 class GlbWriter {
  public:
   explicit GlbWriter(const Scene& scene) : scene_(scene) {
+    for (const SceneMechanism& mechanism : scene.mechanisms)
+      forces_.push_back(moving_parts(scene_, mechanism));
     json_["asset"] = {{"version", "2.0"}, {"generator", "alembert"}};
     json_["scene"] = 0;
     json_["scenes"] = Json::array({{{"name", scene.title}, {"nodes", {0}}}});
@@ -49,7 +53,8 @@ class GlbWriter {
 
   std::string write() {
     Json roots = Json::array();
-    for (const SceneMechanism& mechanism : scene_.mechanisms) roots.push_back(add(mechanism));
+    for (std::size_t i = 0; i < scene_.mechanisms.size(); ++i)
+      roots.push_back(add(scene_.mechanisms[i], forces_[i]));
     if (!roots.empty()) node(0)["children"] = std::move(roots);
     if (!binary_.empty()) json_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
     return file();
@@ -162,17 +167,60 @@ class GlbWriter {
       node(index)["rotation"] = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   }
 
-  std::size_t add(const SceneMechanism& mechanism) {
+  /// Channels of an animation, over the frames that are kept.
+  struct Animation {
+    std::vector<std::size_t> frames;
+    std::size_t times = 0;  ///< accessor
+    bool moves = false;
+    Json channels = Json::array(), samplers = Json::array();
+  };
+
+  void add_channel(Animation& animation, std::size_t node_index, const char* path, std::size_t output) {
+    animation.channels.push_back(
+        {{"sampler", animation.samplers.size()}, {"target", {{"node", node_index}, {"path", path}}}});
+    animation.samplers.push_back(
+        {{"input", animation.times}, {"interpolation", "LINEAR"}, {"output", output}});
+  }
+  std::size_t add_vectors(const Animation& animation, std::span<const Eigen::Vector3d> vectors) {
+    std::vector<float> numbers;
+    for (const std::size_t k : animation.frames) {
+      const Eigen::Vector3f x = vectors[k].cast<float>();
+      numbers.insert(numbers.end(), x.begin(), x.end());
+    }
+    return add_floats(numbers, 3, false, 0);
+  }
+  void animate(Animation& animation, std::size_t node_index, std::span<const Eigen::Vector3d> origins,
+               std::span<const Eigen::Quaterniond> rotations) {
+    if (!animation.moves) return;
+    std::vector<float> turns;
+    for (const std::size_t k : animation.frames) {
+      const Eigen::Vector4f r = rotations[k].coeffs().cast<float>().normalized();
+      turns.insert(turns.end(), r.begin(), r.end());
+    }
+    add_channel(animation, node_index, "translation", add_vectors(animation, origins));
+    add_channel(animation, node_index, "rotation", add_floats(turns, 4, false, 0));
+  }
+
+  std::size_t add(const MovingPart& part, Animation& animation) {
+    const std::size_t index = add({part.mesh, Eigen::Isometry3d::Identity(), part.color}, part.name);
+    place(index, part.origins[0], part.rotations[0]);
+    const Eigen::Vector3d& scale = part.scales[0];
+    node(index)["scale"] = {scale[0], scale[1], scale[2]};
+    animate(animation, index, part.origins, part.rotations);
+    if (animation.moves) add_channel(animation, index, "scale", add_vectors(animation, part.scales));
+    return index;
+  }
+
+  std::size_t add(const SceneMechanism& mechanism, std::span<const MovingPart> forces) {
     const std::size_t index = add_node(mechanism.name);
     place(index, mechanism.placement);
     Json children = Json::array();
     for (const ScenePart& part : mechanism.scenery) children.push_back(add(part, "world"));
-    Json channels = Json::array(), samplers = Json::array();
-    std::size_t times = 0;
+    Animation animation;
     std::vector<float> kept;
-    const std::vector<std::size_t> frames = distinct_frames(mechanism.times, kept);
-    const bool moves = frames.size() > 1 && !mechanism.bodies.empty();
-    if (moves) times = add_floats(kept, 1, true, 0);
+    animation.frames = distinct_frames(mechanism.times, kept);
+    animation.moves = animation.frames.size() > 1 && !(mechanism.bodies.empty() && forces.empty());
+    if (animation.moves) animation.times = add_floats(kept, 1, true, 0);
     for (const SceneBody& body : mechanism.bodies) {
       const std::size_t body_index = add_node(body.name);
       children.push_back(body_index);
@@ -181,27 +229,14 @@ class GlbWriter {
       for (const ScenePart& part : body.parts)
         parts.push_back(add(part, body.name + " shape " + std::to_string(parts.size() + 1)));
       if (!parts.empty()) node(body_index)["children"] = std::move(parts);
-      if (!moves) continue;
-      std::vector<float> origins, rotations;
-      for (const std::size_t k : frames) {
-        const Eigen::Vector3f x = body.origins[k].cast<float>();
-        const Eigen::Vector4f r = body.rotations[k].coeffs().cast<float>().normalized();
-        origins.insert(origins.end(), x.begin(), x.end());
-        rotations.insert(rotations.end(), r.begin(), r.end());
-      }
-      const auto channel = [&](const char* path, std::size_t output) {
-        channels.push_back(
-            {{"sampler", samplers.size()}, {"target", {{"node", body_index}, {"path", path}}}});
-        samplers.push_back({{"input", times}, {"interpolation", "LINEAR"}, {"output", output}});
-      };
-      channel("translation", add_floats(origins, 3, false, 0));
-      channel("rotation", add_floats(rotations, 4, false, 0));
+      animate(animation, body_index, body.origins, body.rotations);
     }
-    if (moves) {
-      Json animation{{"name", mechanism.name}};
-      animation["channels"] = std::move(channels);
-      animation["samplers"] = std::move(samplers);
-      json_["animations"].push_back(std::move(animation));
+    for (const MovingPart& part : forces) children.push_back(add(part, animation));
+    if (animation.moves) {
+      Json json{{"name", mechanism.name}};
+      json["channels"] = std::move(animation.channels);
+      json["samplers"] = std::move(animation.samplers);
+      json_["animations"].push_back(std::move(json));
     }
     if (!children.empty()) node(index)["children"] = std::move(children);
     return index;
@@ -236,7 +271,8 @@ class GlbWriter {
     return out + binary_;
   }
 
-  const Scene& scene_;
+  Scene scene_;                                  ///< with the meshes of forces
+  std::vector<std::vector<MovingPart>> forces_;  ///< of each mechanism
   Json json_;
   std::string binary_;  // only words of four bytes, so every view is aligned
   std::map<std::size_t, Json> geometries_;

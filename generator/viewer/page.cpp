@@ -91,16 +91,39 @@ Json series_json(std::span<const Series> all) {
   return out;
 }
 
+std::string points_words(std::span<const Eigen::Vector3d> points) {
+  std::vector<double> numbers;
+  for (const Eigen::Vector3d& x : points) numbers.insert(numbers.end(), x.begin(), x.end());
+  return float_words(numbers);
+}
+
 Json body_json(const SceneBody& body) {
-  std::vector<double> origins, rotations;
-  for (const Eigen::Vector3d& x : body.origins) origins.insert(origins.end(), x.begin(), x.end());
+  std::vector<double> rotations;
   for (const Eigen::Quaterniond& r : body.rotations)
     rotations.insert(rotations.end(), {r.x(), r.y(), r.z(), r.w()});
   return {{"name", body.name},
           {"center", vector_json(body.center_of_mass)},
           {"parts", parts_json(body.parts)},
-          {"origins", float_words(origins)},
+          {"origins", points_words(body.origins)},
           {"rotations", float_words(rotations)}};
+}
+
+/// Adds what there is: pages of mechanisms without forces say nothing of them.
+void add_acting(Json& json, const Acting& acting) {
+  const auto add_series = [&](const char* key, std::span<const Series> all) {
+    if (!all.empty()) json[key] = series_json(all);
+  };
+  add_series("forces", acting.forces);
+  add_series("inputs", acting.inputs);
+  add_series("states", acting.states);
+  add_series("outputs", acting.outputs);
+  for (const SceneLine& line : acting.lines) {
+    Json points = Json::array();
+    for (const std::vector<Eigen::Vector3d>& point : line.points) points.push_back(points_words(point));
+    json["lines"].push_back({{"force", line.force}, {"points", std::move(points)}});
+  }
+  for (const SceneContact& contact : acting.contacts)
+    json["contacts"].push_back({{"force", contact.force}, {"points", points_words(contact.points)}});
 }
 
 Json box_json(const Eigen::AlignedBox3d& box) {
@@ -130,18 +153,20 @@ std::string scene_json(const Scene& scene) {
   for (const SceneMechanism& mechanism : scene.mechanisms) {
     Json bodies = Json::array();
     for (const SceneBody& body : mechanism.bodies) bodies.push_back(body_json(body));
-    json["mechanisms"].push_back({{"name", mechanism.name},
-                                  {"description", mechanism.description},
-                                  {"origin", vector_json(mechanism.placement.translation())},
-                                  {"rotation", rotation_json(mechanism.placement)},
-                                  {"bounds", box_json(bounds(scene, mechanism))},
-                                  {"first_bounds", box_json(bounds(scene, mechanism, 1))},
-                                  {"times", float_words(mechanism.times)},
-                                  {"bodies", std::move(bodies)},
-                                  {"scenery", parts_json(mechanism.scenery)},
-                                  {"coordinates", series_json(mechanism.coordinates)},
-                                  {"energies", series_json(mechanism.energies)},
-                                  {"energy_change", energy_change(mechanism.energies)}});
+    Json one{{"name", mechanism.name},
+             {"description", mechanism.description},
+             {"origin", vector_json(mechanism.placement.translation())},
+             {"rotation", rotation_json(mechanism.placement)},
+             {"bounds", box_json(bounds(scene, mechanism))},
+             {"first_bounds", box_json(bounds(scene, mechanism, 1))},
+             {"times", float_words(mechanism.times)},
+             {"bodies", std::move(bodies)},
+             {"scenery", parts_json(mechanism.scenery)},
+             {"coordinates", series_json(mechanism.coordinates)},
+             {"energies", series_json(mechanism.energies)},
+             {"energy_change", energy_change(mechanism.energies)}};
+    add_acting(one, mechanism.acting);
+    json["mechanisms"].push_back(std::move(one));
   }
   std::string out;
   for (const char c : json.dump(-1, ' ', true)) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/contact_hints.hpp"
 #include "viewer/coordinate_unit.hpp"
 #include "viewer/looks.hpp"
 #include "viewer/shapes.hpp"
@@ -122,6 +123,8 @@ void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, c
     total.values.push_back(motion.kinetic[k] + motion.potential[k]);
   out.energies = {
       {"kinetic", motion.kinetic, "J", {}}, {"potential", motion.potential, "J", {}}, std::move(total)};
+  out.acting = motion.acting;
+  add_contact_hints(scene, out, values);
   if (!scene.title.empty()) scene.title += ", ";
   scene.title += out.name;
   scene.mechanisms.push_back(std::move(out));
@@ -142,6 +145,10 @@ Eigen::AlignedBox3d bounds(const Scene& scene, const SceneMechanism& mechanism, 
     for (std::size_t k = 0; k < std::min(frames, body.origins.size()); ++k) {
       for (const Vector3d& point : points) box.extend(body.origins[k] + body.rotations[k] * point);
     }
+  }
+  for (const SceneLine& line : mechanism.acting.lines) {
+    for (const std::vector<Vector3d>& point : line.points)
+      for (std::size_t k = 0; k < std::min(frames, point.size()); ++k) box.extend(point[k]);
   }
   if (box.isEmpty()) box.extend(Vector3d::Zero());
   return box;

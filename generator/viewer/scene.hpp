@@ -43,6 +43,25 @@ struct Series {
   std::optional<std::pair<double, double>> limits;  ///< of a coordinate
 };
 
+/// A line from point to point that pulls, or pushes.
+struct SceneLine {
+  std::size_t force = 0;                             ///< its tension: index into Acting::forces
+  std::vector<std::vector<Eigen::Vector3d>> points;  ///< each at every frame, world axes
+};
+
+/// A sphere that touches a plane or another sphere.
+struct SceneContact {
+  std::size_t force = 0;                ///< the normal force: index into Acting::forces
+  std::vector<Eigen::Vector3d> points;  ///< the deepest one of the sphere at every frame, world axes
+};
+
+/// What acts on a mechanism over its motion, and what else its description wants to know of it.
+struct Acting {
+  std::vector<Series> forces, inputs, states, outputs;
+  std::vector<SceneLine> lines;
+  std::vector<SceneContact> contacts;
+};
+
 struct SceneMechanism {
   std::string name;
   std::string description;
@@ -52,6 +71,7 @@ struct SceneMechanism {
   std::vector<ScenePart> scenery;  ///< fixed to the world
   std::vector<Series> coordinates;
   std::vector<Series> energies;  ///< kinetic, potential, total
+  Acting acting;
 };
 
 struct Scene {
@@ -69,6 +89,7 @@ struct BakedMotion {
   std::vector<std::vector<double>> q;      ///< nq each
   std::vector<std::vector<double>> poses;  ///< function body_poses: rows [R | p] of each body
   std::vector<double> kinetic, potential;  ///< J
+  Acting acting;
 };
 
 /// Adds a mechanism in motion: its bodies with the shapes of the description, or default ones (looks.hpp). It

@@ -189,7 +189,7 @@ template <class System, class Coordinates, class Speeds, class Force>
   const auto start = system.time();
   const auto states = system.states();
   auto next_states = states;
-  next_states += h * system.state_rates(q, u);
+  next_states += h * system.state_rates(q, next_u);
   if (!detail::all_finite(next_states)) return Status::not_finite;
   system.set_time(start + h);
   system.set_states(next_states);

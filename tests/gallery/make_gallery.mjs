@@ -39,6 +39,7 @@ async function photograph(browser, entry) {
   const { page, wrong } = await openPage(browser, `${out}/${entry.name}.html`, { width: kWidth, height: kHeight });
   await page.addStyleTag({ content: "#heading, #view, #plots, #playback { display: none !important; } body { grid-template: 1fr / 1fr !important; }" });
   await drawn(page);
+  if (entry.trails) await page.evaluate(() => document.getElementById("trails").click());
   await page.evaluate((time) => {
     window.viewer.seek(time ?? 0.37 * window.viewer.duration);
     window.viewer.showAll();

@@ -226,12 +226,90 @@ bodies:
   await free.close();
 }
 
+/// Forces: lines go through their frames, as thick as they pull, and dots are where bodies touch. All against `evaluate`
+/// and against outputs that say the same in words of their own.
+async function checkForces(browser) {
+  const path = `${folder}/forces.yaml`;
+  writeFileSync(path, `alembert: 1
+name: forces
+inputs: [{name: drive, initial: 0.5, limits: [-2, 2]}]
+coordinates: [{name: swing, initial: 0.9}, {name: drop, initial: 0.3}]
+bodies:
+  - {name: arm, transform: [{rotate: {axis: y, angle: swing}}, {translate: [0, 0, -0.5]}], mass: 1}
+  - {name: ball, transform: [{translate: [1, 0, drop]}], mass: 0.4, geometry: [{sphere: 0.1}]}
+frames:
+  - {name: peg, body: world, transform: [{translate: [-0.4, 0, 0.1]}]}
+  - {name: hole, body: arm, transform: [{translate: [0, 0, 0.2]}]}
+  - {name: end, body: arm, transform: [{translate: [0.05, 0, -0.1]}]}
+  - {name: center, body: ball}
+forces:
+  - {name: string, path: [peg, hole, end], tension: "max(0, 60*(length - 0.75))"}
+  - {name: spring, between: [peg, end], tension: "20*(length - 0.8)"}
+  - {name: bounce, contact: {frame: center, radius: 0.1, plane: {point: [0, 0, 0.05], normal: [0, 0, 1]}, stiffness: 4000, dissipation: 0.2}}
+  - {name: motor, on: swing, value: drive}
+outputs:
+  - {name: string_pulls, value: "max(0, 60*(distance(peg, hole) + distance(hole, end) - 0.75))"}
+  - {name: spring_pulls, value: "20*distance(peg, end) - 16"}
+  - {name: depth, value: "max(0, 0.15 - drop)"}
+  - {name: push, value: "4000*(max(0, 0.15 - drop))^(3/2)*max(0, 1 - 0.3*d(drop))"}
+`);
+  const base = simulate(path, ["--input", "drive=0.3*sin(6*t) - 0.1*d(swing)"]);
+  const [header, ...lines] = readFileSync(`${base}.csv`, "utf8").trim().split("\n");
+  const names = header.split(",");
+  const rows = lines.map((line) => Object.fromEntries(line.split(",").map((value, i) => [names[i], Number(value)])));
+  const states = rows.map((row) => JSON.stringify({ t: row.t, q: [row.swing, row.drop] })).join("\n");
+  const frames = run(["evaluate", path, "--json", "--functions", "frame_poses"], states).trim().split("\n").map((line) => JSON.parse(line).frame_poses.F.flat());
+  const { page, wrong } = await openPage(browser, `${base}.html`, { width: 900, height: 480 });
+  // In single precision, as times are: beside the largest, which may come at the next frame.
+  const near = (a, b, text, size = 1) => assert.ok(Math.abs(a - b) < 2e-6 * size, `${text}: ${a} is not ${b}`);
+  const largest = (name) => Math.max(...rows.map((row) => Math.abs(row[name])));
+  const seen = { pull: 0, push: 0, slack: 0, touch: 0, apart: 0 };
+  const thick = [];
+  for (let k = 0; k < rows.length; k += 2) {
+    const { t } = rows[k];
+    const shown = await page.evaluate((time) => {
+      window.viewer.seek(time);
+      return { string: window.viewer.line("string"), spring: window.viewer.line("spring"), bounce: window.viewer.contact("bounce") };
+    }, t);
+    const origin = (frame) => [3, 7, 11].map((i) => frames[k][12 * frame + i]);
+    const same = (point, expected, text) => point.forEach((x, a) => near(x, expected[a], `${text} at ${t}`));
+    [0, 1, 2].forEach((frame, i) => same(shown.string.points[i], origin(frame), "string"));
+    [0, 2].forEach((frame, i) => same(shown.spring.points[i], origin(frame), "spring"));
+    near(shown.string.tension, rows[k].string_pulls, `tension of the string at ${t}`, largest("string_pulls"));
+    near(shown.spring.tension, rows[k].spring_pulls, `tension of the spring at ${t}`, largest("spring_pulls"));
+    near(shown.bounce.force, rows[k].push, `normal force at ${t}`, largest("push"));
+    same(shown.bounce.point, [1, 0, rows[k].drop - 0.1], "contact");
+    if (rows[k].depth === 0 || rows[k].push > 1) assert.equal(shown.bounce.touches, rows[k].depth > 0, `contact at ${t}`);
+    assert.equal(shown.bounce.radius > 0, shown.bounce.touches);
+    ++seen[shown.bounce.touches ? "touch" : "apart"];
+    for (const line of [shown.string, shown.spring]) {
+      if (line.tension === 0 || Math.abs(line.tension) > 0.01)
+        assert.equal(line.state, line.tension > 0 ? "pull" : line.tension < 0 ? "push" : "slack");
+      ++seen[line.state];
+      thick.push([Math.abs(line.tension), line.radius]);
+    }
+  }
+  for (const [what, times] of Object.entries(seen)) assert.ok(times > 2, `${what} was seen ${times} times`);
+  thick.sort((a, b) => a[0] - b[0]);
+  thick.slice(1).forEach(([, radius], i) => assert.ok(radius >= thick[i][1], "a line that pulls more is not thinner"));
+  assert.equal(await page.evaluate(() => window.viewer.line("nothing")), null);
+  assert.equal(await page.evaluate(() => window.viewer.contact("string")), null);
+  assert.deepEqual(await page.$$eval("#plots h2", (all) => all.map((h) => h.textContent).slice(3)), ["string \u2026 bounce force, N",
+    "motor force, N m", "drive input, N m", "string_pulls \u2026 spring_pulls output", "depth output, m", "push output"]);
+  await page.evaluate(() => window.viewer.seek(0.3));
+  await drawn(page);
+  await page.screenshot({ path: `${folder}/forces.png` });
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
 const browser = await startBrowser();
 try {
   for (const description of descriptions) await checkPoses(browser, description);
   await checkControls(browser, descriptions[0]);
   await checkScene(browser, descriptions[0]);
   await checkPlots(browser);
+  await checkForces(browser);
 } finally {
   await browser.close();
 }

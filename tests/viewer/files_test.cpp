@@ -169,8 +169,86 @@ bodies:
   EXPECT_EQ(json["mechanisms"].at(0)["energies"].at(2)["unit"], "J");
 }
 
+/// A line of three points and a contact, over four frames.
+Acting some_acting(const std::string& name) {
+  Acting acting;
+  acting.forces = {{name, {0, -5, 10, 2.5}, "N", {}}, {"touch" + name, {0, 8, 1, 0}, "N", {}}};
+  acting.inputs = {{"in" + name, {1, 2, 3, 4}, "", {{0, 5}}}};
+  acting.outputs = {{"out" + name, {4, 3, 2, 1}, "m", {}}};
+  SceneLine line{0, {}};
+  SceneContact contact{1, {}};
+  for (int i = 0; i < 3; ++i) {
+    line.points.emplace_back();
+    for (int k = 0; k < 4; ++k) line.points.back().emplace_back(0.1 * k, 1.0 * i, -0.2 * k * i);
+  }
+  for (int k = 0; k < 4; ++k) contact.points.emplace_back(0, 0.1 * k, 2);
+  acting.lines.push_back(line);
+  acting.contacts.push_back(contact);
+  return acting;
+}
+
+TEST(Page, HoldsWhatActs) {
+  const Acting acting = some_acting("pull");
+  const SmallScene small(kHangingPendulum, {0.1, 0.2, 0.3, 0.4}, acting);
+  const Json mechanism = Json::parse(scene_json(small.scene))["mechanisms"].at(0);
+  const auto expect_points = [](const std::vector<float>& numbers,
+                                const std::vector<Eigen::Vector3d>& points) {
+    ASSERT_EQ(numbers.size(), 3 * points.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      EXPECT_FLOAT_EQ(numbers[i], static_cast<float>(points[i / 3][static_cast<Eigen::Index>(i % 3)]));
+  };
+  EXPECT_EQ(floats_of_base64(mechanism["forces"].at(0)["values"]), (std::vector<float>{0, -5, 10, 2.5}));
+  EXPECT_EQ(mechanism["inputs"].at(0)["limits"], Json({0.0, 5.0}));
+  EXPECT_EQ(mechanism["outputs"].at(0)["unit"], "m");
+  EXPECT_EQ(mechanism["lines"].at(0)["force"], 0);
+  ASSERT_EQ(mechanism["lines"].at(0)["points"].size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    expect_points(floats_of_base64(mechanism["lines"].at(0)["points"].at(i)), acting.lines[0].points[i]);
+  EXPECT_EQ(mechanism["contacts"].at(0)["force"], 1);
+  expect_points(floats_of_base64(mechanism["contacts"].at(0)["points"]), acting.contacts[0].points);
+  const Json without = Json::parse(scene_json(SmallScene(kHangingPendulum, {0.1}).scene))["mechanisms"].at(0);
+  for (const char* key : {"forces", "inputs", "outputs", "lines", "contacts"})
+    EXPECT_FALSE(without.contains(key)) << key;
+}
+
+TEST(Glb, HoldsForcesAsTubesAndBalls) {
+  const Acting acting = some_acting("pull");
+  const SmallScene small(kHangingPendulum, {0.1, 0.2, 0.3, 0.4}, acting);
+  const Glb glb(glb_file(small.scene));
+  const Json& animation = glb.json["animations"].at(0);
+  std::vector<std::vector<float>> tube_scales;
+  std::vector<float> ball_scale, tube_places;
+  for (const Json& channel : animation["channels"]) {
+    const std::string name = glb.json["nodes"][channel["target"]["node"].get<std::size_t>()]["name"];
+    const std::string path = channel["target"]["path"];
+    const std::vector<float> values =
+        glb.floats(animation["samplers"][channel["sampler"].get<std::size_t>()]["output"]);
+    if (name == "pull" && path == "scale") tube_scales.push_back(values);
+    if (name == "pull" && path == "translation" && tube_places.empty()) tube_places = values;
+    if (name == "touchpull" && path == "scale") ball_scale = values;
+  }
+  ASSERT_EQ(tube_scales.size(), 2u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double length = (acting.lines[0].points[i + 1][k] - acting.lines[0].points[i][k]).norm();
+      EXPECT_FLOAT_EQ(tube_scales[i].at(3 * k + 2), static_cast<float>(length));
+    }
+    const Eigen::Vector3d middle = (acting.lines[0].points[0][k] + acting.lines[0].points[1][k]) / 2;
+    for (std::size_t a = 0; a < 3; ++a)
+      EXPECT_NEAR(static_cast<double>(tube_places.at(3 * k + a)), middle[static_cast<Eigen::Index>(a)], 1e-6);
+  }
+  // No pull, 5 N the other way, 10 N, 2.5 N.
+  const std::vector<float>& radii = tube_scales[0];
+  EXPECT_TRUE(radii[0] < radii[9] && radii[9] < radii[3] && radii[3] < radii[6]);
+  EXPECT_LT(ball_scale.at(0), 1e-4F);
+  EXPECT_GT(ball_scale.at(3), 2 * ball_scale.at(6) / 3);
+  EXPECT_GT(ball_scale.at(6), 1e3F * ball_scale.at(9));
+}
+
 TEST(Page, LetsNoTextEndItsElement) {
-  const SmallScene small(kHangingPendulum, {0.1, 0.2});
+  const std::string evil = "</script><script>alert(1)</script>";
+  const SmallScene small(kHangingPendulum, {0.1, 0.2, 0.3, 0.4}, some_acting(evil));
+  EXPECT_EQ(Json::parse(scene_json(small.scene))["mechanisms"].at(0)["outputs"].at(0)["name"], "out" + evil);
   EXPECT_EQ(scene_json(small.scene).find('<'), std::string::npos);
   EXPECT_EQ(html_escaped("</title><b a=\"x\">&"), "&lt;/title&gt;&lt;b a=&quot;x&quot;&gt;&amp;");
   if (page_template().empty()) GTEST_SKIP() << "built without the page";

@@ -206,5 +206,72 @@ bodies:
   EXPECT_EQ(small.scene.meshes[body.parts[1].mesh], torus_mesh(2, 0.5));
 }
 
+/// A ball over a plane that leans, and its contact at two frames.
+SmallScene ball_on_plane(const std::string& ball_geometry, const std::string& more_bodies) {
+  Acting acting;
+  acting.forces = {{"touch", {0, 1}, "N", {}}};
+  acting.contacts = {{0, {Vector3d(0.2, 0, 1), Vector3d(0.6, 0.3, 1)}}};
+  return SmallScene(R"(alembert: 1
+name: ball
+coordinates: [x, z]
+bodies:
+  - {name: ball, transform: [{translate: [x, 0, z + 2]}], mass: 1)" +
+                        ball_geometry + "}\n" + more_bodies + R"(
+frames: [{name: center, body: ball, transform: [{translate: [0.1, 0, 0]}]}]
+forces:
+  - {name: touch, contact: {frame: center, radius: 0.25, plane: {point: [0, 0, 1], normal: [0, -3, 4]}, stiffness: 10}}
+)",
+                    {0.1, 0.2}, acting);
+}
+
+TEST(Scene, HintsAtWhatTouches) {
+  const SmallScene small = ball_on_plane("", "");
+  const SceneMechanism& shown = small.scene.mechanisms.at(0);
+  const auto is_sphere = [&](const ScenePart& part) {
+    return small.scene.meshes[part.mesh] == ellipsoid_mesh(Vector3d::Constant(0.25)) &&
+           (part.placement.translation() - Vector3d(0.1, 0, 0)).norm() < 1e-12;
+  };
+  EXPECT_EQ(std::count_if(shown.bodies.at(0).parts.begin(), shown.bodies[0].parts.end(), is_sphere), 1);
+  // No point of the piece lies beyond the plane, and some on it; it reaches below both contacts.
+  const ScenePart& piece = shown.scenery.back();
+  const Vector3d normal(0, -0.6, 0.8);
+  double highest = -1;
+  Eigen::AlignedBox3d local;
+  for (const Eigen::Vector3f& vertex : small.scene.meshes[piece.mesh].positions) {
+    local.extend(vertex.cast<double>());
+    highest = std::max(highest, normal.dot(piece.placement * vertex.cast<double>() - Vector3d(0, 0, 1)));
+  }
+  EXPECT_NEAR(highest, 0, 1e-7);
+  for (const Vector3d& point : shown.acting.contacts[0].points) {
+    const Vector3d on_piece =
+        piece.placement.inverse() * (point - normal * normal.dot(point - Vector3d(0, 0, 1)));
+    EXPECT_TRUE(local.contains(Vector3d(on_piece[0], on_piece[1], 0)));
+  }
+}
+
+TEST(Scene, HintsAtNothingThatHasAShape) {
+  const SmallScene small = ball_on_plane(", geometry: [{box: [0.5, 0.5, 0.5]}]",
+                                         "  - {name: ground, geometry: [{box: [3, 3, 0.1]}]}");
+  const SceneMechanism& shown = small.scene.mechanisms.at(0);
+  EXPECT_EQ(shown.bodies.at(0).parts.size(), 1u);
+  EXPECT_TRUE(shown.scenery.empty());
+}
+
+TEST(Scene, BoundsHoldLines) {
+  Acting acting;
+  acting.forces = {{"rope", {1, 1}, "N", {}}};
+  acting.lines = {{0, {{Vector3d(0, 0, 9), Vector3d(0, 0, 9)}, {Vector3d(0, 0, 0), Vector3d(-7, 0, 0)}}}};
+  const SmallScene small(R"(alembert: 1
+name: point
+coordinates: [x]
+bodies: [{name: p, transform: [{translate: [x, 0, 0]}], mass: 1}]
+)",
+                         {0.1, 0.2}, acting);
+  const SceneMechanism& shown = small.scene.mechanisms.at(0);
+  EXPECT_EQ(bounds(small.scene, shown).max()[2], 9);
+  EXPECT_EQ(bounds(small.scene, shown).min()[0], -7);
+  EXPECT_GT(bounds(small.scene, shown, 1).min()[0], -1);
+}
+
 }  // namespace
 }  // namespace alembert::test

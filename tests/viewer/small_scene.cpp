@@ -9,7 +9,8 @@
 
 namespace alembert::test {
 
-void SmallScene::add(const std::string& description, const std::vector<double>& values) {
+void SmallScene::add(const std::string& description, const std::vector<double>& values,
+                     const Acting& acting) {
   ExprGraph graph;
   const Mechanism mechanism =
       load_mechanism(std::make_shared<const SourceText>(SourceText{"test.yaml", description}), graph);
@@ -28,6 +29,7 @@ void SmallScene::add(const std::string& description, const std::vector<double>& 
     motion.kinetic.push_back(value);
     motion.potential.push_back(-value);
   }
+  motion.acting = acting;
   add_mechanism(scene, mechanism, graph, motion);
 }
 

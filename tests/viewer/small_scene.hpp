@@ -11,9 +11,11 @@
 namespace alembert::test {
 
 struct SmallScene {
-  SmallScene(const std::string& description, const std::vector<double>& values) { add(description, values); }
+  SmallScene(const std::string& description, const std::vector<double>& values, const Acting& acting = {}) {
+    add(description, values, acting);
+  }
   /// A frame each 0.1 s; kinetic energy is the value, potential minus it.
-  void add(const std::string& description, const std::vector<double>& values);
+  void add(const std::string& description, const std::vector<double>& values, const Acting& acting = {});
   Scene scene;
 };
 

@@ -117,4 +117,16 @@ std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, con
   return values;
 }
 
+std::vector<Expr> with_moving_values(std::span<const Expr> given, const Mechanism& mechanism,
+                                     const MotionTree& tree, const SpeedDerivatives& derivatives,
+                                     ExprGraph& graph) {
+  const std::vector<std::pair<Expr, Expr>> moving = moving_values(mechanism, tree, derivatives, graph);
+  std::vector<std::pair<Expr, Expr>> laws;
+  for (const Parameter& parameter : mechanism.parameters) {
+    if (parameter.law)
+      laws.emplace_back(graph.symbol(parameter.name), substitute({&*parameter.law, 1}, moving).front());
+  }
+  return substitute(substitute(given, moving), laws);
+}
+
 }  // namespace alembert

@@ -37,4 +37,9 @@ std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, cons
 std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, const MotionTree& tree,
                                                  const SpeedDerivatives& derivatives, ExprGraph& graph);
 
+/// Expressions as of forces and outputs, with all that is known put in: laws of inputs too.
+std::vector<Expr> with_moving_values(std::span<const Expr> given, const Mechanism& mechanism,
+                                     const MotionTree& tree, const SpeedDerivatives& derivatives,
+                                     ExprGraph& graph);
+
 }  // namespace alembert

@@ -131,6 +131,10 @@ window.viewer = {
   setTheme,
   select: (index) => select(index, true),
   showAll: () => stage.frame(),
+  /// A force between points as drawn: tension in N, state pull, push or slack, radius, points in its mechanism's world.
+  line: (name, mechanismName) => stage.forces(mechanismName)?.line(name) ?? null,
+  /// A contact as drawn: normal force in N, whether it touches, radius of the dot, its point.
+  contact: (name, mechanismName) => stage.forces(mechanismName)?.contact(name) ?? null,
   onScreen: (bodyName, mechanismName) => stage.onScreen(bodyName, mechanismName),
   get time() {
     return state.time;

@@ -75,10 +75,12 @@ class Plot {
     this.high = -Infinity;
     for (const { values } of series) {
       for (const value of values) {
+        if (!Number.isFinite(value)) continue;  // an output may have no value at times
         this.low = Math.min(this.low, value);
         this.high = Math.max(this.high, value);
       }
     }
+    if (this.low > this.high) this.low = this.high = 0;
     const limits = series.flatMap((one) => one.limits ?? []).filter((limit) => limit !== null);
     const [low, high] = [Math.min(this.low, ...limits), Math.max(this.high, ...limits)];
     if (this.high - this.low >= kLeastShare * (high - low)) [this.low, this.high] = [low, high];
@@ -200,10 +202,10 @@ function fromLowestPotential(energies) {
   return energies.map((one) => ({ ...one, values: one.name === "kinetic" ? one.values : one.values.map((x) => x - lowest) }));
 }
 
-/// Coordinates that share a plot: the parts of a quaternion, otherwise four of one unit at a time.
-function groups(coordinates) {
+/// Series that share a plot: the parts of a quaternion or a vector, otherwise four of one unit at a time.
+function groups(all) {
   const out = [];
-  for (const series of coordinates) {
+  for (const series of all) {
     const last = out[out.length - 1];
     const same = last && stem(last[0].name) === stem(series.name) && last[0].unit === series.unit;
     if (same && last.length < 4) last.push(series);
@@ -217,13 +219,15 @@ export class Plots {
     element.replaceChildren();
     const note = `J, potential from its lowest; total changes by ${mechanism.energy_change.toPrecision(2)} at most`;
     this.plots = [new Plot("Energy", note, mechanism.times, fromLowestPotential(mechanism.energies), onSeek)];
-    for (const group of groups(mechanism.coordinates)) {
-      const part = stem(group[0].name);
-      const last = group[group.length - 1].name;
-      const title = part ?? (group.length === 1 ? last : `${group[0].name} \u2026 ${last}`);
-      const series = part ? group.map((one) => ({ ...one, name: one.name.slice(part.length + 1) })) : group;
-      this.plots.push(new Plot(title, group[0].unit, mechanism.times, series, onSeek));
-    }
+    for (const [all, kind] of [[mechanism.coordinates, ""], [mechanism.forces, "force"], [mechanism.inputs, "input"], [mechanism.states, "state"], [mechanism.outputs, "output"]])
+      for (const group of groups(all)) {
+        const part = stem(group[0].name);
+        const last = group[group.length - 1].name;
+        const title = part ?? (group.length === 1 ? last : `${group[0].name} \u2026 ${last}`);
+        const series = part ? group.map((one) => ({ ...one, name: one.name.slice(part.length + 1) })) : group;
+        const note = [kind, group[0].unit].filter((word) => word).join(", ");
+        this.plots.push(new Plot(title, note, mechanism.times, series, onSeek));
+      }
     element.append(...this.plots.map((plot) => plot.element));
   }
 

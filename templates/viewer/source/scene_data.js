@@ -23,7 +23,11 @@ export function readScene(text) {
       body.origins = floats(body.origins);
       body.rotations = floats(body.rotations);
     }
-    for (const series of [...mechanism.coordinates, ...mechanism.energies]) series.values = floats(series.values);
+    for (const key of ["forces", "inputs", "states", "outputs", "lines", "contacts"]) mechanism[key] ??= [];
+    for (const line of mechanism.lines) line.points = line.points.map(floats);
+    for (const contact of mechanism.contacts) contact.points = floats(contact.points);
+    const { coordinates, energies, forces, inputs, states, outputs } = mechanism;
+    for (const series of [...coordinates, ...energies, ...forces, ...inputs, ...states, ...outputs]) series.values = floats(series.values);
   }
   return scene;
 }

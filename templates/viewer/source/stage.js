@@ -7,6 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { ForcesView } from "./forces_view.js";
 import { frameAt } from "./scene_data.js";
 
 const kLook = {
@@ -43,6 +44,24 @@ function outermost(mesh) {
   return points;
 }
 
+/// Where along an axis to look from `place`, so that points go as far to one side of the picture as to the other.
+function middleSeen(points, axis, place) {
+  const seen = points.map((point) => [point.dot(axis), 1 / (place - point.dot(kView))]);
+  let [low, high] = seen.reduce(([a, b], [aside]) => [Math.min(a, aside), Math.max(b, aside)], [Infinity, -Infinity]);
+  for (let i = 0; i < 24; ++i) {
+    const middle = (low + high) / 2;
+    let [least, most] = [Infinity, -Infinity];
+    for (const [aside, share] of seen) {
+      const x = (aside - middle) * share;
+      if (x < least) least = x;
+      if (x > most) most = x;
+    }
+    if (least + most > 0) low = middle;
+    else high = middle;
+  }
+  return (low + high) / 2;
+}
+
 /// 1, 2 or 5 times a power of ten, near `length`.
 function roundLength(length) {
   const power = 10 ** Math.floor(Math.log10(length));
@@ -70,6 +89,8 @@ class MechanismView {
       new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max)).applyMatrix4(this.group.matrixWorld);
     this.box = box(data.bounds);
     this.firstBox = box(data.first_bounds);
+    this.forces = new ForcesView(data, this.firstBox.getSize(new Vector3()).length());
+    this.group.add(this.forces.group);
   }
 
   /// Outermost points of all that is shown, in the scene: at all frames, or at the first one only.
@@ -93,6 +114,8 @@ class MechanismView {
         for (const point of own) points.push(point.clone().applyQuaternion(rotation).add(origin));
       }
     }
+    for (const line of this.data.lines)
+      for (const own of line.points) for (let k = 0; k < frames; k += step) points.push(new Vector3().fromArray(own, 3 * k));
     return points.map((point) => point.applyMatrix4(this.group.matrixWorld));
   }
 
@@ -117,6 +140,7 @@ class MechanismView {
       }
       node.quaternion.normalize();
     });
+    this.forces.seek(frame, share);
   }
 
   showTrails(visible) {
@@ -284,20 +308,19 @@ export class Stage {
     // Where the four sides of the picture touch the points: along `right` and `up`, each way.
     const sides = [[-Infinity, -Infinity], [-Infinity, -Infinity]];
     let [far, near] = [Infinity, -Infinity];
-    for (const mechanism of chosen) {
-      for (const point of mechanism.points(this.outermostOf, this.follows)) {
-        const depth = point.dot(kView);
-        [far, near] = [Math.min(far, depth), Math.max(near, depth)];
-        [right, up].forEach((axis, i) => {
-          const aside = point.dot(axis);
-          sides[i][0] = Math.max(sides[i][0], aside + slopes[i] * depth);
-          sides[i][1] = Math.max(sides[i][1], -aside + slopes[i] * depth);
-        });
-      }
+    const points = chosen.flatMap((mechanism) => mechanism.points(this.outermostOf, this.follows));
+    for (const point of points) {
+      const depth = point.dot(kView);
+      [far, near] = [Math.min(far, depth), Math.max(near, depth)];
+      [right, up].forEach((axis, i) => {
+        const aside = point.dot(axis);
+        sides[i][0] = Math.max(sides[i][0], aside + slopes[i] * depth);
+        sides[i][1] = Math.max(sides[i][1], -aside + slopes[i] * depth);
+      });
     }
     const place = Math.max(near + 0.1 * this.bounds.radius, ...sides.map(([a, b], i) => (a + b) / (2 * slopes[i])));
     const target = kView.clone().multiplyScalar((far + near) / 2);
-    [right, up].forEach((axis, i) => target.addScaledVector(axis, (sides[i][0] - sides[i][1]) / 2));
+    for (const axis of [right, up]) target.addScaledVector(axis, middleSeen(points, axis, place));
     target.add(this.away);
     this.camera.position.copy(target).addScaledVector(kView, place - (far + near) / 2);
     this.controls.target.copy(target);
@@ -380,6 +403,11 @@ export class Stage {
       return { mechanism, node };
     }
     return null;
+  }
+
+  /// The forces of a mechanism, the first one unless named.
+  forces(mechanismName) {
+    return this.mechanisms.find(({ data }) => mechanismName === undefined || data.name === mechanismName)?.forces;
   }
 
   /// Pose of a body in its mechanism's world as the scene graph has it, or null if there is no such body.

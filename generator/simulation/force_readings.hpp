@@ -1,0 +1,26 @@
+// Reads off a motion what acts: forces, inputs and outputs, where paths go and where contacts are. In: states, one after
+// the other. Out: their values, as the viewer takes them.
+#pragma once
+
+#include "pipeline.hpp"
+#include "simulation/dynamics_evaluator.hpp"
+#include "viewer/scene.hpp"
+
+namespace alembert {
+
+class ForceReadings {
+ public:
+  explicit ForceReadings(const CompiledMechanism& compiled);
+
+  /// Names, units and limits, without values.
+  const Acting& nothing_yet() const { return empty_; }
+  /// Adds the values at a state. `acting` began as nothing_yet().
+  void append(const EvaluationState& state, Acting& acting);
+
+ private:
+  Acting empty_;
+  Program program_;  ///< series in their order, points of lines, points of contacts
+  std::vector<double> inputs_, scratch_, values_;
+};
+
+}  // namespace alembert
