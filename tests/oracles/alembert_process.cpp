@@ -70,6 +70,7 @@ nlohmann::json json_state(const State& state) {
   if (!state.wrenches.empty()) line["wrenches"] = state.wrenches;
   if (!state.parameters.empty()) line["parameters"] = state.parameters;
   if (!state.inputs.empty()) line["inputs"] = state.inputs;
+  if (!state.states.empty()) line["states"] = state.states;
   return line;
 }
 

@@ -31,6 +31,9 @@ TEST(RandomForces, OfEveryKind) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const std::string text = forced(seed);
     EXPECT_EQ(text, forced(seed));
+    const auto meet = [&](const std::string& word) {
+      met[word] += std::regex_search(text, std::regex("(^|[^a-z_])" + word)) ? 1 : 0;
+    };
     for (const char* word :
          {"on: q",       "on: r",       "potential:",     "between:",    "path:",       "at: g",
           "axes: world", "axes: frame", "damping:",       "friction:",   "stiffness:",  "rest:",
@@ -38,10 +41,11 @@ TEST(RandomForces, OfEveryKind) {
           "length\\(",   "rate\\(",     "distance\\(",    "length -",    "min\\(",      "max\\(",
           "clamp\\(",    "step\\(",     "smoothstep\\(",  "select\\(",   "sign\\(",     "abs\\(",
           "spline\\(",   "linear\\(",   "simm_spline\\(", "d\\(q",       "d\\(r",       "runtime: true",
-          "in0",         "w0:"}) {
-      if (std::regex_search(text, std::regex(std::string("(^|[^a-z_])") + word))) ++met[word];
-      met.try_emplace(word, 0);
-    }
+          "in0",         "w0:"})
+      meet(word);
+    for (const char* word :
+         {"s1", "rate: \"", "y0", "tension\\(", "when: \"min", "when: \"length", "when: \"s"})
+      meet(word);
   }
   for (const auto& [word, count] : met) EXPECT_GE(count, 2) << word;
 }
@@ -86,13 +90,16 @@ TEST(ForceLaws, TauAndBiasLoseWhatIsApplied) {
   }
 }
 
-/// Lines of `forces` that match only, and no other forces.
+/// Lines of `forces` that match only, and no other forces; no outputs, no motion of states, and paths over all of
+/// their points.
 std::string with_forces_like(const std::string& text, const std::string& pattern) {
   std::istringstream lines(text);
   std::string result, line;
   bool inside = false;
   while (std::getline(lines, line)) {
-    if (line[0] != ' ') inside = line == "forces:";
+    if (line[0] != ' ') inside = line == "forces:" || line == "outputs:";
+    line = std::regex_replace(line, std::regex("rate: \"[^\"]*\""), "rate: 0");
+    line = std::regex_replace(line, std::regex("\\{frame: (\\w+), when: [^}]*\\}"), "$1");
     line = std::regex_replace(line, std::regex(", (damping: [^,}]*|friction: \\{[^}]*\\})"), "");
     if (line.rfind("  - ", 0) != 0 || !inside || std::regex_search(line, std::regex(pattern)))
       result += line + "\n";
@@ -132,6 +139,7 @@ TEST(ForceLaws, DampedPathsTakePower) {
     std::string text = with_forces_like(forced(seed), "name: path");
     text = std::regex_replace(text, std::regex("tension: \"[^\"]*\""), "tension: \"3*rate\"");
     text = std::regex_replace(text, std::regex(", stiffness: [^,}]*"), "");
+    text = std::regex_replace(text, std::regex(" \\+ t\\)\""), ")\"");  // of definitions
     if (std::regex_search(text, std::regex("\\bt\\b"))) continue;
     ++tried;
     const Description d = parse_description(text);
@@ -147,7 +155,8 @@ TEST(ForceLaws, DampedPathsTakePower) {
       const auto frames = frame_poses(d, q, Jet<double>(state.time));
       double sum = 0;
       for (std::size_t i = 0; i + 1 < d.paths[path].size(); ++i) {
-        const auto &a = frames[d.paths[path][i]].translation, &b = frames[d.paths[path][i + 1]].translation;
+        const auto &a = frames[d.paths[path][i].frame].translation,
+                   &b = frames[d.paths[path][i + 1].frame].translation;
         sum += std::hypot(b[0].value - a[0].value, b[1].value - a[1].value, b[2].value - a[2].value);
       }
       return sum;
@@ -164,6 +173,60 @@ TEST(ForceLaws, DampedPathsTakePower) {
     EXPECT_NEAR(power, expected, 1e-7 * std::max(1.0, std::abs(expected))) << seed;
   }
   EXPECT_GT(tried, 5);
+}
+
+// Derivatives of forces and rates of states against differences of fourth order: along speeds, by speeds, states and
+// inputs.
+TEST(ForceLaws, DerivativesOfStatesAreDifferences) {
+  using R = long double;
+  using Values = std::vector<R>;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Description d = parse_description(forced(seed));
+    const State state = comparable_states(d, 1, seed).front();
+    const auto all = numeric_functions(
+        d, state, {"state_rates_derivatives", "state_jacobian", "state_input_jacobian", "input_jacobian"});
+    const auto expect = [&](const Eigen::VectorXd& found, const auto& at) {
+      const R h = 1e-4L;
+      const Values a = at(h), b = at(-h), c = at(2 * h), e = at(-2 * h);
+      ASSERT_EQ(static_cast<std::size_t>(found.size()), a.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        const R difference = (8 * (a[i] - b[i]) - (c[i] - e[i])) / (12 * h);
+        EXPECT_NEAR(found[static_cast<Eigen::Index>(i)], static_cast<double>(difference),
+                    1e-6 * std::max(1.0, found.cwiseAbs().maxCoeff()))
+            << "seed " << seed << " row " << i;
+      }
+    };
+    const Arrays& rates = all.at("state_rates_derivatives");
+    for (int k = 0; k < d.nv; ++k) {
+      expect(rates.at("r_q").col(k), [&](R step) {
+        StateOf<R> moved = lifted<R>(state);
+        const std::vector<Jet<R>> along = unit_motion(d, moved, k);
+        for (std::size_t i = 0; i < along.size(); ++i) moved.q[i] += step * along[i].first;
+        return state_rates(d, moved);
+      });
+      expect(rates.at("r_qd").col(k), [&](R step) {
+        StateOf<R> moved = lifted<R>(state);
+        moved.speeds[static_cast<std::size_t>(k)] += step;
+        return state_rates(d, moved);
+      });
+    }
+    const auto shifted = [&](const std::string& name, R step) {
+      StateOf<R> moved = lifted<R>(state);
+      (moved.states.count(name) != 0 ? moved.states : moved.inputs).at(name) += step;
+      return moved;
+    };
+    const auto by = [&](const auto& given, const Eigen::MatrixXd& of_forces,
+                        const Eigen::MatrixXd& of_rates) {
+      for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        expect(of_forces.col(column),
+               [&](R step) { return applied_forces(d, shifted(given[i].name, step)); });
+        expect(of_rates.col(column), [&](R step) { return state_rates(d, shifted(given[i].name, step)); });
+      }
+    };
+    by(d.states, all.at("state_jacobian").at("S"), rates.at("r_s"));
+    by(d.inputs, all.at("input_jacobian").at("B"), all.at("state_input_jacobian").at("r_inputs"));
+  }
 }
 
 // Derivatives of tau against differences of fourth order, along each speed and by each speed.

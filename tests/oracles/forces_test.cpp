@@ -239,5 +239,121 @@ forces:
   EXPECT_NEAR(Q(0.9, 1.5, {{"u", -3}}), -6 + std::sin(0.9), kExact);
 }
 
+// A cart that a motor moves through its current, and a needle whose turn a state follows.
+TEST(States, RatesAndTheirDerivatives) {
+  const Description d = parse_description(R"yaml(
+name: drive
+inputs: [{name: voltage, initial: 6}]
+coordinates: [x, {name: base, type: quaternion}]
+bodies:
+  - {name: cart, transform: [{translate: [x, 0, 0]}], mass: 1}
+  - {name: needle, parent: cart, transform: [{rotate: {quaternion: base}}], mass: 1, inertia: {xx: 1, yy: 1, zz: 1}}
+frames: [{name: tip, body: needle, transform: []}]
+states:
+  - {name: current, rate: "(voltage - 2*current - 0.3*d(x))/0.05", initial: 0.4}
+  - {name: turn, rate: "rotation(tip).xz + stretch*d(base).y", limits: [0, 1]}
+definitions: {stretch: "current*turn + x"}
+forces: [{name: motor, on: x, value: 0.3*current^2}]
+outputs: [{name: power, value: voltage*current}]
+)yaml");
+  ASSERT_EQ(d.states.size(), 2U);
+  EXPECT_EQ(d.states[1].limits->second, 1);
+  const Eigen::Quaterniond q = Eigen::Quaterniond(0.6, 0.1, -0.7, 0.3).normalized();
+  State state{{0.2, q.x(), q.y(), q.z(), q.w()}, {1.5, 0.1, 0.8, -0.3}, {0, 0, 0, 0}, 0};
+  state.states = {{"turn", 0.7}};
+  const double i = 0.4, turn = 0.7, stretch = i * turn + 0.2;
+  const Eigen::Matrix3d R = q.toRotationMatrix();
+  const auto all = numeric_functions(d, state);
+  const auto near = [](const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) {
+    ASSERT_EQ(found.rows(), expected.rows());
+    ASSERT_EQ(found.cols(), expected.cols());
+    EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), kExact) << found;
+  };
+  near(all.at("state_rates").at("sdot"),
+       Eigen::Vector2d((6 - 2 * i - 0.3 * 1.5) / 0.05, R(0, 2) + stretch * 0.8));
+  near(all.at("applied_forces").at("Q"), Eigen::Vector4d(0.3 * i * i, 0, 0, 0));
+  near(all.at("state_jacobian").at("S"),
+       0.6 * i *
+           Eigen::MatrixXd::Identity(4, 2).cwiseProduct(Eigen::Vector4d::UnitX() * Eigen::RowVector2d(1, 1)));
+  // R e_z changes by R (e_k x e_z) as the needle turns about its axis k.
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(2, 4), by_speeds = Eigen::MatrixXd::Zero(2, 4);
+  along.row(1) << 0.8, -R(0, 1), R(0, 0), 0;
+  by_speeds(0, 0) = -0.3 / 0.05;
+  by_speeds(1, 2) = stretch;
+  near(all.at("state_rates_derivatives").at("r_q"), along);
+  near(all.at("state_rates_derivatives").at("r_qd"), by_speeds);
+  Eigen::Matrix2d by_states;
+  by_states << -2 / 0.05, 0, turn * 0.8, i * 0.8;
+  near(all.at("state_rates_derivatives").at("r_s"), by_states);
+  near(all.at("state_input_jacobian").at("r_inputs"), Eigen::Vector2d(1 / 0.05, 0));
+  near(all.at("outputs").at("y"), Eigen::VectorXd::Constant(1, 6 * i));
+}
+
+TEST(States, RatesMayUseOutputsAndTensions) {
+  const Description d = parse_description(R"yaml(
+name: muscle
+coordinates: [x]
+bodies: [{name: b, transform: [{translate: [x, 0, 0]}], mass: 1}]
+frames: [{name: wall, body: world, transform: []}, {name: eye, body: b, transform: []}]
+states: [{name: fibre, rate: "load - tension(tendon)*fibre", initial: 0.1}]
+forces: [{name: tendon, between: [wall, eye], tension: "40*(length - fibre) + rate"}]
+outputs: [{name: load, value: "tension(tendon)/2 + fibre"}]
+)yaml");
+  const State state{{0.5}, {-0.3}, {0}, 0};
+  const auto all = numeric_functions(d, state);
+  const double T = 40 * 0.4 - 0.3;
+  EXPECT_NEAR(all.at("state_rates").at("sdot")(0), T / 2 + 0.1 - 0.1 * T, kExact);
+  EXPECT_NEAR(all.at("state_rates_derivatives").at("r_s")(0), -20 + 1 - T + 4, kExact);
+  EXPECT_EQ(all.count("outputs_rate"), 0U) << "the load depends on a speed";
+}
+
+// A rope from a hook to a cart, over a knob while the cart is beyond it.
+TEST(AppliedForces, PathOverAPointUnderACondition) {
+  const auto rope = [](const std::string& path) {
+    return parse_description(R"yaml(
+name: rope
+coordinates: [x]
+bodies: [{name: cart, transform: [{translate: [x, 0, 0]}], mass: 1}]
+frames:
+  - {name: hook, body: world, transform: [{translate: [0, 0, 1]}]}
+  - {name: knob, body: world, transform: [{translate: [0.5, 0, 0.2]}]}
+  - {name: eye, body: cart, transform: []}
+states: [{name: up, rate: 0, initial: 1}]
+forces:
+  - {name: thread, between: [hook, eye], tension: 0}
+  - {name: rope, path: )yaml" +
+                             path + ", tension: \"2 + rate\"}\n" +
+                             "outputs: [{name: long, value: length(rope)}]\n");
+  };
+  const auto expect = [&](const std::string& path, double x, double L, double along) {
+    const Description d = rope(path);
+    const State state{{x}, {0.7}, {0}, 0};
+    const auto all = numeric_functions(d, state, {"outputs", "applied_forces", "outputs_jacobian"});
+    EXPECT_NEAR(all.at("outputs").at("y")(0), L, kExact) << path << x;
+    EXPECT_NEAR(all.at("outputs_jacobian").at("J")(0), along, kExact) << path << x;
+    EXPECT_NEAR(all.at("applied_forces").at("Q")(0), -(2 + 0.7 * along) * along, kExact) << path << x;
+  };
+  const double to_knob = std::hypot(0.5, 0.8);
+  const auto straight = [](double x) { return std::hypot(x, 1); };
+  const auto from_knob = [](double x) { return std::hypot(x - 0.5, 0.2); };
+  for (const std::string when : {"x - 0.5", "min(x - 0.5, 3 - x)", "position(eye).x - 0.5*up",
+                                 "length(thread) - sqrt(1.25)", "x*rotation(eye).xx - 0.5"}) {
+    const std::string path = "[hook, {frame: knob, when: \"" + when + "\"}, eye]";
+    expect(path, 0.3, straight(0.3), 0.3 / straight(0.3));
+    expect(path, 0.9, to_knob + from_knob(0.9), 0.4 / from_knob(0.9));
+  }
+  expect("[hook, {frame: knob, when: \"min(x - 0.5, 3 - x)\"}, eye]", 3.2, straight(3.2),
+         3.2 / straight(3.2));
+  // From the hook to itself there is no way; to the eye and back there are two.
+  const std::string loop = "[hook, {frame: eye, when: x - 0.5}, hook]";
+  expect(loop, 0.3, 0, 0);
+  expect(loop, 0.9, 2 * straight(0.9), 2 * 0.9 / straight(0.9));
+  const std::string two =
+      "[knob, {frame: hook, when: x}, {frame: eye, when: x - 0.5}, hook, {frame: eye, when: 0.5 - x}, knob]";
+  expect(two, -0.2, to_knob + straight(-0.2) + from_knob(-0.2),
+         -0.2 / straight(-0.2) - 0.7 / from_knob(-0.2));
+  expect(two, 0.9, 2 * to_knob + 2 * straight(0.9), 2 * 0.9 / straight(0.9));
+}
+
 }  // namespace
 }  // namespace alembert::oracles

@@ -1,7 +1,7 @@
 // oracle_nasty EXECUTABLE [COUNT] [SEED]: mechanisms that are hard on numbers, every function of each at six
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, and --forces puts
-// random forces of every kind on such mechanisms and on random trees.
+// random forces of every kind, with states and outputs, on such mechanisms and on random trees.
 #include <unistd.h>
 
 #include <algorithm>

@@ -2,20 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
+
+#include "oracles/random_quantities.hpp"
 
 namespace alembert::oracles {
 
-/// What a mechanism's forces are drawn in.
-struct ForceUnits {
-  double length = 1, force = 1;
-  std::map<std::string, double> lengths = {};  ///< of coordinates that are lengths
-};
-
-/// The description, in the layout of random_mechanism and nasty_mechanism, with inputs, parameters, frames that may
-/// move, forces of every kind and forces of its coordinates. Their expressions use everything that forces may use. The
-/// same seed gives the same text everywhere.
+/// The description, in the layout of random_mechanism and nasty_mechanism, with inputs, states, parameters, frames that
+/// may move, forces of every kind, forces of its coordinates and outputs. Points of paths may stand under conditions.
+/// Expressions use everything that forces may use. The same seed gives the same text everywhere.
 std::string with_random_forces(const std::string& yaml, std::uint64_t seed, const ForceUnits& units = {});
 
 }  // namespace alembert::oracles

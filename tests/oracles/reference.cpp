@@ -90,11 +90,15 @@ Judged judge_array(const std::string& function, const std::string& name, const s
   for (const Reference& state : states) {
     exact.push_back(parts(function, name, state.exact.at(function).at(name), unit_of(state)));
     if (!state.exact.at(function).at(name).allFinite()) return {kInfinity, kAgreement};
-    // Forces that do not depend on something have derivatives that are rounding of theirs.
-    const bool derivatives = function == "inverse_dynamics_derivatives";
+    // Forces and rates that do not depend on something have derivatives that are rounding of theirs.
     largest.resize(exact.back().size(), 0.0);
-    if (derivatives)
-      largest[0] = std::max(largest[0], state.exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
+    const auto floor_by = [&](const std::string& of, const std::string& values) {
+      const auto rates = state.exact.find(of);
+      if (rates != state.exact.end() && rates->second.at(values).size() > 0)
+        largest[0] = std::max(largest[0], rates->second.at(values).cwiseAbs().maxCoeff());
+    };
+    if (function == "inverse_dynamics_derivatives") floor_by("inverse_dynamics", "tau");
+    if (function == "state_rates_derivatives") floor_by("state_rates", "sdot");
     for (std::size_t p = 0; p < largest.size(); ++p) {
       if (exact.back()[p].size() > 0)
         largest[p] = std::max(largest[p], exact.back()[p].cwiseAbs().maxCoeff());

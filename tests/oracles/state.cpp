@@ -46,10 +46,12 @@ State random_state(const Description& description, std::mt19937_64& random) {
     for (double& entry : state.wrenches[body.name]) entry = uniform(random, -5, 5);
   }
   state.parameters = description.runtime_parameters;
-  for (const Input& input : description.inputs) {
-    const auto [low, high] = input.limits.value_or(std::pair(input.initial - 1, input.initial + 1));
-    state.inputs[input.name] = uniform(random, low, high);
-  }
+  const auto draw = [&](const auto& given) {
+    const auto [low, high] = given.limits.value_or(std::pair(given.initial - 1, given.initial + 1));
+    return uniform(random, low, high);
+  };
+  for (const Input& input : description.inputs) state.inputs[input.name] = draw(input);
+  for (const Integrated& integrated : description.states) state.states[integrated.name] = draw(integrated);
   return state;
 }
 

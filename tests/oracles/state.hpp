@@ -16,9 +16,9 @@ struct State {
   std::vector<double> q;              ///< nq; quaternions in the order x y z w, of length 1
   std::vector<double> speeds, rates;  ///< nv
   double time = 0;
-  std::map<std::string, double> parameters = {};  ///< runtime parameters
-  std::map<std::string, Wrench> wrenches = {};    ///< by body, of those with external_wrench
-  std::map<std::string, double> inputs = {};      ///< others have their initial values
+  std::map<std::string, double> parameters = {};           ///< runtime parameters
+  std::map<std::string, Wrench> wrenches = {};             ///< by body, of those with external_wrench
+  std::map<std::string, double> inputs = {}, states = {};  ///< others have their initial values
 };
 
 template <class R>
@@ -36,8 +36,8 @@ struct DynamicsOf {
 using Dynamics = DynamicsOf<double>;
 
 /// A random state: coordinates within their limits (or 1.5 about their initial value), speeds and rates
-/// within 2, time within 2 s, wrenches within 5 N and 5 N m, inputs within their limits (or 1 about their initial
-/// value).
+/// within 2, time within 2 s, wrenches within 5 N and 5 N m, inputs and states within their limits (or 1 about their
+/// initial value).
 State random_state(const Description& description, std::mt19937_64& random);
 
 /// For each runtime parameter a value up to a tenth off its default.

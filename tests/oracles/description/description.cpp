@@ -37,6 +37,7 @@ class Reader {
     for (const YAML::Node& node : root_["constraints"]) read_constraint(node);
     read_forces(root_, names_, result_);
     read_outputs(root_, names_, result_);
+    read_state_rates(root_, names_, result_);
     return result_;
   }
 
@@ -301,8 +302,8 @@ bool Description::has_forces() const {
 }
 
 bool Description::outputs_of_speeds() const {
-  const int frame = static_cast<int>(frames.size()), input = static_cast<int>(inputs.size());
-  const int moving = nq + nv + 3 * frame + input, path = moving + 15 * frame;  // where variables begin
+  const int frame = static_cast<int>(frames.size()), given = static_cast<int>(inputs.size() + states.size());
+  const int moving = nq + nv + 3 * frame + given, path = moving + 15 * frame;  // where variables begin
   const auto is_of_speeds = [&](int variable) {
     if (variable < moving) return variable >= nq && variable < nq + nv;
     if (variable >= path) return (variable - path) % 2 == 1;

@@ -102,6 +102,7 @@ struct Description {
   std::vector<Frame> frames;
   std::vector<Constraint> constraints;
   std::vector<Input> inputs;
+  std::vector<Integrated> states;
   std::vector<FramePath> paths;
   std::vector<AppliedForce> forces;  ///< beside those of coordinates
   std::vector<Output> outputs;

@@ -59,7 +59,7 @@ const std::map<std::string, Fit>& tables() {
 /// What is asked of things that are no numbers.
 bool is_quantity(const std::string& name) {
   static const std::set<std::string> names = {
-      "d", "position", "velocity", "rotation", "angular_velocity", "length", "rate", "distance"};
+      "d", "position", "velocity", "rotation", "angular_velocity", "length", "rate", "tension", "distance"};
   return names.count(name) != 0;
 }
 

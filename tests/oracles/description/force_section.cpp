@@ -25,14 +25,16 @@ YAML::Node frames_along(const YAML::Node& force) {
   return force["between"] ? force["between"] : force["path"];
 }
 
-void read_input(const YAML::Node& node, const Names& names, Description& result) {
-  Input input;
-  input.name = node.IsScalar() ? node.as<std::string>() : node["name"].as<std::string>();
+/// Name, initial value and limits of an input or a state.
+template <class Given>
+Given given_number(const YAML::Node& node, const Names& names) {
+  Given result;
+  result.name = node.IsScalar() ? node.as<std::string>() : node["name"].as<std::string>();
   const auto constant = [&](const YAML::Node& of) { return constant_value(expression_of(of, names)); };
-  if (node.IsMap() && node["initial"]) input.initial = constant(node["initial"]);
+  if (node.IsMap() && node["initial"]) result.initial = constant(node["initial"]);
   if (node.IsMap() && node["limits"])
-    input.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
-  result.inputs.push_back(std::move(input));
+    result.limits = {{constant(node["limits"][0]), constant(node["limits"][1])}};
+  return result;
 }
 
 /// |difference of two positions|
@@ -54,6 +56,18 @@ int speed_index(const std::string& name, const Description& description) {
            (dot == std::string::npos ? 0 : static_cast<int>(std::string("xyz").find(name[dot + 1])));
   }
   throw std::runtime_error("no speed '" + name + "'");
+}
+
+FramePath read_path(const YAML::Node& points, const YAML::Node& root, const Names& names) {
+  FramePath path;
+  for (const YAML::Node& point : points) {
+    if (point.IsScalar())
+      path.push_back({frame_index(root, point.as<std::string>()), nullptr});
+    else
+      path.push_back({frame_index(root, point["frame"].as<std::string>()),
+                      point["when"] ? expression_of(point["when"], names) : nullptr});
+  }
+  return path;
 }
 
 Expression3 three_or_zero(const YAML::Node& node, const Names& names) {
@@ -193,10 +207,14 @@ void declare_quantities(const YAML::Node& root, Names& names, Description& resul
   for (const YAML::Node& frame : root["frames"]) frames.push_back(frame["name"].as<std::string>());
   for (const std::string& frame : frames) declare_three("position(" + frame + ")");
   for (const YAML::Node& input : root["inputs"]) {
-    read_input(input, names, result);
+    result.inputs.push_back(given_number<Input>(input, names));
     declare(result.inputs.back().name);
   }
-  if (!root["forces"]) return;
+  for (const YAML::Node& state : root["states"]) {
+    result.states.push_back(given_number<Integrated>(state, names));
+    declare(result.states.back().name);
+  }
+  if (!root["forces"] && !root["outputs"] && !root["states"]) return;
   for (const std::string& frame : frames) {
     declare_three("velocity(" + frame + ")");
     for (const char row : {'x', 'y', 'z'})
@@ -208,10 +226,6 @@ void declare_quantities(const YAML::Node& root, Names& names, Description& resul
     const std::string name = force["name"].as<std::string>();
     declare("length(" + name + ")");
     declare("rate(" + name + ")");
-    FramePath path;
-    for (const YAML::Node& frame : frames_along(force))
-      path.push_back(frame_index(root, frame.as<std::string>()));
-    result.paths.push_back(std::move(path));
   }
   for (const std::string& from : frames)
     for (const std::string& to : frames)
@@ -231,8 +245,7 @@ void read_coordinate_forces(const YAML::Node& node, const Names& names, Coordina
   read(friction["velocity"], coordinate.friction_velocity);
 }
 
-void read_forces(const YAML::Node& root, const Names& names, Description& result) {
-  std::size_t path = 0;
+void read_forces(const YAML::Node& root, Names& names, Description& result) {
   for (const YAML::Node& force : root["forces"]) {
     if (force["on"]) {
       result.forces.emplace_back(SpeedForce{speed_index(force["on"].as<std::string>(), result),
@@ -244,7 +257,10 @@ void read_forces(const YAML::Node& root, const Names& names, Description& result
       Names own = names;
       own["length"] = names.at("length(" + name + ")");
       own["rate"] = names.at("rate(" + name + ")");
-      result.forces.emplace_back(Tension{path++, expression_of(force["tension"], own)});
+      const Expression tension = expression_of(force["tension"], own);
+      result.forces.emplace_back(Tension{result.paths.size(), tension});
+      result.paths.push_back(read_path(frames_along(force), root, names));
+      names["tension(" + name + ")"] = tension;
     } else if (force["contact"]) {
       const ContactText contact(force["contact"], root, names);
       for (const FrameForce& wrench : contact.forces()) result.forces.emplace_back(wrench);
@@ -259,13 +275,19 @@ void read_forces(const YAML::Node& root, const Names& names, Description& result
   }
 }
 
-void read_outputs(const YAML::Node& root, const Names& names, Description& result) {
-  Names known = names;
+void read_outputs(const YAML::Node& root, Names& names, Description& result) {
   for (const YAML::Node& output : root["outputs"]) {
     const std::string name = output["name"].as<std::string>();
-    known[name] = expression_of(output["value"], known);
-    result.outputs.push_back({name, known[name]});
+    const Expression value = expression_of(output["value"], names);
+    names[name] = value;
+    result.outputs.push_back({name, value});
   }
+}
+
+void read_state_rates(const YAML::Node& root, const Names& names, Description& result) {
+  std::size_t i = 0;
+  for (const YAML::Node& state : root["states"])
+    result.states[i++].rate = expression_of(state["rate"], names);
 }
 
 }  // namespace alembert::oracles

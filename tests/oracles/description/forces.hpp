@@ -1,6 +1,6 @@
 // What acts on a mechanism beside gravity and wrenches, as a description says it. Expressions here are over a longer
-// list of variables than others: coordinates, speeds, the position of each frame, inputs, then of each frame its
-// velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length and rate.
+// list of variables than others: coordinates, speeds, the position of each frame, inputs, states, then of each frame
+// its velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length and rate.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,21 @@ struct Input {
   std::optional<std::pair<double, double>> limits;
 };
 
-/// Between the origins of frames, from one to the next; indices.
-using FramePath = std::vector<std::size_t>;
+/// A number that is integrated beside coordinates and speeds.
+struct Integrated {
+  std::string name;
+  double initial = 0;
+  std::optional<std::pair<double, double>> limits;
+  Expression rate;
+};
+
+/// The origin of a frame, where the condition is positive; elsewhere the path leads past it.
+struct PathPoint {
+  std::size_t frame;  ///< index
+  Expression when;    ///< of no speeds, and of paths before this one; null: always
+};
+/// From one point to the next.
+using FramePath = std::vector<PathPoint>;
 
 struct SpeedForce {
   int speed;  ///< index

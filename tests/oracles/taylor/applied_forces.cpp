@@ -8,23 +8,43 @@ namespace alembert::oracles {
 
 namespace {
 
+template <class R>
+struct Layout;
+template <class R>
+std::vector<Jet<R>> variables_along(const Description& description, const StateOf<R>& state,
+                                    const std::vector<Jet<R>>& q, const Layout<R>& along);
+
 /// Frames, and the lengths of paths between them, as jets along a motion.
 template <class R>
 struct Layout {
   std::vector<RigidMotion<Jet<R>>> frames;
   std::vector<Jet<R>> lengths;
 
-  Layout(const Description& description, const std::vector<Jet<R>>& q, const Jet<R>& t)
+  Layout(const Description& description, const StateOf<R>& state, const std::vector<Jet<R>>& q,
+         const Jet<R>& t)
       : frames(frame_poses(description, q, t)) {
     for (const FramePath& path : description.paths) {
-      Jet<R> length(0.0);
-      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const Vector3<Jet<R>> step =
-            frames[path[i + 1]].translation + Jet<R>(-1.0) * frames[path[i]].translation;
-        length = length + sqrt(dot(step, step));
+      std::vector<std::size_t> on_it;
+      for (const PathPoint& point : path) {
+        if (!point.when ||
+            leading(evaluate(point.when, variables_along(description, state, q, *this), t)) > 0)
+          on_it.push_back(point.frame);
       }
-      lengths.push_back(length);
+      lengths.push_back(length_over(on_it));
     }
+  }
+
+ private:
+  /// From a frame to itself there is no way.
+  Jet<R> length_over(const std::vector<std::size_t>& points) const {
+    Jet<R> length(0.0);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      if (points[i] == points[i + 1]) continue;
+      const Vector3<Jet<R>> step =
+          frames[points[i + 1]].translation + Jet<R>(-1.0) * frames[points[i]].translation;
+      length = length + sqrt(dot(step, step));
+    }
+    return length;
   }
 };
 
@@ -37,10 +57,17 @@ struct VariableList {
   void add(const Vector3<S>& three) { values.insert(values.end(), three.begin(), three.end()); }
 };
 
+/// Inputs and states, which have their initial values where the state says no other.
 template <class R>
-R input_of(const Input& input, const StateOf<R>& state) {
-  const auto found = state.inputs.find(input.name);
-  return found == state.inputs.end() ? R(input.initial) : found->second;
+std::vector<R> given_numbers(const Description& description, const StateOf<R>& state) {
+  std::vector<R> values;
+  const auto add = [&values](const auto& given, const std::map<std::string, R>& at) {
+    const auto found = at.find(given.name);
+    values.push_back(found == at.end() ? R(given.initial) : found->second);
+  };
+  for (const Input& input : description.inputs) add(input, state.inputs);
+  for (const Integrated& integrated : description.states) add(integrated, state.states);
+  return values;
 }
 
 /// Row by row, each entry by `of`.
@@ -63,7 +90,7 @@ std::vector<R> variables_at(const Description& description, const StateOf<R>& st
   list.add(state.q);
   list.add(state.speeds);
   for (const auto& frame : moving.frames) list.add(each(frame.translation, value));
-  for (const Input& input : description.inputs) list.add(input_of(input, state));
+  list.add(given_numbers(description, state));
   for (const auto& frame : moving.frames) {
     list.add(each(frame.translation, rate));
     add_rotation(list, frame, value);
@@ -76,7 +103,8 @@ std::vector<R> variables_at(const Description& description, const StateOf<R>& st
   return list.values;
 }
 
-/// Along one speed: what a potential is a function of. It is none of speeds, which are no numbers here.
+/// Along one speed: what a potential is a function of. It is none of speeds, which are no numbers here. There are as
+/// many lengths as are known so far.
 template <class R>
 std::vector<Jet<R>> variables_along(const Description& description, const StateOf<R>& state,
                                     const std::vector<Jet<R>>& q, const Layout<R>& along) {
@@ -85,7 +113,7 @@ std::vector<Jet<R>> variables_along(const Description& description, const StateO
   list.add(q);
   list.add(std::vector<Jet<R>>(state.speeds.size(), none));
   for (const auto& frame : along.frames) list.add(frame.translation);
-  for (const Input& input : description.inputs) list.add(Jet<R>(input_of(input, state), R(0.0), R(0.0)));
+  for (const R& value : given_numbers(description, state)) list.add(Jet<R>(value, R(0.0), R(0.0)));
   for (const auto& frame : along.frames) {
     list.add(Vector3<Jet<R>>{none, none, none});
     add_rotation(list, frame, [](const Jet<R>& x) { return x; });
@@ -163,7 +191,7 @@ std::vector<R> forces_of_coordinates(const Description& description, const State
 template <class R>
 Layout<R> moving_layout(const Description& description, const StateOf<R>& state) {
   const std::vector<R> no_rates(state.speeds.size(), R(0.0));
-  return {description, trajectory(description, state, no_rates), Jet<R>(state.time, R(1.0), R(0.0))};
+  return {description, state, trajectory(description, state, no_rates), Jet<R>(state.time, R(1.0), R(0.0))};
 }
 
 }  // namespace
@@ -180,7 +208,7 @@ std::vector<R> applied_forces(const Description& description, const StateOf<R>& 
   const Jet<R> t(state.time, R(0.0), R(0.0));
   for (int k = 0; k < description.nv; ++k) {
     const std::vector<Jet<R>> q = unit_motion(description, state, k);
-    const Layout<R> layout(description, q, t);
+    const Layout<R> layout(description, state, q, t);
     const std::vector<Jet<R>> along = variables_along(description, state, q, layout);
     R& sum = Q[static_cast<std::size_t>(k)];
     for (std::size_t i = 0; i < strengths.size(); ++i)
@@ -224,7 +252,7 @@ OutputsOf<R> numeric_outputs(const Description& description, const StateOf<R>& s
   for (int k = 0; k < description.nv; ++k) {
     const std::vector<Jet<R>> along_k = unit_motion(description, state, k);
     const std::vector<Jet<R>> variables =
-        variables_along(description, state, along_k, Layout<R>(description, along_k, t));
+        variables_along(description, state, along_k, Layout<R>(description, state, along_k, t));
     std::vector<R>& column = result.along.emplace_back();
     for (const Output& output : description.outputs)
       column.push_back(evaluate(output.value, variables, t).first);
@@ -232,9 +260,19 @@ OutputsOf<R> numeric_outputs(const Description& description, const StateOf<R>& s
   return result;
 }
 
+template <class R>
+std::vector<R> state_rates(const Description& description, const StateOf<R>& state) {
+  const std::vector<R> variables = variables_at(description, state, moving_layout(description, state));
+  std::vector<R> rates;
+  for (const Integrated& integrated : description.states)
+    rates.push_back(evaluate(integrated.rate, variables, state.time));
+  return rates;
+}
+
 #define ALEMBERT_FORCES(R)                                                       \
   template std::vector<R> applied_forces(const Description&, const StateOf<R>&); \
-  template R potential_of_forces(const Description&, const StateOf<R>&);
+  template R potential_of_forces(const Description&, const StateOf<R>&);         \
+  template std::vector<R> state_rates(const Description&, const StateOf<R>&);
 template OutputsOf<double> numeric_outputs(const Description&, const StateOf<double>&);
 template OutputsOf<long double> numeric_outputs(const Description&, const StateOf<long double>&);
 ALEMBERT_FORCES(double)

@@ -1,4 +1,5 @@
 // Generalised forces of a description's forces on numbers: by virtual work, with positions as jets along each speed.
+// Outputs, and the rates of states, which are of the same variables.
 #pragma once
 
 #include <vector>
@@ -15,6 +16,10 @@ std::vector<R> applied_forces(const Description& description, const StateOf<R>& 
 /// Sum of the potentials and of k (q - r)^2/2.
 template <class R>
 R potential_of_forces(const Description& description, const StateOf<R>& state);
+
+/// Of each of the description's states.
+template <class R>
+std::vector<R> state_rates(const Description& description, const StateOf<R>& state);
 
 /// Outputs of a description: values, derivatives along each speed, first and second derivative in time where the
 /// speeds have no rates.

@@ -107,6 +107,44 @@ std::pair<MatrixOf<R>, MatrixOf<R>> derivatives_of_forces(const Description& des
   return {along, by_speeds};
 }
 
+/// `of` a state whose jets are along one of the numbers in `values`: inputs or states.
+template <class R, class Given, class Of>
+Eigen::MatrixXd derivatives_by(const State& at, const std::vector<Given>& given,
+                               std::map<std::string, Jet<R>> StateOf<Jet<R>>::*values, Eigen::Index rows,
+                               Of of) {
+  Eigen::MatrixXd result(rows, static_cast<Eigen::Index>(given.size()));
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    StateOf<Jet<R>> state = lifted<Jet<R>>(at);
+    const Given& by = given[static_cast<std::size_t>(i)];
+    (state.*values).try_emplace(by.name, by.initial).first->second.first = R(1.0);
+    const std::vector<Jet<R>> moved = of(state);
+    for (Eigen::Index k = 0; k < rows; ++k)
+      result(k, i) = static_cast<double>(moved[static_cast<std::size_t>(k)].first);
+  }
+  return result;
+}
+
+template <class R>
+Arrays derivatives_of_state_rates(const Description& description, const State& given) {
+  using T = Jet<R>;
+  const auto rows = static_cast<Eigen::Index>(description.states.size());
+  const auto rates = [&](const StateOf<T>& state) { return state_rates(description, state); };
+  Eigen::MatrixXd along(rows, description.nv), by_speeds(rows, description.nv);
+  for (int k = 0; k < description.nv; ++k) {
+    StateOf<T> moved = lifted<T>(given), faster = moved;
+    moved.q = unit_motion(description, lifted<R>(given), k);
+    faster.speeds[static_cast<std::size_t>(k)].first = R(1.0);
+    const std::vector<T> by_q = rates(moved), by_qd = rates(faster);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      along(i, k) = static_cast<double>(by_q[static_cast<std::size_t>(i)].first);
+      by_speeds(i, k) = static_cast<double>(by_qd[static_cast<std::size_t>(i)].first);
+    }
+  }
+  return {{"r_q", along},
+          {"r_qd", by_speeds},
+          {"r_s", derivatives_by<R>(given, description.states, &StateOf<T>::states, rows, rates)}};
+}
+
 template <class R>
 Eigen::MatrixXd jacobian(const std::vector<std::vector<Motion<R>>>& partial) {
   Eigen::MatrixXd J(6 * static_cast<Eigen::Index>(partial[0].size()),
@@ -230,6 +268,9 @@ struct Quantities {
   MatrixOf<R> inverse() const {
     return dynamics.mass_matrix.ldlt().solve(MatrixOf<R>::Identity(description.nv, description.nv));
   }
+  auto forces() const {
+    return [this](const StateOf<Jet<R>>& at) { return applied_forces(description, at); };
+  }
   Eigen::MatrixXd M() const { return dynamics.mass_matrix.template cast<double>(); }
   Eigen::VectorXd c() const { return dynamics.bias.template cast<double>(); }
   /// -sum m (velocity of the centre of mass along each speed) . (gravity)
@@ -294,17 +335,27 @@ const Builders<R>& builders() {
        }},
       {"input_jacobian",
        [](From x) {
-         Eigen::MatrixXd B(x.description.nv, static_cast<Eigen::Index>(x.description.inputs.size()));
-         for (Eigen::Index i = 0; i < B.cols(); ++i) {
-           StateOf<Jet<R>> state = lifted<Jet<R>>(x.state);
-           for (const Input& input : x.description.inputs)
-             state.inputs.try_emplace(input.name, input.initial);
-           state.inputs.at(x.description.inputs[static_cast<std::size_t>(i)].name).first = R(1.0);
-           const std::vector<Jet<R>> Q = applied_forces(x.description, state);
-           for (Eigen::Index k = 0; k < B.rows(); ++k)
-             B(k, i) = static_cast<double>(Q[static_cast<std::size_t>(k)].first);
-         }
-         return Arrays{{"B", B}};
+         return Arrays{{"B", derivatives_by<R>(x.state, x.description.inputs, &StateOf<Jet<R>>::inputs,
+                                               x.description.nv, x.forces())}};
+       }},
+      {"state_rates",
+       [](From x) {
+         const std::vector<R> rates = state_rates(x.description, lifted<R>(x.state));
+         return Arrays{{"sdot", column({rates.begin(), rates.end()})}};
+       }},
+      {"state_jacobian",
+       [](From x) {
+         return Arrays{{"Q_s", derivatives_by<R>(x.state, x.description.states, &StateOf<Jet<R>>::states,
+                                               x.description.nv, x.forces())}};
+       }},
+      {"state_rates_derivatives",
+       [](From x) { return derivatives_of_state_rates<R>(x.description, x.state); }},
+      {"state_input_jacobian",
+       [](From x) {
+         const auto rates = [&](const StateOf<Jet<R>>& state) { return state_rates(x.description, state); };
+         const auto rows = static_cast<Eigen::Index>(x.description.states.size());
+         return Arrays{{"r_inputs", derivatives_by<R>(x.state, x.description.inputs, &StateOf<Jet<R>>::inputs,
+                                                      rows, rates)}};
        }},
       {"outputs",
        [](From x) {
@@ -430,7 +481,13 @@ std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);
   if (!description.has_forces()) names.erase("applied_forces");
-  if (description.inputs.empty()) names.erase("input_jacobian");
+  if (description.inputs.empty())
+    for (const char* name : {"input_jacobian", "state_input_jacobian"}) names.erase(name);
+  if (description.states.empty()) {
+    for (const char* name :
+         {"state_rates", "state_jacobian", "state_rates_derivatives", "state_input_jacobian"})
+      names.erase(name);
+  }
   if (description.outputs.empty()) names.erase("outputs");
   if (description.outputs.empty() || description.outputs_of_speeds())
     for (const char* name : {"outputs_jacobian", "outputs_rate", "outputs_bias"}) names.erase(name);

@@ -16,12 +16,13 @@ template <class R>
 struct StateOf {
   std::vector<R> q, speeds, rates;
   R time;
-  std::map<std::string, R> inputs = {};
+  std::map<std::string, R> inputs = {}, states = {};
 };
 template <class R>
 StateOf<R> lifted(const State& state) {
   StateOf<R> result{{}, {}, {}, R(state.time)};
   for (const auto& [name, value] : state.inputs) result.inputs.emplace(name, R(value));
+  for (const auto& [name, value] : state.states) result.states.emplace(name, R(value));
   for (const double x : state.q) result.q.emplace_back(x);
   for (const double x : state.speeds) result.speeds.emplace_back(x);
   for (const double x : state.rates) result.rates.emplace_back(x);
