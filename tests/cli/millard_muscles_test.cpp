@@ -122,7 +122,7 @@ BezierCurve tendon_force() {
 }
 
 /// Points of a table: each value, and the slope as the difference of two near points.
-struct Table {
+struct CurveTable {
   std::vector<double> x, y;
   /// Values within kNear, slopes within `slope_error` of the curve's steepest.
   void expect_follows(const BezierCurve& curve, double low, double high, double slope_error,
@@ -145,7 +145,7 @@ struct Table {
 };
 
 /// Pairs of near numbers over [low, high].
-std::vector<double> pairs(double low, double high) {
+std::vector<double> near_pairs(double low, double high) {
   std::vector<double> numbers;
   for (int i = 0; i <= 200; ++i) {
     const double x = low + (high - low) * i / 200;
@@ -154,21 +154,30 @@ std::vector<double> pairs(double low, double high) {
   return numbers;
 }
 
-const char* const kFile = "forces/elbow_millard";
-enum Output : std::size_t { active, passive, load, biceps_tension, triceps_tension, length, speed, strain };
+const char* const kMillard = "forces/elbow_millard";
+enum class Elbow : std::size_t {
+  active,
+  passive,
+  load,
+  biceps_tension,
+  triceps_tension,
+  length,
+  speed,
+  strain
+};
 
 /// Outputs of the elbow, with the length and speed of the biceps' fibres and the strain of the triceps' tendon.
-std::vector<json> elbow(const TemporaryFolder& folder, const std::vector<json>& states) {
-  const std::string text = replaced(read_text(mechanism_file(kFile)), "biceps_slack: 0.17",
+std::vector<json> elbow_at(const TemporaryFolder& folder, const std::vector<json>& states) {
+  const std::string text = replaced(read_text(mechanism_file(kMillard)), "biceps_slack: 0.17",
                                     "biceps_slack: {value: 0.17, runtime: true}") +
                            "  - {name: length_now, value: (length(biceps) - biceps_slack)/biceps_fibre}\n"
                            "  - {name: speed_now, value: rate(biceps)/(biceps_fibre*vmax)}\n"
                            "  - {name: strain_now, value: (length(triceps) - "
                            "triceps_fibre*triceps_length*triceps_cosine)/triceps_slack - 1}\n";
-  return evaluated(folder, folder.write("elbow.yaml", text), "outputs,state_rates", states);
+  return values_at(folder, folder.write("elbow.yaml", text), "outputs,state_rates", states);
 }
-double output(const json& values, Output which) {
-  return values["outputs"]["y"][which].get<double>();
+double elbow_output(const json& values, Elbow which) {
+  return values["outputs"]["y"][static_cast<std::size_t>(which)].get<double>();
 }
 
 TEST(MillardMuscles, CurvesHaveTheirDefiningValues) {
@@ -189,20 +198,20 @@ TEST(MillardMuscles, TheRigidTendonsTablesFollowTheCurves) {
                 {"parameters", {{"biceps_slack", slack}}},
                 {"states", {{"biceps_activation", activation}}}};
   };
-  const double path = 0.13 * output(elbow(folder, {state(0, 0, 0)})[0], length);
+  const double path = 0.13 * elbow_output(elbow_at(folder, {state(0, 0, 0)})[0], Elbow::length);
   std::vector<json> states;
-  for (const double l : pairs(0.3, 2))
+  for (const double l : near_pairs(0.3, 2))
     for (const double a : {0.0, 1.0}) states.push_back(state(a, path - 0.13 * l, 0));
   const std::size_t speeds = states.size();
-  for (const double v : pairs(-50, 50))
+  for (const double v : near_pairs(-50, 50))
     for (const double a : {0.0, 1.0}) states.push_back(state(a, path - 0.13 * 1.3, v));
   states.push_back(state(0, path - 0.13, 30));
-  const std::vector<json> values = elbow(folder, states);
-  const auto force = [&](std::size_t i) { return output(values.at(i), biceps_tension) / 600; };
+  const std::vector<json> values = elbow_at(folder, states);
+  const auto force = [&](std::size_t i) { return elbow_output(values.at(i), Elbow::biceps_tension) / 600; };
 
-  Table passive_table, active_table, speed_table;
+  CurveTable passive_table, active_table, speed_table;
   for (std::size_t i = 0; i < speeds; i += 2) {
-    const double l = output(values[i], length);
+    const double l = elbow_output(values[i], Elbow::length);
     passive_table.x.push_back(l);
     passive_table.y.push_back(force(i));
     active_table.x.push_back(l);
@@ -212,10 +221,10 @@ TEST(MillardMuscles, TheRigidTendonsTablesFollowTheCurves) {
   active_table.expect_follows(active_force(0), 0.31, 1.99, 0.12, "active force");
 
   const std::size_t rest = speeds + 400;
-  ASSERT_EQ(output(values[rest], speed), 0);
+  ASSERT_EQ(elbow_output(values[rest], Elbow::speed), 0);
   const double still = force(rest + 1) - force(rest), at_rest = force(rest);
   for (std::size_t i = speeds; i + 2 < states.size(); i += 2) {
-    const double v = output(values[i], speed);
+    const double v = elbow_output(values[i], Elbow::speed);
     EXPECT_NEAR(force(i), at_rest + 0.1 * v, 1e-12) << "damping at " << v;
     speed_table.x.push_back(v);
     speed_table.y.push_back((force(i + 1) - force(i)) / still);
@@ -230,24 +239,24 @@ TEST(MillardMuscles, TheElasticTendonsTablesFollowTheCurves) {
     return json{{"q", {0.278}}, {"states", {{"triceps_length", l}, {"triceps_activation", 1}}}};
   };
   std::vector<json> states;
-  for (const double l : pairs(0.3, 2)) states.push_back(state(l));
+  for (const double l : near_pairs(0.3, 2)) states.push_back(state(l));
   const std::size_t lengths = states.size();
-  for (const double l : pairs(0.93, 1.06)) states.push_back(state(l));
-  const std::vector<json> values = elbow(folder, states);
+  for (const double l : near_pairs(0.93, 1.06)) states.push_back(state(l));
+  const std::vector<json> values = elbow_at(folder, states);
 
-  Table active_table, passive_table, tendon_table, speed_table;
+  CurveTable active_table, passive_table, tendon_table, speed_table;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const json& now = values[i];
     if (i < lengths) {
       const double l = states[i]["states"]["triceps_length"];
       active_table.x.push_back(l);
-      active_table.y.push_back(output(now, active));
+      active_table.y.push_back(elbow_output(now, Elbow::active));
       passive_table.x.push_back(l);
-      passive_table.y.push_back(output(now, passive));
+      passive_table.y.push_back(elbow_output(now, Elbow::passive));
     } else {
-      tendon_table.x.push_back(output(now, strain));
-      tendon_table.y.push_back(output(now, triceps_tension) / 800);
-      speed_table.x.push_back(output(now, load) / output(now, active));
+      tendon_table.x.push_back(elbow_output(now, Elbow::strain));
+      tendon_table.y.push_back(elbow_output(now, Elbow::triceps_tension) / 800);
+      speed_table.x.push_back(elbow_output(now, Elbow::load) / elbow_output(now, Elbow::active));
       speed_table.y.push_back(now["state_rates"]["sdot"][2].get<double>() / 10);
     }
   }
@@ -259,7 +268,7 @@ TEST(MillardMuscles, TheElasticTendonsTablesFollowTheCurves) {
 
 Csv simulated(const TemporaryFolder& folder, const std::string& options) {
   const CommandResult result =
-      alembert(folder, "simulate " + mechanism_file(kFile) + " --every 100000 " + options);
+      alembert(folder, "simulate " + mechanism_file(kMillard) + " --every 100000 " + options);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return Csv(result.out);
 }

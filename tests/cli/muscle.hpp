@@ -19,7 +19,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
 }
 
 /// The functions (`outputs,state_rates`) of a description at each state, as `evaluate --json` writes them.
-inline std::vector<nlohmann::json> evaluated(const TemporaryFolder& folder, const std::string& file,
+inline std::vector<nlohmann::json> values_at(const TemporaryFolder& folder, const std::string& file,
                                              const std::string& functions,
                                              const std::vector<nlohmann::json>& states) {
   std::string lines;

@@ -13,13 +13,13 @@ namespace {
 using nlohmann::json;
 
 // The curves, of the largest isometric force, over lengths of fibres in optimal ones and strains of tendons.
-double active(double length) {
+double thelen_active(double length) {
   return std::exp(-(length - 1) * (length - 1) / 0.45);
 }
-double passive(double length) {
+double thelen_passive(double length) {
   return std::max(0.0, std::expm1(5 * (length - 1) / 0.6) / std::expm1(5));
 }
-double tendon(double strain) {
+double thelen_tendon(double strain) {
   const double toe = 0.609 * 0.04;
   if (strain <= 0) return 0;
   return strain < toe ? 0.33 * std::expm1(3 * strain / toe) / std::expm1(3)
@@ -75,14 +75,16 @@ TEST(ThelenMuscles, AnIsometricStepEndsAtTheStaticForce) {
       return end[table.column(m.name + std::string("_") + quantity)];
     };
     const auto cosine = [&](double l) { return std::sqrt(1 - std::pow(std::sin(m.pennation) / l, 2)); };
-    const auto fibres = [&](double l) { return cosine(l) * (m.activation * active(l) + passive(l)); };
+    const auto fibres = [&](double l) {
+      return cosine(l) * (m.activation * thelen_active(l) + thelen_passive(l));
+    };
     const auto stretched = [&](double l) {
-      return tendon((of("path") - m.fibre * l * cosine(l)) / m.slack - 1);
+      return thelen_tendon((of("path") - m.fibre * l * cosine(l)) / m.slack - 1);
     };
     const double rest = where([&](double l) { return fibres(l) - stretched(l); }, 0, 0.6, 1.3);
     EXPECT_NEAR(of("length"), rest, 1e-6) << m.name;
     EXPECT_NEAR(of("tension"), m.force * fibres(rest), 1e-5 * m.force) << m.name;
-    EXPECT_NEAR(of("load"), m.activation * active(rest), 1e-5) << m.name;
+    EXPECT_NEAR(of("load"), m.activation * thelen_active(rest), 1e-5) << m.name;
     EXPECT_GT(of("tension"), 0.2 * m.force) << m.name;
     EXPECT_GT(std::abs(rest - table.rows[0][table.column(m.name + std::string("_length"))]), 0.01)
         << m.name << " moved";
@@ -105,7 +107,7 @@ TEST(ThelenMuscles, ForceOverSpeedAndItsInverseAgree) {
     const auto turning = [&](double speed) {
       return json{{"q", {0.6}}, {"qd", {speed}}, {"inputs", {{"flexor", activation}}}};
     };
-    const json unit = evaluated(folder, rigid, "outputs", {turning(1)})[0];
+    const json unit = values_at(folder, rigid, "outputs", {turning(1)})[0];
     const double length = output(unit, fibre);
 
     std::vector<json> states;
@@ -115,16 +117,17 @@ TEST(ThelenMuscles, ForceOverSpeedAndItsInverseAgree) {
     std::vector<double> loads;
     std::vector<json> speeds;
     for (const json& values :
-         evaluated(folder, mechanism_file("forces/elbow_elastic_tendons"), "outputs,state_rates", states)) {
+         values_at(folder, mechanism_file("forces/elbow_elastic_tendons"), "outputs,state_rates", states)) {
       const double load = output(values, 0);
-      if (load <= 0 || load >= 0.95 * 1.4 * activation * active(length)) continue;
+      if (load <= 0 || load >= 0.95 * 1.4 * activation * thelen_active(length)) continue;
       loads.push_back(load);
       speeds.push_back(turning(values["state_rates"]["sdot"][2].get<double>() / output(unit, fibre_rate)));
     }
-    const std::vector<json> back = evaluated(folder, rigid, "outputs", speeds);
+    const std::vector<json> back = values_at(folder, rigid, "outputs", speeds);
     std::size_t lengthening = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
-      EXPECT_NEAR(output(back[i], force) - passive(length), loads[i], 1e-12) << "activation " << activation;
+      EXPECT_NEAR(output(back[i], force) - thelen_passive(length), loads[i], 1e-12)
+          << "activation " << activation;
       lengthening += output(back[i], fibre_rate) > 0;
     }
     EXPECT_GE(lengthening, 2U);
