@@ -117,7 +117,7 @@ TEST(States, AreGivenByName) {
   const json first = json::parse(result.out.substr(0, result.out.find('\n')));
   EXPECT_EQ(first["state_rates"]["sdot"], json({21.0 - 6, 9.5}));
   EXPECT_EQ(first["applied_forces"]["Q"], json({42.0})) << "b has its initial value";
-  EXPECT_EQ(first["state_jacobian"]["S"], json::parse("[[14.0, 1.0]]"));
+  EXPECT_EQ(first["state_jacobian"]["Q_s"], json::parse("[[14.0, 1.0]]"));
   EXPECT_EQ(first["state_rates_derivatives"]["r_q"], json::parse("[[0.0], [1.0]]"));
   EXPECT_EQ(first["state_rates_derivatives"]["r_qd"], json::parse("[[-3.0], [0.0]]"));
   EXPECT_EQ(first["state_rates_derivatives"]["r_s"], json::parse("[[-2.0, 0.0], [6.0, 0.0]]"));

@@ -224,7 +224,7 @@ TEST(ForceLaws, DerivativesOfStatesAreDifferences) {
         expect(of_rates.col(column), [&](R step) { return state_rates(d, shifted(given[i].name, step)); });
       }
     };
-    by(d.states, all.at("state_jacobian").at("S"), rates.at("r_s"));
+    by(d.states, all.at("state_jacobian").at("Q_s"), rates.at("r_s"));
     by(d.inputs, all.at("input_jacobian").at("B"), all.at("state_input_jacobian").at("r_inputs"));
   }
 }

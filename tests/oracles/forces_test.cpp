@@ -272,7 +272,7 @@ outputs: [{name: power, value: voltage*current}]
   near(all.at("state_rates").at("sdot"),
        Eigen::Vector2d((6 - 2 * i - 0.3 * 1.5) / 0.05, R(0, 2) + stretch * 0.8));
   near(all.at("applied_forces").at("Q"), Eigen::Vector4d(0.3 * i * i, 0, 0, 0));
-  near(all.at("state_jacobian").at("S"),
+  near(all.at("state_jacobian").at("Q_s"),
        0.6 * i *
            Eigen::MatrixXd::Identity(4, 2).cwiseProduct(Eigen::Vector4d::UnitX() * Eigen::RowVector2d(1, 1)));
   // R e_z changes by R (e_k x e_z) as the needle turns about its axis k.
