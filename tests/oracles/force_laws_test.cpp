@@ -38,7 +38,8 @@ TEST(RandomForces, OfEveryKind) {
           "length\\(",   "rate\\(",     "distance\\(",    "length -",    "min\\(",      "max\\(",
           "clamp\\(",    "step\\(",     "smoothstep\\(",  "select\\(",   "sign\\(",     "abs\\(",
           "spline\\(",   "linear\\(",   "simm_spline\\(", "d\\(q",       "d\\(r",       "runtime: true",
-          "in0",         "w0:"}) {
+          "in0",         "w0:",         "contact: ",      "plane: ",     "sphere: ",    "out0",
+          "out1\\^2"}) {
       if (std::regex_search(text, std::regex(std::string("(^|[^a-z_])") + word))) ++met[word];
       met.try_emplace(word, 0);
     }
@@ -86,15 +87,15 @@ TEST(ForceLaws, TauAndBiasLoseWhatIsApplied) {
   }
 }
 
-/// Lines of `forces` that match only, and no other forces.
+/// Lines of `forces` that match only, and no other forces or outputs.
 std::string with_forces_like(const std::string& text, const std::string& pattern) {
   std::istringstream lines(text);
-  std::string result, line;
-  bool inside = false;
+  std::string result, line, section;
   while (std::getline(lines, line)) {
-    if (line[0] != ' ') inside = line == "forces:";
+    if (line[0] != ' ') section = line;
     line = std::regex_replace(line, std::regex(", (damping: [^,}]*|friction: \\{[^}]*\\})"), "");
-    if (line.rfind("  - ", 0) != 0 || !inside || std::regex_search(line, std::regex(pattern)))
+    if (section == "outputs:") continue;
+    if (line.rfind("  - ", 0) != 0 || section != "forces:" || std::regex_search(line, std::regex(pattern)))
       result += line + "\n";
   }
   return result;

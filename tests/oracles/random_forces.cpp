@@ -1,6 +1,7 @@
 // Draws forces (see the header).
 #include "oracles/random_forces.hpp"
 
+#include <cmath>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -48,9 +49,13 @@ class ForceWriter {
     for (int i = 0; i < more; ++i) add_force(draw_.below(kKinds));
     for (; path_ < paths_;) add_force(kPath);
     add_forces_of_coordinates();
+    const int contacts = draw_.below(3), outputs = draw_.below(4);
+    for (int i = 0; i < contacts; ++i) add_contact();
+    for (int i = 0; i < outputs; ++i) add_output(i);
     add_lines(text_, "frames", frame_lines_);
     add_lines(text_, "inputs", input_lines_);
     add_lines(text_, "forces", forces_);
+    add_lines(text_, "outputs", outputs_);
     add_lines(text_, "definitions", used(definitions_), "bodies:");
     add_lines(text_, "parameters", used(parameters_), "gravity:");
     return text_;
@@ -130,6 +135,7 @@ class ForceWriter {
     if (draw_.chance(0.4)) frame_lines_ += ", " + moving_factor();
     frame_lines_ += "]}\n";
     frames_.push_back(name);
+    body_of_.push_back(body);
   }
   std::string moving_factor() {
     const std::string q = coordinate();
@@ -345,6 +351,43 @@ class ForceWriter {
     }
   }
 
+  /// A sphere or a point of one body and a plane or a sphere of another, or of the world, if there are such; near
+  /// enough to touch at some states.
+  void add_contact() {
+    const auto first = static_cast<std::size_t>(draw_.below(static_cast<int>(frames_.size())));
+    const auto second = static_cast<std::size_t>(draw_.below(static_cast<int>(frames_.size())));
+    const double unit = units_.length;
+    const bool apart = body_of_[first] != body_of_[second], floor = draw_.chance(0.3);
+    if (floor ? body_of_[first] < 0 : !apart) return;
+    std::string lines = "{frame: " + frames_[first];
+    if (draw_.chance(0.7)) lines += ", radius: " + constant(0.2, 0.9, unit);
+    if (floor || draw_.chance(0.5)) {
+      std::vector<std::string> normal, point;
+      for (int i = 0; i < 3; ++i) normal.push_back(decimal(draw_.between(-1, 1)));
+      for (int i = 0; i < 3; ++i) point.push_back(decimal(unit * draw_.between(-0.5, 0.5)));
+      lines += ", plane: {normal: " + list(normal) + ", point: " + list(point) +
+               (floor ? "" : ", frame: " + frames_[second]) + "}";
+    } else {
+      lines += ", sphere: {frame: " + frames_[second] + ", radius: " + constant(0.4, 1, unit) + "}";
+    }
+    lines += ", stiffness: " + constant(5, 50, units_.force / std::pow(unit, 1.5));
+    if (draw_.chance(0.8)) lines += ", dissipation: " + constant(0.05, 0.5, 1 / unit);
+    if (draw_.chance(0.7)) {
+      const std::string friction = constant(0.1, 1), slow = constant(0.05, 0.5, unit);
+      lines += ", friction: " + friction + ", slip_velocity: " + slow;
+    }
+    forces_ += "  - {name: force" + std::to_string(force_count_++) + ", contact: " + lines + "}}\n";
+  }
+
+  /// Of positions and time, so that it has derivatives, but for some.
+  void add_output(int i) {
+    with_speeds_ = draw_.chance(0.1);
+    std::string text = value();
+    if (i > 0 && draw_.chance(0.4)) text += " + 0.5*out" + std::to_string(i - 1) + "^2";
+    with_speeds_ = true;
+    outputs_ += "  - {name: out" + std::to_string(i) + ", value: \"" + text + "\"}\n";
+  }
+
   /// Into the line of each coordinate.
   void add_forces_of_coordinates() {
     std::istringstream lines(text_);
@@ -379,8 +422,9 @@ class ForceWriter {
   Description given_;
   ForceUnits units_;
   std::vector<std::string> reals_, quaternions_, inputs_, defined_, frames_;
+  std::vector<int> body_of_;  ///< by frame; -1: the world
   std::map<std::string, std::string> parameters_, definitions_;
-  std::string frame_lines_, input_lines_, forces_;
+  std::string frame_lines_, input_lines_, forces_, outputs_;
   int parameter_count_ = 0, force_count_ = 0, path_ = 0, paths_ = 0;
   bool with_speeds_ = true;
 };

@@ -14,8 +14,8 @@ struct ForceUnits {
 };
 
 /// The description, in the layout of random_mechanism and nasty_mechanism, with inputs, parameters, frames that may
-/// move, forces of every kind and forces of its coordinates. Their expressions use everything that forces may use. The
-/// same seed gives the same text everywhere.
+/// move, forces of every kind, forces of its coordinates, contacts and outputs. Their expressions use everything that
+/// forces may use. The same seed gives the same text everywhere.
 std::string with_random_forces(const std::string& yaml, std::uint64_t seed, const ForceUnits& units = {});
 
 }  // namespace alembert::oracles
