@@ -101,6 +101,25 @@ std::string with_forces_like(const std::string& text, const std::string& pattern
   return result;
 }
 
+// Where there is a contact, at some states bodies touch, at some they do not.
+TEST(RandomForces, ContactsTouchAtTimes) {
+  int touching = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const std::string text = with_forces_like(forced(seed), "contact: ");
+    if (text.find("contact: ") == std::string::npos) continue;
+    const Description with = parse_description(text);
+    const Description without = parse_description(with_forces_like(text, "none of them"));
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 4; ++i) {
+      const StateOf<double> state = lifted<double>(random_state(with, random));
+      touching += applied_forces(with, state) != applied_forces(without, state) ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GT(touching, 0.2 * all);
+  EXPECT_LT(touching, 0.8 * all);
+}
+
 // Potentials and springs: dV/dt along any motion at fixed time and inputs is minus their power.
 TEST(ForceLaws, PotentialForcesTakeTheirPowerFromThePotential) {
   int tried = 0;
