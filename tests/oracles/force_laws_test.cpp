@@ -41,7 +41,7 @@ TEST(RandomForces, OfEveryKind) {
           "length\\(",   "rate\\(",     "distance\\(",    "length -",    "min\\(",      "max\\(",
           "clamp\\(",    "step\\(",     "smoothstep\\(",  "select\\(",   "sign\\(",     "abs\\(",
           "spline\\(",   "linear\\(",   "simm_spline\\(", "d\\(q",       "d\\(r",       "runtime: true",
-          "in0",         "w0:"})
+          "in0",         "w0:",         "contact: ",      "plane: ",     "sphere: "})
       meet(word);
     for (const char* word :
          {"s1", "rate: \"", "y0", "tension\\(", "when: \"min", "when: \"length", "when: \"s"})
@@ -94,17 +94,36 @@ TEST(ForceLaws, TauAndBiasLoseWhatIsApplied) {
 /// their points.
 std::string with_forces_like(const std::string& text, const std::string& pattern) {
   std::istringstream lines(text);
-  std::string result, line;
-  bool inside = false;
+  std::string result, line, section;
   while (std::getline(lines, line)) {
-    if (line[0] != ' ') inside = line == "forces:" || line == "outputs:";
+    if (line[0] != ' ') section = line;
     line = std::regex_replace(line, std::regex("rate: \"[^\"]*\""), "rate: 0");
     line = std::regex_replace(line, std::regex("\\{frame: (\\w+), when: [^}]*\\}"), "$1");
     line = std::regex_replace(line, std::regex(", (damping: [^,}]*|friction: \\{[^}]*\\})"), "");
-    if (line.rfind("  - ", 0) != 0 || !inside || std::regex_search(line, std::regex(pattern)))
+    if (section == "outputs:") continue;
+    if (line.rfind("  - ", 0) != 0 || section != "forces:" || std::regex_search(line, std::regex(pattern)))
       result += line + "\n";
   }
   return result;
+}
+
+// Where there is a contact, at some states bodies touch, at some they do not.
+TEST(RandomForces, ContactsTouchAtTimes) {
+  int touching = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const std::string text = with_forces_like(forced(seed), "contact: ");
+    if (text.find("contact: ") == std::string::npos) continue;
+    const Description with = parse_description(text);
+    const Description without = parse_description(with_forces_like(text, "none of them"));
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 4; ++i) {
+      const StateOf<double> state = lifted<double>(random_state(with, random));
+      touching += applied_forces(with, state) != applied_forces(without, state) ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GT(touching, 0.2 * all);
+  EXPECT_LT(touching, 0.8 * all);
 }
 
 // Potentials and springs: dV/dt along any motion at fixed time and inputs is minus their power.

@@ -1,6 +1,7 @@
 // Draws forces (see the header).
 #include "oracles/random_forces.hpp"
 
+#include <cmath>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -46,6 +47,7 @@ class ForceWriter : private RandomQuantities {
     const int more = draw_.below(3);
     for (int i = 0; i < more; ++i) add_force(draw_.below(kKinds));
     for (; path_ < paths_;) add_force(kPath);
+    for (int i = draw_.below(3); i > 0; --i) add_contact();
     add_outputs(draw_.below(3));
     for (const std::string& state : states_) add_state(state);
     add_forces_of_coordinates();
@@ -113,6 +115,7 @@ class ForceWriter : private RandomQuantities {
     const double unit = units_.length;
     const std::string x = constant(-0.6, 0.6, unit), y = constant(-0.6, 0.6, unit),
                       z = constant(0.1, 0.8, unit);
+    body_of_.push_back(body);
     frame_lines_ += "  - {name: " + name +
                     ", body: " + (body < 0 ? "world" : given_.bodies[static_cast<std::size_t>(body)].name) +
                     ", transform: [{translate: " + list({x, y, z}) + "}";
@@ -232,6 +235,34 @@ class ForceWriter : private RandomQuantities {
     }
   }
 
+  /// A sphere or a point of one body and a plane or a sphere of another, or of the world, if there are such; near
+  /// enough to touch at some states.
+  void add_contact() {
+    const auto first = static_cast<std::size_t>(draw_.below(static_cast<int>(frames_.size())));
+    const auto second = static_cast<std::size_t>(draw_.below(static_cast<int>(frames_.size())));
+    const double unit = units_.length;
+    const bool apart = body_of_[first] != body_of_[second], floor = draw_.chance(0.3);
+    if (floor ? body_of_[first] < 0 : !apart) return;
+    std::string lines = "{frame: " + frames_[first];
+    if (draw_.chance(0.7)) lines += ", radius: " + constant(0.2, 0.9, unit);
+    if (floor || draw_.chance(0.5)) {
+      std::vector<std::string> normal, point;
+      for (int i = 0; i < 3; ++i) normal.push_back(decimal(draw_.between(-1, 1)));
+      for (int i = 0; i < 3; ++i) point.push_back(decimal(unit * draw_.between(-0.5, 0.5)));
+      lines += ", plane: {normal: " + list(normal) + ", point: " + list(point) +
+               (floor ? "" : ", frame: " + frames_[second]) + "}";
+    } else {
+      lines += ", sphere: {frame: " + frames_[second] + ", radius: " + constant(0.4, 1, unit) + "}";
+    }
+    lines += ", stiffness: " + constant(5, 50, units_.force / std::pow(unit, 1.5));
+    if (draw_.chance(0.8)) lines += ", dissipation: " + constant(0.05, 0.5, 1 / unit);
+    if (draw_.chance(0.7)) {
+      const std::string friction = constant(0.1, 1), slow = constant(0.05, 0.5, unit);
+      lines += ", friction: " + friction + ", slip_velocity: " + slow;
+    }
+    forces_ += "  - {name: force" + std::to_string(force_count_++) + ", contact: " + lines + "}}\n";
+  }
+
   /// Into the line of each coordinate.
   void add_forces_of_coordinates() {
     std::istringstream lines(text_);
@@ -266,6 +297,7 @@ class ForceWriter : private RandomQuantities {
   std::map<std::string, std::string> definitions_;
   std::string frame_lines_, input_lines_, state_lines_, forces_, output_lines_;
   int force_count_ = 0;
+  std::vector<int> body_of_;  ///< by frame; -1: the world
 };
 
 }  // namespace

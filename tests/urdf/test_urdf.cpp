@@ -157,6 +157,33 @@ TEST(UrdfMassless, JointsStayWithAWarning) {
               testing::StartsWith("coordinates:\n  - arm\n  - {name: wheel, limits: [-1, 1]}\n  - hand\n"));
 }
 
+/// The robot above with drives.
+Imported with_drives(const std::string& drives) {
+  std::string text = kMassless;
+  return import(source_of(text.insert(text.rfind("</robot>"), drives)));
+}
+std::string drive(const std::string& joint, const std::string& actuator) {
+  return "<transmission name='t'><joint name='" + joint + "'/><actuator name='m'>" + actuator +
+         "</actuator></transmission>";
+}
+
+TEST(UrdfTransmission, RotorIsAnArmature) {
+  const std::string rotor = "<drake:rotor_inertia value='0.5'/>";
+  EXPECT_THAT(with_drives(drive("arm", rotor + "<drake:gear_ratio value='-4'/>") +
+                          drive("hand", rotor + "<mechanicalReduction>2</mechanicalReduction>"))
+                  .text,
+              testing::AllOf(testing::HasSubstr("{name: arm, armature: 8}"),
+                             testing::HasSubstr("{name: hand, armature: 2}")));
+}
+
+TEST(UrdfTransmission, RotorOfAJointThatMimicsTurnsWithTheOther) {
+  const std::string rotor = "<drake:rotor_inertia value='0.5'/><drake:gear_ratio value='3'/>";
+  const Imported imported = with_drives(drive("wheel", rotor) + drive("other", rotor));
+  EXPECT_THAT(imported.text,
+              testing::HasSubstr("{name: wheel, limits: [-1, 1], armature: 22.5}"));  // 0.5*3^2*(1 + 2^2)
+  EXPECT_THAT(imported.warnings, testing::IsEmpty());
+}
+
 TEST(UrdfMassless, JointsGetAnArmature) {
   EXPECT_THAT(massless(Massless::armature),
               testing::StartsWith(

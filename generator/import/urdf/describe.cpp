@@ -81,8 +81,9 @@ class Describer {
                       const UrdfJoint* joint = nullptr, const char* type = nullptr) {
     const std::array<double, 2>* limits = joint != nullptr && joint->limits ? &*joint->limits : nullptr;
     std::vector<std::pair<const char*, double>> numbers;
-    if (joint != nullptr && rotor(*joint) > 0)
-      numbers.emplace_back("armature", rotor(*joint));
+    const double armature = joint != nullptr ? rotor(*joint) : 0;
+    if (armature > 0)
+      numbers.emplace_back("armature", armature);
     else if (massless && options_.massless == Massless::armature)
       numbers.emplace_back("armature", options_.armature);
     const bool rubbed = joint != nullptr && options_.resistance && joint->friction != 0;
@@ -112,9 +113,27 @@ class Describer {
     }
     list.items.push_back(&node);
   }
-  /// Inertia that the rotor of the joint's drive has for the joint.
-  static double rotor(const UrdfJoint& joint) {
-    return joint.reduction * joint.reduction * joint.rotor_inertia;
+  /// Inertia that rotors have for a joint: that of its own drive, and those of joints that mimic it.
+  double rotor(const UrdfJoint& joint) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
+      const UrdfJoint& driven = robot_.joints[i];
+      if (driven.rotor_inertia == 0) continue;
+      const auto [of, multiplier] = moved_by(i);
+      const double turns = multiplier * driven.reduction;
+      if (&robot_.joints[of] == &joint) sum += turns * turns * driven.rotor_inertia;
+    }
+    return sum;
+  }
+  /// The joint at the end of a chain of mimics, and how far this one moves for it. (One that mimics none that
+  /// is left stands still, and is an end too.)
+  std::pair<std::size_t, double> moved_by(std::size_t joint) const {
+    double multiplier = 1;
+    while (robot_.joints[joint].mimic && robot_.joints[joint].mimic->of) {
+      multiplier *= robot_.joints[joint].mimic->multiplier;
+      joint = *robot_.joints[joint].mimic->of;
+    }
+    return {joint, multiplier};
   }
   /// Position and rotation of what moves freely; their names.
   std::vector<std::string> add_free(YamlNode& list, const std::string& name, const SourceLocation& where,
@@ -191,12 +210,7 @@ class Describer {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
       const UrdfJoint& joint = robot_.joints[i];
       if (!joint.mimic || (joint.damping == 0 && joint.friction == 0)) continue;
-      double multiplier = 1;
-      std::size_t of = i;
-      while (robot_.joints[of].mimic && robot_.joints[of].mimic->of) {
-        multiplier *= robot_.joints[of].mimic->multiplier;
-        of = *robot_.joints[of].mimic->of;
-      }
+      const auto [of, multiplier] = moved_by(i);
       if (robot_.joints[of].mimic) continue;  // stands still
       const std::string& coordinate = joint_names_[of][0];
       const auto add = [&](const char* what, const std::string& value) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "import/urdf/link_elements.hpp"
@@ -173,15 +174,16 @@ void read_transmission(pugi::xml_node element, std::vector<UrdfJoint>& joints, c
     const auto found = names.find(of.attribute("name").value());
     if (found == names.end()) continue;
     UrdfJoint& joint = joints[found->second];
-    const auto read = [&](const pugi::xml_node& node, double& to) {
+    const auto read = [&](const pugi::xml_node& node, double& to, double least) {
       const pugi::xml_attribute attribute = node.attribute("value");
       const double value = attribute ? attribute.as_double() : node.text().as_double();
-      if (value > 0 && std::isfinite(value)) to = value;
+      if (value > least && value != 0 && std::isfinite(value)) to = value;
     };
-    read(drive.child("mechanicalReduction"), joint.reduction);
-    read(of.child("mechanicalReduction"), joint.reduction);
-    read(drive.child("drake:gear_ratio"), joint.reduction);
-    read(drive.child("drake:rotor_inertia"), joint.rotor_inertia);
+    constexpr double kAny = -std::numeric_limits<double>::infinity();
+    read(drive.child("mechanicalReduction"), joint.reduction, kAny);
+    read(of.child("mechanicalReduction"), joint.reduction, kAny);
+    read(drive.child("drake:gear_ratio"), joint.reduction, kAny);
+    read(drive.child("drake:rotor_inertia"), joint.rotor_inertia, 0);
   }
 }
 

@@ -78,6 +78,8 @@ std::vector<bool> massless_joints(const UrdfRobot& robot) {
     heavy[robot.joints[joint].parent] = true;
     moves_mass[driver[joint]] = true;
   }
+  for (std::size_t j = 0; j < robot.joints.size(); ++j)
+    if (has_position(robot.joints[j]) && robot.joints[j].rotor_inertia > 0) moves_mass[driver[j]] = true;
   std::vector<bool> massless(robot.joints.size(), false);
   for (std::size_t j = 0; j < massless.size(); ++j)
     massless[j] = robot.joints[j].type != UrdfJointType::fixed && !robot.joints[j].mimic && !moves_mass[j];

@@ -12,7 +12,7 @@ bool has_mass(const UrdfLink& link);
 /// By joint: itself, or that which it mimics in the end.
 std::vector<std::size_t> drivers(const UrdfRobot& robot);
 
-/// By joint: whether it is independent, moves, and moves no mass, nor do those that mimic it.
+/// By joint: whether it is independent, moves, and moves neither mass nor a rotor, nor do those that mimic it.
 std::vector<bool> massless_joints(const UrdfRobot& robot);
 
 /// The robot with its massless joints fixed.

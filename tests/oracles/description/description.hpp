@@ -104,7 +104,8 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<Integrated> states;
   std::vector<FramePath> paths;
-  std::vector<AppliedForce> forces;  ///< beside those of coordinates
+  std::vector<AppliedForce> forces;      ///< beside those of coordinates
+  std::vector<std::string> force_names;  ///< of each of them; those of a contact share one
   std::vector<Output> outputs;
   int nq = 0, nv = 0;
 

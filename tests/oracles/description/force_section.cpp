@@ -272,6 +272,7 @@ void read_forces(const YAML::Node& root, Names& names, Description& result) {
       at.torque = three_or_zero(force["torque"], names);
       result.forces.emplace_back(std::move(at));
     }
+    result.force_names.resize(result.forces.size(), force["name"].as<std::string>());
   }
 }
 

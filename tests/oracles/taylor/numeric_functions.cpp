@@ -236,6 +236,28 @@ struct Centre {
   }
 };
 
+/// The description with each force alone: those of coordinates first.
+std::vector<Description> one_by_one(const Description& description) {
+  Description none = description;
+  none.forces.clear();
+  none.force_names.clear();
+  for (Coordinate& c : none.coordinates) c.damping = c.friction = c.stiffness = 0;
+  std::vector<Description> all;
+  for (std::size_t i = 0; i < description.coordinates.size(); ++i) {
+    for (double Coordinate::*strength :
+         {&Coordinate::damping, &Coordinate::friction, &Coordinate::stiffness}) {
+      const double value = description.coordinates[i].*strength;
+      if (value != 0) all.emplace_back(none).coordinates[i].*strength = value;
+    }
+  }
+  const std::vector<std::string>& names = description.force_names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i == 0 || names[i] != names[i - 1]) all.push_back(none);
+    all.back().forces.push_back(description.forces[i]);
+  }
+  return all;
+}
+
 Eigen::VectorXd column(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -333,6 +355,17 @@ const Builders<R>& builders() {
            Q[k++] = static_cast<double>(force);
          return Arrays{{"Q", Q}};
        }},
+      {"force_contributions",
+       [](From x) {
+         const std::vector<Description> forces = one_by_one(x.description);
+         Eigen::MatrixXd Q(static_cast<Eigen::Index>(forces.size()), x.description.nv);
+         for (Eigen::Index i = 0; i < Q.rows(); ++i) {
+           Eigen::Index k = 0;
+           for (const R& force : applied_forces(forces[static_cast<std::size_t>(i)], lifted<R>(x.state)))
+             Q(i, k++) = static_cast<double>(force);
+         }
+         return Arrays{{"Q", Q}};
+       }},
       {"input_jacobian",
        [](From x) {
          return Arrays{{"B", derivatives_by<R>(x.state, x.description.inputs, &StateOf<Jet<R>>::inputs,
@@ -346,7 +379,7 @@ const Builders<R>& builders() {
       {"state_jacobian",
        [](From x) {
          return Arrays{{"Q_s", derivatives_by<R>(x.state, x.description.states, &StateOf<Jet<R>>::states,
-                                               x.description.nv, x.forces())}};
+                                                 x.description.nv, x.forces())}};
        }},
       {"state_rates_derivatives",
        [](From x) { return derivatives_of_state_rates<R>(x.description, x.state); }},
@@ -480,7 +513,8 @@ const Builders<R>& builders() {
 std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);
-  if (!description.has_forces()) names.erase("applied_forces");
+  if (!description.has_forces())
+    for (const char* name : {"applied_forces", "force_contributions"}) names.erase(name);
   if (description.inputs.empty())
     for (const char* name : {"input_jacobian", "state_input_jacobian"}) names.erase(name);
   if (description.states.empty()) {

@@ -191,6 +191,8 @@ std::vector<S> newton_euler(const UrdfTree& tree, const StateOf<S>& state, doubl
       S& entry = at[m.along.size() + k];
       entry = entry + factor * dot(m.about[k], m.moment);
     }
+    if (linkage.rotor != 0)
+      at[0] = at[0] + On<S>::scalar(linkage.rotor) * factor * factor * state.rates[places.speed[*i]];
     if (linkage.damping != 0 || linkage.friction != 0) {
       using std::tanh;
       constexpr double kWidth = 0.01;  // of the friction, as importers take it

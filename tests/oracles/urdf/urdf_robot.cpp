@@ -63,6 +63,21 @@ UrdfMotion motion_named(const std::string& type) {
   throw std::runtime_error("unknown type of joint '" + type + "'");
 }
 
+/// Of a drive for its joint: the rotor turns `ratio` times as far. The inertia stands in Drake's dialect only; the ratio
+/// there, or where ROS has it (in the actuator, formerly in the joint), either way round but not 0.
+long double reflected_inertia(const pugi::xml_node& transmission, const pugi::xml_node& joint) {
+  const pugi::xml_node actuator = transmission.child("actuator");
+  const long double inertia = actuator.child("drake:rotor_inertia").attribute("value").as_double();
+  long double ratio = 0;
+  for (const double given : {actuator.child("drake:gear_ratio").attribute("value").as_double(),
+                             joint.child("mechanicalReduction").text().as_double(),
+                             actuator.child("mechanicalReduction").text().as_double()}) {
+    if (ratio == 0) ratio = given;
+  }
+  if (ratio == 0) ratio = 1;
+  return ratio * ratio * inertia;
+}
+
 void order_tree(UrdfTree& tree) {
   std::vector<int> reached(tree.bodies.size(), 0);
   for (bool more = true; more;) {
@@ -120,6 +135,15 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
     }
     tree.linkages.push_back(linkage);
     if (joint.child("mimic") && single) mimics.emplace_back(linkage.name, joint.child("mimic"));
+  }
+  for (const pugi::xml_node transmission : robot.children("transmission")) {
+    for (const pugi::xml_node joint : transmission.children("joint")) {
+      const auto of = linkages.find(joint.attribute("name").value());
+      if (of == linkages.end()) continue;
+      UrdfLinkage& linkage = tree.linkages[static_cast<std::size_t>(of->second)];
+      const bool single = linkage.motion == UrdfMotion::turn || linkage.motion == UrdfMotion::shift;
+      if (single) linkage.rotor += reflected_inertia(transmission, joint);
+    }
   }
   for (std::size_t i = 0; i < is_child.size(); ++i) {
     if (is_child[i]) continue;

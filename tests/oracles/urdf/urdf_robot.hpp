@@ -1,4 +1,4 @@
-// A robot as its URDF says, read apart from `alembert import`: links, joints, inertias, and what mimics what.
+// A robot as its URDF says, read apart from `alembert import`: links, joints, inertias, drives, and what mimics what.
 #pragma once
 
 #include <array>
@@ -29,6 +29,7 @@ struct UrdfLinkage {
   int follows = -1;                   ///< the linkage whose position it follows, itself without follower
   long double multiplier = 1, offset = 0;
   long double damping = 0, friction = 0;  ///< of a turn or a shift
+  long double rotor = 0;                  ///< inertia that its drive has for it
 };
 
 struct UrdfTree {
