@@ -307,11 +307,12 @@ void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
   try {
     check_mass_matrix(kinematics, plain);
   } catch (const SingularMassMatrix& error) {
-    const bool solved = std::ranges::find(kinds, FunctionKind("forward_dynamics")) != kinds.end();
+    const auto solves = [](FunctionKind kind) { return kind.row().needs == Needs::regular_mass_matrix; };
+    const bool solved = std::ranges::any_of(kinds, solves);
     if (options.inapplicable == Inapplicable::refuse_singular ||
         (options.inapplicable == Inapplicable::refuse && solved))
       throw;
-    std::erase(kinds, FunctionKind("forward_dynamics"));
+    std::erase_if(kinds, solves);
     if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
   }
 }

@@ -10,6 +10,7 @@
 #include "emit/emit.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
+#include "functions/array_shape.hpp"
 #include "mechanism/load.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 #include "simulation/start_state.hpp"
@@ -36,7 +37,8 @@ std::string_view to_string(FileState state) {
 /// for them has no motion. Needs the functions of an InterpretedMechanism among those that are written.
 void warn_of_contradictions(const CompiledMechanism& compiled) {
   const auto written = [&](FunctionKind kind) {
-    return std::ranges::find(compiled.functions, kind, &CompiledFunction::kind) != compiled.functions.end();
+    return !has_results(kind.row(), *compiled.mechanism) ||
+           std::ranges::find(compiled.functions, kind, &CompiledFunction::kind) != compiled.functions.end();
   };
   if (compiled.mechanism->constraints.empty() || !std::ranges::all_of(interpreted_functions(), written))
     return;

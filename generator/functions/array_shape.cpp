@@ -89,6 +89,10 @@ std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
 
 bool has_results(const OutputFunction& function, const Mechanism& mechanism) {
   if (function.needs == Needs::forces && mechanism.forces.empty()) return false;
+  if (function.needs == Needs::mass && std::ranges::all_of(mechanism.bodies, [](const Body& body) {
+        return body.mass_properties.mass.is_zero();
+      }))
+    return false;
   if (function.needs == Needs::outputs_of_position &&
       std::ranges::any_of(mechanism.outputs, &Output::of_speeds))
     return false;

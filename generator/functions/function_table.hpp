@@ -34,7 +34,16 @@ class Few {
 
 /// A number of rows or columns: so many, or as many as the mechanism has of something.
 struct Extent {
-  enum class Of : std::uint8_t { number, coordinates, speeds, constraint_rows, outputs, inputs, states, forces };
+  enum class Of : std::uint8_t {
+    number,
+    coordinates,
+    speeds,
+    constraint_rows,
+    outputs,
+    inputs,
+    states,
+    forces
+  };
   Of of = Of::number;
   int number = 1;
   constexpr Extent() = default;
@@ -44,7 +53,8 @@ struct Extent {
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
-                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states, kPerForce = Extent::Of::forces;
+                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
+                        kPerForce = Extent::Of::forces;
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -67,7 +77,7 @@ struct ResultArray {
 enum class Topic : std::uint8_t { dynamics, kinematics, derivatives };
 
 /// What a mechanism must have for a function to be of any use, besides what its results are sized by.
-enum class Needs : std::uint8_t { nothing, forces, outputs_of_position };
+enum class Needs : std::uint8_t { nothing, forces, outputs_of_position, mass, regular_mass_matrix };
 
 /// A row of the table. The function takes the arrays of `arguments` in this order, then the inputs (time,
 /// parameters, wrenches) if `takes_inputs`, then its results, whether a given mechanism uses them or not.
@@ -156,13 +166,15 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      {{"qdd", "rates of the speeds, rad/s^2 or m/s^2", kPerSpeed}},
      "Constraints are left out. Where M is singular, qdd is not finite: check it, or call alembert::forward_dynamics of the "
      "runtime, which returns a status.",
-     "Featherstone, Rigid Body Dynamics Algorithms, chapter 7, or a Cholesky factorization, whichever is shorter"},
+     "Featherstone, Rigid Body Dynamics Algorithms, chapter 7, or a Cholesky factorization, whichever is shorter",
+     Needs::regular_mass_matrix},
     {"mass_matrix_inverse", Topic::dynamics, false, {ArgumentKind::q}, true,
      "Inverse of the mass matrix, symmetric and in full.",
      "qdd = M(q)^-1 (tau - c(q, qd))",
      {{"Minv", "in units of qdd / tau", kPerSpeed, kPerSpeed, Per::mechanism, Blocks::in_array, true}},
      "Constraints are left out. Where M is singular, its entries are not finite.",
-     "Featherstone, Rigid Body Dynamics Algorithms, chapter 7, or a Cholesky factorization, whichever is shorter"},
+     "Featherstone, Rigid Body Dynamics Algorithms, chapter 7, or a Cholesky factorization, whichever is shorter",
+     Needs::regular_mass_matrix},
     {"coordinate_rates", Topic::dynamics, true, {ArgumentKind::q, ArgumentKind::qd}, false,
      "Rates of the coordinates: the speeds, but for a quaternion p half of p (w, 0), with w in the axes of its body.",
      "dq/dt = N(q) qd",
@@ -241,7 +253,8 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"A", "a column for each of the speeds", 6, kPerSpeed},
       {"bias", "part of the rate of h that is left without qdd", 6},
       {"com", "centre of mass x y z, m", 3}},
-     "Rotors of armatures are left out.", "Orin, Goswami and Lee, Centroidal dynamics of a humanoid robot, Autonomous Robots 35, 2013"},
+     "Rotors of armatures are left out.", "Orin, Goswami and Lee, Centroidal dynamics of a humanoid robot, Autonomous Robots 35, 2013",
+     Needs::mass},
     {"body_inertias", Topic::kinematics, false, {}, true,
      "Masses, centres of mass and inertias of the bodies, in the axes of each body.",
      "",
@@ -265,7 +278,8 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"qdd_qd", "column k is the derivative by speed k", kPerSpeed, kPerSpeed},
       {"qdd_tau", "column k is the derivative by force k: symmetric", kPerSpeed, kPerSpeed, Per::mechanism, Blocks::in_array, true}},
      "Constraints are left out. Where M is singular, they are not finite.",
-     "Carpentier and Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018"},
+     "Carpentier and Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018",
+     Needs::regular_mass_matrix},
     {"input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Derivatives of the applied forces by the inputs: the input matrix of a linearisation.",
      "B = dQ/d(inputs), where tau = M(q) qdd + c and c contains -Q",

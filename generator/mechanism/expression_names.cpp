@@ -61,9 +61,9 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
               : fmt::format("'{}' (line {}) has {}", text, entry->where.line, out.roughness->reason),
           true});
   }
-  const auto refuse = [&](std::string_view why) {
+  const auto refuse = [&](std::string_view why, const std::string& note = {}) {
     return error(reading, token.begin,
-                 fmt::format("{} may not depend on {}: '{}' is {}", reading.what, why, text, kind));
+                 fmt::format("{} may not depend on {}: '{}' is {}", reading.what, why, text, kind), note);
   };
   if (reading.allowed == Allowed::constants || reading.allowed == Allowed::parameters) {
     if (includes(out.dependence, Dependence::coordinate)) throw refuse("coordinates");
@@ -72,9 +72,13 @@ Quantity ExpressionReader::name(const Reading& reading, const PostfixToken& toke
   if (reading.allowed == Allowed::constants && includes(out.dependence, Dependence::runtime_parameter))
     throw refuse("runtime parameters");
   const bool of_forces = reading.allowed == Allowed::motion || reading.allowed == Allowed::potential ||
-                      reading.allowed == Allowed::force;
-  if (!of_forces && includes(out.dependence, Dependence::input)) throw refuse("inputs, as only forces do");
-  if (!of_forces && includes(out.dependence, Dependence::state)) throw refuse("states, as only forces do");
+                         reading.allowed == Allowed::force;
+  const auto check = [&](Dependence which, const char* many) {
+    if (!of_forces && includes(out.dependence, which))
+      throw refuse(many, fmt::format("{} stand in forces, outputs and rates of states only", many));
+  };
+  check(Dependence::input, "inputs");
+  check(Dependence::state, "states");
   return out;
 }
 
@@ -131,7 +135,7 @@ Quantity ExpressionReader::speed_of(const Reading& reading, std::size_t offset, 
   if (reading.allowed != Allowed::pfaffian && reading.allowed != Allowed::force)
     throw error(reading, offset,
                 fmt::format("{} may not depend on speeds: this is the speed of '{}'", reading.what, name),
-                "speeds stand in the rows of pfaffian constraints and in forces only");
+                "speeds stand in rows of pfaffian constraints, forces, outputs and rates of states only");
   std::size_t index = 0;
   switch (coordinate.type) {
     case CoordinateType::real:

@@ -67,11 +67,11 @@ void ExpressionReader::check_reference(const Reading& reading, const PostfixToke
     throw error(reading, token.begin,
                 fmt::format("{} may not depend on speeds, as {}() does", reading.what, word));
   if (word == "position")
-    throw error(reading, token.begin,
-                fmt::format("{} may not depend on the position of a frame", reading.what),
-                "positions stand in the equations of holonomic constraints and in forces only");
+    throw error(
+        reading, token.begin, fmt::format("{} may not depend on the position of a frame", reading.what),
+        "positions stand in equations of holonomic constraints, forces, outputs and rates of states only");
   throw error(reading, token.begin, fmt::format("{} may not depend on {}()", reading.what, word),
-              fmt::format("{}() stands in forces only", word));
+              fmt::format("{}() stands in forces, outputs and rates of states only", word));
 }
 
 void ExpressionReader::declare_last_frame() {
@@ -163,9 +163,10 @@ Quantity ExpressionReader::of_path(const Reading& reading, const PostfixToken& t
   if (found == paths_.end()) {
     std::vector<std::string> names;
     for (const auto& [known, path] : paths_) names.push_back(known);
-    throw error(reading, token.referent,
-                fmt::format("unknown path '{}'{}", printable(name), did_you_mean(name, names)),
-                "paths are the forces with 'between' or 'path'");
+    throw error(
+        reading, token.referent,
+        fmt::format("unknown path '{}'{}", printable(name), did_you_mean(name, names)),
+        "paths are the forces with 'between' or 'path'; a condition of a path may use those before it");
   }
   const Path& path = found->second;
   if (word == "rate") return {path.rate, kUnknown, Dependence::coordinate | Dependence::speed, nullptr};

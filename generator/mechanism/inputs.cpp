@@ -16,8 +16,12 @@ namespace alembert {
 namespace {
 
 Section section_of(const Document& document, const YamlNode& item, NameKind kind) {
-  if (kind == NameKind::state) return {document, item, a_noun(kind), {"name", "initial", "limits", "rate"}};
-  return {document, item, a_noun(kind), {"name", "initial", "limits"}};
+  std::string what = a_noun(kind);
+  for (std::size_t i = 0; i + 1 < item.items.size(); i += 2)
+    if (item.items[i]->text == "name")
+      what = fmt::format("{} '{}'", noun(kind), printable(item.items[i + 1]->text));
+  if (kind == NameKind::state) return {document, item, what, {"name", "initial", "limits", "rate"}};
+  return {document, item, what, {"name", "initial", "limits"}};
 }
 
 const YamlNode& name_of(const Document& document, const YamlNode& item, NameKind kind) {

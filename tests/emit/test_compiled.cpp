@@ -410,7 +410,11 @@ TEST(Compiled, CInterfaceDefaultsNullsAndNames) {
   EXPECT_STREQ(sample_all_speed_names[3], "d(base).z");
   EXPECT_STREQ(sample_all_body_names[2], "tool");
   EXPECT_STREQ(sample_all_parameter_names[1], "length");
-  EXPECT_EQ(sample_all_parameter_names[2], nullptr);
+  EXPECT_STREQ(sample_all_parameter_names[2], "heat");
+  EXPECT_EQ(sample_all_parameter_names[3], nullptr);
+  EXPECT_EQ(sample_all_input_count, 1);
+  EXPECT_EQ(sample_all_state_count, 1);
+  EXPECT_STREQ(sample_all_force_names[1], "friction of wrist");
   EXPECT_STREQ(sample_all_wrench_body_names[0], "hand");
   EXPECT_EQ(sample_all_default_parameters[1], 1e-3);
   EXPECT_EQ(sample_all_initial_coordinates[4], 1.0);
