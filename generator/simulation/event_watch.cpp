@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/equations.hpp"
+#include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "program/interpret.hpp"
 #include "program/lower.hpp"
@@ -19,21 +19,23 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// What the expressions are, which may be of frames and inputs: as outputs of a mechanism they get values.
-Program compute(const std::vector<Output>& wanted, const CompiledMechanism& compiled) {
-  Mechanism mechanism = *compiled.mechanism;
-  mechanism.outputs = wanted;
-  const Kinematics kinematics = symbolic_kinematics(mechanism, *compiled.graph);
+/// Of expressions over frames, paths and inputs.
+Program compute(const std::vector<Expr>& wanted, const CompiledMechanism& compiled) {
+  const Mechanism& mechanism = *compiled.mechanism;
+  ExprGraph& graph = *compiled.graph;
+  const SpeedDerivatives derivatives(mechanism, graph);
+  const MotionTree tree = motion_tree(mechanism, derivatives, graph);
   const std::vector<OutputExpressions> outputs{
-      {"events", static_cast<std::uint32_t>(wanted.size()), 1, kinematics.applied.outputs}};
-  return optimize(lower("events", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph)));
+      {"events", static_cast<std::uint32_t>(wanted.size()), 1,
+       with_moving_values(wanted, mechanism, tree, derivatives, graph)}};
+  return optimize(lower("events", outputs, symbol_bindings(mechanism, graph)));
 }
 
 }  // namespace
 
 EventWatch::EventWatch(const CompiledMechanism& compiled) {
   const Mechanism& mechanism = *compiled.mechanism;
-  std::vector<Output> wanted;
+  std::vector<Expr> wanted;
   for (const Coordinate& coordinate : mechanism.coordinates) watch_coordinate(coordinate, compiled, wanted);
   for (const Force& force : mechanism.forces) {
     if (!force.depth) continue;
@@ -41,10 +43,7 @@ EventWatch::EventWatch(const CompiledMechanism& compiled) {
           [place = wanted.size()](const EvaluationState&, const std::vector<double>& computed) {
             return computed[place];
           });
-    Output depth;
-    depth.name = force.name;
-    depth.value = *force.depth;
-    wanted.push_back(std::move(depth));
+    wanted.push_back(*force.depth);
   }
   if (!wanted.empty()) program_ = compute(wanted, compiled);
   computed_.resize(wanted.size());
@@ -56,7 +55,7 @@ void EventWatch::watch(std::string what, std::string most, Value value) {
 }
 
 void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMechanism& compiled,
-                                  std::vector<Output>& wanted) {
+                                  std::vector<Expr>& wanted) {
   const auto q = static_cast<std::size_t>(coordinate.first_q);
   const auto u = static_cast<std::size_t>(coordinate.first_speed),
              speeds = static_cast<std::size_t>(coordinate.nv());
@@ -87,18 +86,16 @@ void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMe
   const auto drives = [&](const Force& force, std::size_t k) {
     return force.kind == ForceKind::on_speed && !force.passive && force.speed == static_cast<int>(u + k);
   };
-  std::vector<Output> efforts;
+  std::vector<Expr> efforts;
   bool driven = false;
   for (std::size_t k = 0; coordinate.effort_limit && k < speeds; ++k) {
-    Output effort;
-    effort.name = coordinate.name;
-    effort.value = compiled.graph->zero();
+    Expr effort = compiled.graph->zero();
     for (const Force& force : compiled.mechanism->forces) {
       if (!drives(force, k)) continue;
-      effort.value += force.value;
+      effort += force.value;
       driven = true;
     }
-    efforts.push_back(std::move(effort));
+    efforts.push_back(effort);
   }
   if (!driven) return;
   watch(fmt::format("coordinate '{}' is driven by more than its drive's effort {:.6g}", coordinate.name,

@@ -44,7 +44,7 @@ class EventWatch {
 
   void watch(std::string what, std::string most, Value value);
   void watch_coordinate(const Coordinate& coordinate, const CompiledMechanism& compiled,
-                        std::vector<Output>& wanted);
+                        std::vector<Expr>& wanted);
   const std::vector<double>& values(const EvaluationState& state);
 
   std::vector<WatchedEvent> events_;
