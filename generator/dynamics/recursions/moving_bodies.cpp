@@ -16,7 +16,7 @@
 namespace alembert {
 namespace {
 
-struct MovingFrame {
+struct FrameMovement {
   Pose pose;
   Vec3 om, v, al, a;
 };
@@ -35,36 +35,36 @@ class Movements {
           next(node.parent < 0 ? world() : nodes_[static_cast<std::size_t>(node.parent)], node.motion));
   }
 
-  MovingFrame frame(const Frame& frame) const {
-    MovingFrame at = frame.body < 0 ? world() : body(static_cast<std::size_t>(frame.body));
+  FrameMovement frame(const Frame& frame) const {
+    FrameMovement at = frame.body < 0 ? world() : body(static_cast<std::size_t>(frame.body));
     for (const Motion& motion : elementary_motions(frame.transform, mechanism_, graph_))
       at = next(at, motion);
     return at;
   }
   /// A body at its centre of mass.
-  MovingFrame center(std::size_t index) const {
+  FrameMovement center(std::size_t index) const {
     return next(body(index), translation_motion(mechanism_.bodies[index].mass_properties.com));
   }
 
  private:
-  MovingFrame world() const {
+  FrameMovement world() const {
     const Vec3 none = zeros<3, 1>(graph_);
     return {identity_pose(graph_), none, none, none, none};
   }
-  MovingFrame body(std::size_t index) const {
+  FrameMovement body(std::size_t index) const {
     const BodyPlace& place = tree_.places[index];
-    MovingFrame at = place.node < 0 ? world() : nodes_[static_cast<std::size_t>(place.node)];
+    FrameMovement at = place.node < 0 ? world() : nodes_[static_cast<std::size_t>(place.node)];
     for (const Motion& motion : place.tail) at = next(at, motion);
     return at;
   }
 
-  MovingFrame next(const MovingFrame& from, const Motion& motion) const {
+  FrameMovement next(const FrameMovement& from, const Motion& motion) const {
     const std::vector<SpeedPartial> partials = twist_partials(motion, mechanism_, derivatives_, graph_);
     const Vec3 velocity = three(derivatives_.first_rate(partials, 3));
     const Vec3 acceleration =
         three(rates_ == SpeedRates::included ? derivatives_.second_rate(partials, 3)
                                              : derivatives_.quadratic_rate(partials, 3));
-    MovingFrame to = from;
+    FrameMovement to = from;
     to.pose = moved(from.pose, motion);
     if (motion.kind == MotionKind::translation) {
       const Mat3& R = from.pose.rotation;
@@ -85,7 +85,7 @@ class Movements {
   const SpeedDerivatives& derivatives_;
   ExprGraph& graph_;
   SpeedRates rates_;
-  std::vector<MovingFrame> nodes_;
+  std::vector<FrameMovement> nodes_;
 };
 
 void append(std::vector<Expr>& out, const Vec3& angular, const Vec3& linear) {
@@ -100,7 +100,7 @@ std::vector<Expr> frame_velocities(const Mechanism& mechanism, const MotionTree&
   const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
   std::vector<Expr> out;
   for (const Frame& frame : mechanism.frames) {
-    const MovingFrame at = movements.frame(frame);
+    const FrameMovement at = movements.frame(frame);
     append(out, at.om, at.v);
   }
   return out;
@@ -112,7 +112,7 @@ std::vector<Expr> frame_accelerations(const Mechanism& mechanism, const MotionTr
   const Movements movements(mechanism, tree, derivatives, graph, rates);
   std::vector<Expr> out;
   for (const Frame& frame : mechanism.frames) {
-    const MovingFrame at = movements.frame(frame);
+    const FrameMovement at = movements.frame(frame);
     append(out, at.al, at.a);
   }
   return out;
@@ -123,7 +123,7 @@ std::vector<Expr> body_velocities(const Mechanism& mechanism, const MotionTree& 
   const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
   std::vector<Expr> out;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const MovingFrame at = movements.center(b);
+    const FrameMovement at = movements.center(b);
     append(out, at.om, at.v);
   }
   return out;
@@ -135,7 +135,7 @@ std::vector<Expr> body_accelerations(const Mechanism& mechanism, const MotionTre
   const Movements movements(mechanism, tree, derivatives, graph, rates);
   std::vector<Expr> out;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const MovingFrame at = movements.center(b);
+    const FrameMovement at = movements.center(b);
     append(out, at.al, at.a);
   }
   return out;
@@ -145,7 +145,7 @@ CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionT
                                        const SpeedDerivatives& derivatives, ExprGraph& graph) {
   const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
   const Vec3 none = zeros<3, 1>(graph);
-  std::vector<MovingFrame> bodies;
+  std::vector<FrameMovement> bodies;
   Expr mass = graph.zero();
   Vec3 moment = none;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
