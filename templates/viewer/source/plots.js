@@ -225,7 +225,8 @@ export class Plots {
         const last = group[group.length - 1].name;
         const title = part ?? (group.length === 1 ? last : `${group[0].name} \u2026 ${last}`);
         const series = part ? group.map((one) => ({ ...one, name: one.name.slice(part.length + 1) })) : group;
-        const note = [kind, group[0].unit].filter((word) => word).join(", ");
+        const what = kind === "force" && group[0].unit === "J" ? "potential" : kind;
+        const note = [what, group[0].unit].filter((word) => word).join(", ");
         this.plots.push(new Plot(title, note, mechanism.times, series, onSeek));
       }
     element.append(...this.plots.map((plot) => plot.element));
