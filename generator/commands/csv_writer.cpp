@@ -11,7 +11,7 @@ namespace alembert {
 
 namespace {
 
-std::string header(const Mechanism& mechanism) {
+std::string header(const Mechanism& mechanism, const Acting& acting) {
   std::string out = "t";
   const auto names = [&](const std::string& name, int size) {
     static constexpr const char* kParts[] = {".x", ".y", ".z", ".w"};
@@ -23,6 +23,7 @@ std::string header(const Mechanism& mechanism) {
     if (parameter.is_state()) out += "," + parameter.name;
   out += ",kinetic,potential,energy";
   for (const Output& output : mechanism.outputs) out += "," + output.name;
+  for (const Series& force : acting.forces) out += ",force(" + force.name + ")";
   const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
   for (const ConstraintRow& row : rows) out += ",lambda(" + row.name + ")";
   return out + (rows.empty() ? "\n" : ",residual\n");
@@ -30,9 +31,10 @@ std::string header(const Mechanism& mechanism) {
 
 }  // namespace
 
-CsvWriter::CsvWriter(const Mechanism& mechanism, const std::string& path) : mechanism_(mechanism) {
+CsvWriter::CsvWriter(const CompiledMechanism& compiled, const std::string& path)
+    : mechanism_(*compiled.mechanism), readings_(compiled), acting_(readings_.nothing_yet()) {
   if (path != "-") file_.emplace(path);
-  put(header(mechanism));
+  put(header(mechanism_, acting_));
 }
 
 void CsvWriter::write(const TrajectoryPoint& point) {
@@ -46,6 +48,11 @@ void CsvWriter::write(const TrajectoryPoint& point) {
   }
   out += fmt::format(",{:.17g},{:.17g},{:.17g}", point.kinetic, point.potential, point.energy());
   for (const double x : point.outputs) out += fmt::format(",{:.17g}", x);
+  if (!acting_.forces.empty()) {
+    Acting here = readings_.nothing_yet();
+    readings_.append(point.state, here);
+    for (const Series& force : here.forces) out += fmt::format(",{:.17g}", force.values.back());
+  }
   for (const double x : point.lambda) out += fmt::format(",{:.17g}", x);
   if (!point.lambda.empty()) out += fmt::format(",{:.17g}", point.residual);
   put(out + "\n");

@@ -1,12 +1,13 @@
 // A motion as comma-separated values. In: points of a trajectory. Out: a file or standard output, a header
-// and one row a point: t, q, qd, kinetic, potential and total energy; with constraints, lambda of each row
-// and the largest violation.
+// and one row a point: t, q, qd, states, kinetic, potential and total energy, outputs, forces; with constraints,
+// lambda of each row and the largest violation.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "emit/files/waiting_file.hpp"
+#include "simulation/force_readings.hpp"
 #include "simulation/trajectory.hpp"
 
 namespace alembert {
@@ -15,7 +16,7 @@ namespace alembert {
 class CsvWriter {
  public:
   /// Opens the file and writes the header. `path` - is standard output.
-  CsvWriter(const Mechanism& mechanism, const std::string& path);
+  CsvWriter(const CompiledMechanism& compiled, const std::string& path);
   void write(const TrajectoryPoint& point);
   /// Moves the file into place; until then there is the one from before. To be called at the end.
   void finish();
@@ -25,6 +26,8 @@ class CsvWriter {
   [[noreturn]] void fail() const;
 
   const Mechanism& mechanism_;
+  ForceReadings readings_;
+  Acting acting_;                    ///< names of the forces
   std::optional<WaitingFile> file_;  ///< none: standard output
 };
 

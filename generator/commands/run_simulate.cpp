@@ -118,7 +118,7 @@ class Simulation {
         start_state(compiled, first ? options_.start : StartOptions(), trajectory.note);
 
     std::optional<CsvWriter> csv;
-    if (first && !csv_.empty()) csv.emplace(mechanism, csv_);
+    if (first && !csv_.empty()) csv.emplace(compiled, csv_);
     MotionRecorder recorder(compiled);
     PointSplitter points(options_, csv ? &*csv : nullptr, seen_ ? &recorder : nullptr);
     trajectory.every = points.every();

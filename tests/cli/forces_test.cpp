@@ -58,6 +58,22 @@ TEST(Forces, AnInputMayDependOnTimeAndState) {
   EXPECT_NEAR(table.rows.back()[2], 1.5, 1e-12);
 }
 
+TEST(Forces, AreColumnsOfAMotion) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("oscillator.yaml", kOscillator);
+  const CommandResult result = alembert(folder, "simulate " + file + " --duration 1 --every 200 --qd 0.5");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Csv table(result.out);
+  const std::size_t rope = table.column("force(rope)"), spring = table.column("force(stiffness of x)"),
+                    damper = table.column("force(damping of x)");
+  ASSERT_GT(table.rows.size(), 4U);
+  for (const std::vector<double>& row : table.rows) {
+    EXPECT_EQ(row[rope], 10);
+    EXPECT_NEAR(row[damper], -4 * row[2], 1e-13);
+    EXPECT_NEAR(row[spring], 25 * row[1] * row[1], 1e-13);  // a potential: its energy
+  }
+}
+
 TEST(Forces, OfAPotentialLeaveInputsAsTheyAre) {
   const TemporaryFolder folder;
   const std::string file = folder.write("block.yaml", R"(alembert: 1
