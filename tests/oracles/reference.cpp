@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
@@ -81,6 +82,30 @@ Eigen::VectorXd unit_of(const Reference& state) {
   return diagonal.cwiseSqrt().cwiseInverse().cast<double>();
 }
 
+/// What the parts of an array are made of, where they may cancel to rounding at every state, as the angular
+/// accelerations of turns about parallel axes do: its largest entry times the largest speed, or the rates that the
+/// forces alone would give. Nothing, where there is no such array.
+std::vector<double> made_of(const std::string& function, const std::string& name, const Reference& state) {
+  static const std::map<std::string, std::pair<std::string, std::string>> all{
+      {"frame_bias_accelerations", {"frame_velocities", "V"}},
+      {"frame_jacobian_rates", {"frame_jacobians", "J"}},
+      {"body_accelerations", {"body_velocities", "V"}},
+      {"centroidal_momentum", {"centroidal_momentum", "h"}}};
+  const Eigen::VectorXd unit = unit_of(state);
+  if (name == "qdd_q" || name == "qdd_qd")
+    return {unit.cwiseProduct(state.exact.at("inverse_dynamics").at("tau")).cwiseAbs().maxCoeff()};
+  const auto from = all.find(function);
+  if (from == all.end() || (function == "centroidal_momentum" && name != "bias")) return {};
+  const auto there = state.exact.find(from->second.first), rates = state.exact.find("coordinate_rates");
+  if (there == state.exact.end() || rates == state.exact.end()) return {};
+  const double fastest = rates->second.at("qdot").cwiseAbs().maxCoeff();
+  std::vector<double> sizes;
+  for (const Eigen::MatrixXd& part :
+       parts(there->first, from->second.second, there->second.at(from->second.second), unit))
+    sizes.push_back(part.size() == 0 ? 0 : fastest * part.cwiseAbs().maxCoeff());
+  return sizes;
+}
+
 /// One array at all states.
 Judged judge_array(const std::string& function, const std::string& name, const std::vector<Reference>& states,
                    const std::vector<std::map<std::string, Arrays>>& found) {
@@ -99,6 +124,9 @@ Judged judge_array(const std::string& function, const std::string& name, const s
     };
     if (function == "inverse_dynamics_derivatives") floor_by("inverse_dynamics", "tau");
     if (function == "state_rates_derivatives") floor_by("state_rates", "sdot");
+    const std::vector<double> from = made_of(function, name, state);
+    for (std::size_t p = 0; p < std::min(from.size(), largest.size()); ++p)
+      largest[p] = std::max(largest[p], from[p]);
     for (std::size_t p = 0; p < largest.size(); ++p) {
       if (exact.back()[p].size() > 0)
         largest[p] = std::max(largest[p], exact.back()[p].cwiseAbs().maxCoeff());
