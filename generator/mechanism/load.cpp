@@ -96,9 +96,10 @@ Mechanism load_mechanism(std::shared_ptr<const SourceText> source, ExprGraph& gr
 Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<const double> start,
                          const std::vector<InputExpression>& input_expressions) {
   check_version(document, document.root());
-  const Section root(document, document.root(), "the description",
-                     {"alembert", "name", "description", "gravity", "parameters", "coordinates",
-                      "definitions", "bodies", "frames", "constraints", "inputs", "states", "forces", "outputs"});
+  const Section root(
+      document, document.root(), "the description",
+      {"alembert", "name", "description", "gravity", "parameters", "coordinates", "definitions", "bodies",
+       "frames", "constraints", "inputs", "states", "forces", "outputs"});
   root.require("alembert");
 
   Loading loading(document, graph);
