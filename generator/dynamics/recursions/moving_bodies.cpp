@@ -160,16 +160,15 @@ CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionT
   Vec3 angular = none, linear = none, angular_rate = none, linear_rate = none;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MassProperties& of = mechanism.bodies[b].mass_properties;
-    const auto& [pose, om, v, al, a] = bodies[b];
-    const Vec3 arm = pose.origin - com, momentum = of.mass * v, force = of.mass * a;
-    const auto spin = [&](const Vec3& turn) {
-      return pose.rotation * (of.inertia * (transpose(pose.rotation) * turn));
-    };
-    const Vec3 own = spin(om);
+    const FrameMovement& at = bodies[b];
+    const Mat3& R = at.pose.rotation;
+    const Vec3 arm = at.pose.origin - com, momentum = of.mass * at.v, force = of.mass * at.a;
+    const auto spin = [&](const Vec3& turn) { return R * (of.inertia * (transpose(R) * turn)); };
+    const Vec3 own = spin(at.om);
     linear = linear + momentum;
     angular = angular + own + cross(arm, momentum);
     linear_rate = linear_rate + force;
-    angular_rate = angular_rate + spin(al) + cross(om, own) + cross(arm, force);
+    angular_rate = angular_rate + spin(at.al) + cross(at.om, own) + cross(arm, force);
   }
   append(out.h, angular, linear);
   append(out.bias, angular_rate, linear_rate);
