@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include "oracles/taylor/applied_forces.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
@@ -287,6 +289,10 @@ struct Quantities {
     return motions(description, trajectory(description, exact, given), Jet<R>(exact.time, R(1.0), R(0.0)));
   }
   Motions<R> moving() const { return moving(std::vector<double>(state.rates.size(), 0.0)); }
+  const std::pair<MatrixOf<R>, MatrixOf<R>>& force_derivatives() const {
+    if (!force_derivatives_) force_derivatives_ = derivatives_of_forces<R>(description, state);
+    return *force_derivatives_;
+  }
   MatrixOf<R> inverse() const {
     return dynamics.mass_matrix.ldlt().solve(MatrixOf<R>::Identity(description.nv, description.nv));
   }
@@ -306,6 +312,9 @@ struct Quantities {
                                   bodies[k][i].velocity[3 + static_cast<Eigen::Index>(axis)]);
     return g;
   }
+
+ private:
+  mutable std::optional<std::pair<MatrixOf<R>, MatrixOf<R>>> force_derivatives_;
 };
 
 template <class R>
@@ -420,7 +429,7 @@ const Builders<R>& builders() {
        }},
       {"forward_dynamics_derivatives",
        [](From x) {
-         const auto [along, by_speeds] = derivatives_of_forces<R>(x.description, x.state);
+         const auto& [along, by_speeds] = x.force_derivatives();
          const MatrixOf<R> inverse = x.inverse();
          const auto solved = [&](const MatrixOf<R>& of) -> Eigen::MatrixXd {
            return MatrixOf<R>(-inverse * of).template cast<double>();
@@ -500,7 +509,7 @@ const Builders<R>& builders() {
        }},
       {"inverse_dynamics_derivatives",
        [](From x) {
-         const auto [along, by_speeds] = derivatives_of_forces<R>(x.description, x.state);
+         const auto& [along, by_speeds] = x.force_derivatives();
          return Arrays{{"tau_q", along.template cast<double>()},
                        {"tau_qd", by_speeds.template cast<double>()}};
        }},
