@@ -136,7 +136,7 @@ class ForceReader {
   PathPoint path_point(const YamlNode& node, bool end, const std::string& what) {
     if (node.kind != YamlNode::Kind::mapping) return {loading_.reader.expect_frame(node, what), {}};
     if (end)
-      throw InputError(document_.where(node), fmt::format("an end of {} stands under no condition", what),
+      throw InputError(document_.where(node), fmt::format("the ends of {} take no condition", what),
                        "expected the name of a frame; points between the ends may be {frame: NAME, when: e}");
     const Section section(document_, node, "a point of " + what, {"frame", "when"});
     return {loading_.reader.expect_frame(section.require("frame"), what),
