@@ -294,7 +294,7 @@ int run(int argc, char** argv) {
           "--integrator", simulate.integrator,
           "rk4, euler (semi-implicit); for forces that are stiff for the step linearly-implicit or implicit "
           "(Euler both), which damp")
-      ->check(CLI::IsMember({"rk4", "euler", "linearly-implicit", "implicit"}))
+      ->check(CLI::IsMember(integrator_names()))
       ->capture_default_str();
   command->add_option("--csv", simulate.csv,
                       "table to write; - is standard output (default without --html and --glb)");

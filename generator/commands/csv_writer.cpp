@@ -11,7 +11,7 @@ namespace alembert {
 
 namespace {
 
-std::string header(const Mechanism& mechanism, const Acting& acting) {
+std::string header(const Mechanism& mechanism, const std::vector<Series>& forces) {
   std::string out = "t";
   const auto names = [&](const std::string& name, int size) {
     static constexpr const char* kParts[] = {".x", ".y", ".z", ".w"};
@@ -19,11 +19,11 @@ std::string header(const Mechanism& mechanism, const Acting& acting) {
   };
   for (const Coordinate& c : mechanism.coordinates) names(c.name, c.nq());
   for (const Coordinate& c : mechanism.coordinates) names("d(" + c.name + ")", c.nv());
-  for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.is_state()) out += "," + parameter.name;
+  for (const PlacedParameter& state : placed_parameters(mechanism, ParameterRole::state))
+    out += "," + state.parameter.name;
   out += ",kinetic,potential,energy";
   for (const Output& output : mechanism.outputs) out += "," + output.name;
-  for (const Series& force : acting.forces) out += ",force(" + force.name + ")";
+  for (const Series& force : forces) out += ",force(" + force.name + ")";
   const std::vector<ConstraintRow> rows = constraint_rows(mechanism);
   for (const ConstraintRow& row : rows) out += ",lambda(" + row.name + ")";
   return out + (rows.empty() ? "\n" : ",residual\n");
@@ -32,27 +32,22 @@ std::string header(const Mechanism& mechanism, const Acting& acting) {
 }  // namespace
 
 CsvWriter::CsvWriter(const CompiledMechanism& compiled, const std::string& path)
-    : mechanism_(*compiled.mechanism), readings_(compiled), acting_(readings_.nothing_yet()) {
+    : mechanism_(*compiled.mechanism),
+      states_(placed_parameters(mechanism_, ParameterRole::state)),
+      readings_(compiled) {
   if (path != "-") file_.emplace(path);
-  put(header(mechanism_, acting_));
+  put(header(mechanism_, readings_.nothing_yet().forces));
 }
 
 void CsvWriter::write(const TrajectoryPoint& point) {
   std::string out = fmt::format("{:.17g}", point.state.t);
   for (const double x : point.state.q) out += fmt::format(",{:.17g}", x);
   for (const double x : point.state.qd) out += fmt::format(",{:.17g}", x);
-  std::size_t place = 0;
-  for (const Parameter& parameter : mechanism_.parameters) {
-    if (parameter.is_state()) out += fmt::format(",{:.17g}", point.state.parameters[place]);
-    if (parameter.runtime) ++place;
-  }
+  for (const PlacedParameter& state : states_)
+    out += fmt::format(",{:.17g}", point.state.parameters[state.place]);
   out += fmt::format(",{:.17g},{:.17g},{:.17g}", point.kinetic, point.potential, point.energy());
   for (const double x : point.outputs) out += fmt::format(",{:.17g}", x);
-  if (!acting_.forces.empty()) {
-    Acting here = readings_.nothing_yet();
-    readings_.append(point.state, here);
-    for (const Series& force : here.forces) out += fmt::format(",{:.17g}", force.values.back());
-  }
+  for (const double x : readings_.forces(point.state)) out += fmt::format(",{:.17g}", x);
   for (const double x : point.lambda) out += fmt::format(",{:.17g}", x);
   if (!point.lambda.empty()) out += fmt::format(",{:.17g}", point.residual);
   put(out + "\n");

@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "emit/files/waiting_file.hpp"
+#include "mechanism/parameter_places.hpp"
 #include "simulation/force_readings.hpp"
 #include "simulation/trajectory.hpp"
 
@@ -26,8 +28,8 @@ class CsvWriter {
   [[noreturn]] void fail() const;
 
   const Mechanism& mechanism_;
+  std::vector<PlacedParameter> states_;
   ForceReadings readings_;
-  Acting acting_;                    ///< names of the forces
   std::optional<WaitingFile> file_;  ///< none: standard output
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "commands/common_options.hpp"
 #include "commands/csv_writer.hpp"
@@ -23,6 +24,12 @@
 namespace alembert {
 
 namespace {
+
+constexpr std::pair<const char*, IntegrationMethod> kIntegrators[] = {
+    {"rk4", IntegrationMethod::rk4},
+    {"euler", IntegrationMethod::semi_implicit_euler},
+    {"linearly-implicit", IntegrationMethod::linearly_implicit_euler},
+    {"implicit", IntegrationMethod::implicit_euler}};
 
 /// Numbers that a page or scene may hold: more would fill memory, and no browser would show it.
 constexpr double kMostNumbers = 5e7;
@@ -144,10 +151,8 @@ class Simulation {
 
  private:
   IntegrationMethod method() const {
-    if (options_.integrator == "euler") return IntegrationMethod::semi_implicit_euler;
-    if (options_.integrator == "linearly-implicit") return IntegrationMethod::linearly_implicit_euler;
-    if (options_.integrator == "implicit") return IntegrationMethod::implicit_euler;
-    return IntegrationMethod::rk4;
+    return std::ranges::find(kIntegrators, options_.integrator, [](const auto& row) { return row.first; })
+        ->second;
   }
 
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
@@ -181,6 +186,12 @@ class Simulation {
 };
 
 }  // namespace
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, method] : kIntegrators) names.emplace_back(name);
+  return names;
+}
 
 int run_simulate(const CommonOptions& common, const SimulateOptions& options) {
   std::vector<NamedFile> written, read{{"the description", common.file}};

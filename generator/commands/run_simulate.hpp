@@ -21,6 +21,9 @@ struct SimulateOptions {
   StartOptions start;              ///< of the first
   std::string inputs;              ///< table of what its inputs are over time, if any
 };
+/// What SimulateOptions::integrator may be.
+std::vector<std::string> integrator_names();
+
 int run_simulate(const CommonOptions& common, const SimulateOptions& options);
 
 }  // namespace alembert

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "mechanism/parameter_places.hpp"
+
 namespace alembert {
 
 namespace {
@@ -58,19 +60,11 @@ void parameters(const Mechanism& mechanism, const ParameterKey& of, const JsonVa
                 EvaluationState& state) {
   if (values.kind != JsonValue::Kind::object)
     fail(values, fmt::format("'{}' must be an object of {} by name", of.key, of.many));
+  const std::vector<PlacedParameter> placed = placed_parameters(mechanism, of.role);
   std::vector<std::string> names;
-  std::vector<std::size_t> places;
-  std::size_t place = 0;
-  for (const Parameter& parameter : mechanism.parameters) {
-    if (!parameter.runtime) continue;
-    if (parameter.role == of.role) {
-      names.push_back(parameter.name);
-      places.push_back(place);
-    }
-    ++place;
-  }
+  for (const PlacedParameter& one : placed) names.push_back(one.parameter.name);
   members(values, names, fmt::format("there is no {}", of.one), [&](std::size_t i, const JsonValue& value) {
-    state.parameters[places[i]] = number(value, names[i]);
+    state.parameters[placed[i].place] = number(value, names[i]);
   });
 }
 

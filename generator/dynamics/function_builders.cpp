@@ -11,6 +11,7 @@
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
 #include "functions/array_shape.hpp"
+#include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
@@ -106,8 +107,8 @@ std::vector<Expr> derivatives_by(const std::vector<Expr>& values, const std::vec
 /// The symbols of inputs or states.
 std::vector<Expr> symbols_of(const Ingredients& given, ParameterRole role) {
   std::vector<Expr> out;
-  for (const Parameter& parameter : given.mechanism().parameters)
-    if (parameter.role == role) out.push_back(given.graph().symbol(parameter.name));
+  for (const PlacedParameter& placed : placed_parameters(given.mechanism(), role))
+    out.push_back(given.graph().symbol(placed.parameter.name));
   return out;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -16,6 +16,7 @@
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/force_names.hpp"
 #include "mechanism/names.hpp"
+#include "mechanism/parameter_places.hpp"
 
 namespace alembert {
 namespace {
@@ -55,8 +56,8 @@ Names names_of(const Mechanism& mechanism) {
 
 std::vector<std::string> names_of(const Mechanism& mechanism, ParameterRole role) {
   std::vector<std::string> names;
-  for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.runtime && parameter.role == role) names.push_back(parameter.name);
+  for (const PlacedParameter& placed : placed_parameters(mechanism, role))
+    names.push_back(placed.parameter.name);
   return names;
 }
 
@@ -145,23 +146,20 @@ std::vector<std::string> parameter_defaults(const Mechanism& mechanism, const st
 
 /// What stands in the array of parameters, in SI units.
 std::string parameters_text(const Mechanism& mechanism) {
-  std::map<ParameterRole, std::size_t> counts;
-  for (const Parameter& parameter : mechanism.parameters)
-    if (parameter.runtime) ++counts[parameter.role];
-  const std::size_t parameters = counts[ParameterRole::parameter], inputs = counts[ParameterRole::input],
-                    states = counts[ParameterRole::state];
-  if (parameters == 0 && states == 0) return inputs == 0 ? "" : "inputs in SI units";
-  if (parameters == 0 && inputs == 0) return "states in SI units";
-  const std::string first = parameters == 0 ? "inputs in SI units" : "runtime parameters in SI units";
-  const auto last = [](std::size_t count, std::string_view one, std::string_view many) -> std::string {
-    if (count == 0) return "";
-    if (count == 1) return fmt::format(", the last of them {}", one);
-    return fmt::format(", the last {} of them {}", count, many);
-  };
-  if (states == 0) return first + last(inputs, "an input", "inputs");
-  if (inputs == 0 || parameters == 0) return first + last(states, "a state", "states");
-  return fmt::format("{}, then {} input{} and {} state{}", first, inputs, inputs == 1 ? "" : "s", states,
-                     states == 1 ? "" : "s");
+  const auto count = [&](ParameterRole role) { return placed_parameters(mechanism, role).size(); };
+  const std::size_t parameters = count(ParameterRole::parameter), inputs = count(ParameterRole::input),
+                    states = count(ParameterRole::state);
+  if (states > 0) {
+    std::vector<std::string> parts;
+    for (const auto& [of, one] :
+         {std::pair(parameters, "runtime parameter"), {inputs, "input"}, {states, "state"}})
+      if (of > 0) parts.push_back(fmt::format("{} {}{}", of, one, of == 1 ? "" : "s"));
+    return fmt::format("{}, in SI units", fmt::join(parts, ", then "));
+  }
+  if (parameters == 0) return inputs == 0 ? "" : "inputs in SI units";
+  const std::string last =
+      inputs == 1 ? "the last of them an input" : fmt::format("the last {} of them inputs", inputs);
+  return "runtime parameters in SI units" + (inputs == 0 ? "" : ", " + last);
 }
 
 /// What the functions take besides the state, in the comment of the C interface.
@@ -183,7 +181,7 @@ std::string c_inputs(const Mechanism& mechanism, std::size_t parameters, std::si
 std::string cpp_inputs(const Mechanism& mechanism, std::size_t wrenches) {
   const std::vector<std::string> defaults = parameter_defaults(mechanism, "S({})", "double");
   std::string text = parameters_text(mechanism);
-  if (!text.empty()) text[0] = text[0] == 'r' ? 'R' : 'I';
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   const std::string first =
       defaults.empty() ? "::std::array<S, 0> parameters = {};  ///< there are no runtime parameters"
                        : fmt::format(
@@ -228,18 +226,11 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   for (const Body& b : mechanism.bodies) add("Body", b.name, next++);
   next = 0;
   for (const Frame& f : mechanism.frames) add("Frame", f.name, next++);
-  for (const ParameterRole role : {ParameterRole::parameter, ParameterRole::input, ParameterRole::state}) {
-    next = 0;
-    for (const Parameter& p : mechanism.parameters) {
-      if (!p.runtime) continue;
-      if (p.role == role)
-        add(role == ParameterRole::parameter ? "Parameter"
-            : role == ParameterRole::input   ? "Input"
-                                             : "State",
-            p.name, next);
-      ++next;
-    }
-  }
+  for (const auto& [role, type] : {std::pair(ParameterRole::parameter, "Parameter"),
+                                   {ParameterRole::input, "Input"},
+                                   {ParameterRole::state, "State"}})
+    for (const PlacedParameter& placed : placed_parameters(mechanism, role))
+      add(type, placed.parameter.name, static_cast<int>(placed.place));
   next = 0;
   for (const Body& b : mechanism.bodies)
     if (b.external_wrench) add("Wrench", b.name, next++);
@@ -284,8 +275,8 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"frame_count", std::to_string(names.frames.size())},
       {"output_count", std::to_string(names.outputs.size())},
       {"force_count", std::to_string(names.forces.size())},
-      {"input_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_input))},
-      {"state_count", std::to_string(std::ranges::count_if(mechanism.parameters, &Parameter::is_state))},
+      {"input_count", std::to_string(placed_parameters(mechanism, ParameterRole::input).size())},
+      {"state_count", std::to_string(placed_parameters(mechanism, ParameterRole::state).size())},
       {"parameter_count", std::to_string(names.parameters.size())},
       {"parameters_text", names.parameters.empty() ? "runtime parameters" : parameters_text(mechanism)},
       {"wrench_count", std::to_string(names.wrench_bodies.size())},

@@ -5,6 +5,7 @@
 
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/force_names.hpp"
+#include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -24,11 +25,11 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
     case Extent::Of::outputs:
       return mechanism.outputs.size();
     case Extent::Of::inputs:
-      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_input));
+      return placed_parameters(mechanism, ParameterRole::input).size();
     case Extent::Of::forces:
       return force_names(mechanism).size();
     case Extent::Of::states:
-      return static_cast<std::size_t>(std::ranges::count_if(mechanism.parameters, &Parameter::is_state));
+      return placed_parameters(mechanism, ParameterRole::state).size();
   }
   throw InternalError("there is no such extent");
 }

@@ -21,31 +21,30 @@ class ContactReader {
       : loading_(loading),
         section_(
             loading.document, node, fmt::format("the contact of force '{}'", name),
-            {"frame", "radius", "plane", "sphere", "stiffness", "dissipation", "friction", "slip_velocity"}),
-        name_(name) {}
+            {"frame", "radius", "plane", "sphere", "stiffness", "dissipation", "friction", "slip_velocity"}) {
+    contact_.name = name;
+  }
 
   std::vector<Force> read(const SourceLocation& where) {
-    contact_.name = name_;
-    frame_ = contact_.frame = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
-    radius_ = contact_.radius = or_zero("radius");
+    contact_.frame = loading_.reader.expect_frame(section_.require("frame"), of("the frame"));
+    contact_.radius = or_zero("radius");
     const YamlNode *plane = section_.find("plane"), *sphere = section_.find("sphere");
     if ((plane == nullptr) == (sphere == nullptr))
-      throw InputError(loading_.document.where(section_.node()),
-                       fmt::format("the contact of force '{}' needs one of 'plane' and 'sphere'", name_));
+      throw InputError(
+          loading_.document.where(section_.node()),
+          fmt::format("the contact of force '{}' needs one of 'plane' and 'sphere'", contact_.name));
     if (plane != nullptr)
       read_plane(*plane);
     else
       read_sphere(*sphere);
     std::vector<Force> forces = wrenches(where);
-    contact_.other = other_;
-    contact_.normal = normal_;
     loading_.mechanism.contacts.push_back(contact_);
     return forces;
   }
 
  private:
   std::string of(std::string_view what) const {
-    return fmt::format("{} in the contact of force '{}'", what, name_);
+    return fmt::format("{} in the contact of force '{}'", what, contact_.name);
   }
   Expr or_zero(std::string_view key) {
     const YamlNode* node = section_.find(key);
@@ -80,47 +79,49 @@ class ContactReader {
     const auto body = [&](int frame) {
       return frame < 0 ? -1 : loading_.mechanism.frames[static_cast<std::size_t>(frame)].body;
     };
-    if (body(frame_) != body(other)) return;
+    if (body(contact_.frame) != body(other)) return;
     throw InputError(loading_.document.where(node),
-                     fmt::format("force '{}' is a contact of a body with itself", name_));
+                     fmt::format("force '{}' is a contact of a body with itself", contact_.name));
   }
 
   void read_plane(const YamlNode& node) {
     const Section plane(loading_.document, node, of("the plane"), {"frame", "point", "normal"});
     if (const YamlNode* frame = plane.find("frame"))
-      other_ = loading_.reader.expect_frame(*frame, of("the plane"));
-    check_apart(node, other_);
+      contact_.other = loading_.reader.expect_frame(*frame, of("the plane"));
+    check_apart(node, contact_.other);
     Vec3 point = zero();
     if (const YamlNode* given = plane.find("point"))
       point = loading_.reader.read_vector(*given, Allowed::parameters, of("the point of the plane"));
     const YamlNode& direction = plane.require("normal");
-    normal_ = loading_.reader.read_vector(direction, Allowed::parameters, of("the normal of the plane"));
-    if (normal_[0].is_zero() && normal_[1].is_zero() && normal_[2].is_zero())
+    contact_.normal =
+        loading_.reader.read_vector(direction, Allowed::parameters, of("the normal of the plane"));
+    if (contact_.normal[0].is_zero() && contact_.normal[1].is_zero() && contact_.normal[2].is_zero())
       throw InputError(loading_.document.where(direction), of("the normal of the plane") + " is 0");
-    const Expr length = sqrt(dot(normal_, normal_));
-    for (Expr& entry : normal_.entries) entry = entry / length;
+    const Expr length = sqrt(dot(contact_.normal, contact_.normal));
+    for (Expr& entry : contact_.normal.entries) entry = entry / length;
     contact_.plane = true;
     contact_.plane_point = point;
-    contact_.plane_normal = normal_;
-    if (other_ >= 0) {
-      const Mat3 R = rotation(other_);
-      normal_ = R * normal_;
-      point = vector(other_, FrameQuantity::position) + R * point;
+    contact_.plane_normal = contact_.normal;
+    if (contact_.other >= 0) {
+      const Mat3 R = rotation(contact_.other);
+      contact_.normal = R * contact_.normal;
+      point = vector(contact_.other, FrameQuantity::position) + R * point;
     }
-    const Vec3 above = vector(frame_, FrameQuantity::position) - point;
-    depth_ = radius_ - dot(normal_, above);
+    const Vec3 above = vector(contact_.frame, FrameQuantity::position) - point;
+    contact_.depth = contact_.radius - dot(contact_.normal, above);
   }
 
   void read_sphere(const YamlNode& node) {
     const Section sphere(loading_.document, node, of("the sphere"), {"frame", "radius"});
-    other_ = loading_.reader.expect_frame(sphere.require("frame"), of("the sphere"));
-    check_apart(node, other_);
+    contact_.other = loading_.reader.expect_frame(sphere.require("frame"), of("the sphere"));
+    check_apart(node, contact_.other);
     const Expr radius = coefficient(sphere.require("radius"), of("the radius of the sphere"), true);
     contact_.other_radius = radius;
-    const Expr distance = loading_.reader.distance(frame_, other_);
-    normal_ = vector(frame_, FrameQuantity::position) - vector(other_, FrameQuantity::position);
-    for (Expr& entry : normal_.entries) entry = entry / distance;
-    depth_ = radius_ + radius - distance;
+    const Expr distance = loading_.reader.distance(contact_.frame, contact_.other);
+    contact_.normal =
+        vector(contact_.frame, FrameQuantity::position) - vector(contact_.other, FrameQuantity::position);
+    for (Expr& entry : contact_.normal.entries) entry = entry / distance;
+    contact_.depth = contact_.radius + radius - distance;
   }
 
   /// Velocity of a point that moves with a frame, at `arm` from its origin.
@@ -131,32 +132,33 @@ class ContactReader {
 
   Vec3 force(const Vec3& velocity) {
     ExprGraph& graph = loading_.graph;
-    const Expr speed = dot(normal_, velocity);
-    const Expr deep = if_positive(depth_, depth_);
+    const Expr speed = dot(contact_.normal, velocity);
+    const Expr deep = if_positive(contact_.depth, contact_.depth);
     const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
     const Expr strength = positive("stiffness") * (deep * sqrt(deep)) * if_positive(damped, damped);
     contact_.strength = strength;
     const Expr friction = or_zero("friction");
-    if (friction.is_zero()) return strength * normal_;
+    if (friction.is_zero()) return strength * contact_.normal;
     const Expr slow = positive("slip_velocity");
-    const Vec3 slip = velocity - speed * normal_;
+    const Vec3 slip = velocity - speed * contact_.normal;
     const Expr size = sqrt(dot(slip, slip) + slow * slow);
-    return strength * (normal_ - (friction / size) * slip);
+    return strength * (contact_.normal - (friction / size) * slip);
   }
 
   std::vector<Force> wrenches(const SourceLocation& where) {
-    const Vec3 arm = -radius_ * normal_;
-    Vec3 velocity = velocity_at(frame_, arm), other_arm = zero();
-    if (other_ >= 0) {
-      other_arm = vector(frame_, FrameQuantity::position) + arm - vector(other_, FrameQuantity::position);
-      velocity = velocity - velocity_at(other_, other_arm);
+    const Vec3 arm = -contact_.radius * contact_.normal;
+    Vec3 velocity = velocity_at(contact_.frame, arm), other_arm = zero();
+    if (contact_.other >= 0) {
+      other_arm = vector(contact_.frame, FrameQuantity::position) + arm -
+                  vector(contact_.other, FrameQuantity::position);
+      velocity = velocity - velocity_at(contact_.other, other_arm);
     }
     const Vec3 f = force(velocity);
     std::vector<Force> result;
     const auto add = [&](int frame, const Vec3& on, const Vec3& at) {
       Force wrench;
-      wrench.name = name_;
+      wrench.name = contact_.name;
       wrench.kind = ForceKind::wrench;
       wrench.frame = frame;
       wrench.frame_axes = false;
@@ -165,19 +167,14 @@ class ContactReader {
       wrench.where = where;
       result.push_back(std::move(wrench));
     };
-    add(frame_, f, arm);
-    result.back().depth = depth_;
-    if (other_ >= 0) add(other_, zero() - f, other_arm);
+    add(contact_.frame, f, arm);
+    if (contact_.other >= 0) add(contact_.other, zero() - f, other_arm);
     return result;
   }
 
   Loading& loading_;
   Section section_;
-  std::string name_;
   SphereContact contact_;
-  int frame_ = -1, other_ = -1;  ///< indices of frames; -1: the world
-  Expr radius_, depth_;
-  Vec3 normal_;  ///< world axes, from the other to the sphere
 };
 
 }  // namespace

@@ -215,8 +215,7 @@ struct Force {
   int frame = -1;               ///< wrench: index into Mechanism::frames
   bool frame_axes = true;       ///< wrench: in the axes of the frame, else in the world's
   Vec3 force, torque;
-  std::optional<Expr> depth = {};  ///< wrench of a contact, once each: how deep it is, m; negative: apart
-  bool passive = false;            ///< on_speed: damping and friction of a coordinate, not of a drive
+  bool passive = false;  ///< on_speed: damping and friction of a coordinate, not of a drive
   SourceLocation where;
 };
 
@@ -228,6 +227,7 @@ struct SphereContact {
   int other = -1;                  ///< of the plane or the other sphere; -1: the world
   Expr radius;                     ///< of the sphere
   Vec3 normal;                     ///< towards the sphere, world axes
+  Expr depth;                      ///< m; negative: apart
   Expr strength;                   ///< the normal force, N
   bool plane = false;              ///< else a sphere
   Expr other_radius;               ///< sphere

@@ -8,10 +8,6 @@
 #include <limits>
 
 #include "dynamics/recursions/frame_values.hpp"
-#include "dynamics/tree/symbols.hpp"
-#include "program/interpret.hpp"
-#include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
 
 namespace alembert {
 
@@ -19,34 +15,24 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Of expressions over frames, paths and inputs.
-Program compute(const std::vector<Expr>& wanted, const CompiledMechanism& compiled) {
-  const Mechanism& mechanism = *compiled.mechanism;
-  ExprGraph& graph = *compiled.graph;
-  const SpeedDerivatives derivatives(mechanism, graph);
-  const MotionTree tree = motion_tree(mechanism, derivatives, graph);
-  const std::vector<OutputExpressions> outputs{
-      {"events", static_cast<std::uint32_t>(wanted.size()), 1,
-       with_moving_values(wanted, mechanism, tree, derivatives, graph)}};
-  return optimize(lower("events", outputs, symbol_bindings(mechanism, graph)));
-}
-
 }  // namespace
 
 EventWatch::EventWatch(const CompiledMechanism& compiled) {
   const Mechanism& mechanism = *compiled.mechanism;
   std::vector<Expr> wanted;
   for (const Coordinate& coordinate : mechanism.coordinates) watch_coordinate(coordinate, compiled, wanted);
-  for (const Force& force : mechanism.forces) {
-    if (!force.depth) continue;
-    watch(fmt::format("contact '{}'", force.name), "deepest {:.6g} m",
-          [place = wanted.size()](const EvaluationState&, const std::vector<double>& computed) {
+  for (const SphereContact& contact : mechanism.contacts) {
+    watch(fmt::format("contact '{}'", contact.name), "deepest {:.6g} m",
+          [place = wanted.size()](const EvaluationState&, std::span<const double> computed) {
             return computed[place];
           });
-    wanted.push_back(*force.depth);
+    wanted.push_back(contact.depth);
   }
-  if (!wanted.empty()) program_ = compute(wanted, compiled);
-  computed_.resize(wanted.size());
+  if (wanted.empty()) return;
+  ExprGraph& graph = *compiled.graph;
+  const SpeedDerivatives derivatives(mechanism, graph);
+  const MotionTree tree = motion_tree(mechanism, derivatives, graph);
+  program_ = StateProgram(with_moving_values(wanted, mechanism, tree, derivatives, graph), compiled);
 }
 
 void EventWatch::watch(std::string what, std::string most, Value value) {
@@ -62,15 +48,13 @@ void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMe
   if (coordinate.limits) {
     const double lower = coordinate.limits->first, upper = coordinate.limits->second;
     watch(fmt::format("coordinate '{}' passes its lower limit {:.6g}", coordinate.name, lower),
-          "by up to {:.6g}", [q, lower](const EvaluationState& state, const std::vector<double>&) {
-            return lower - state.q[q];
-          });
+          "by up to {:.6g}",
+          [q, lower](const EvaluationState& state, std::span<const double>) { return lower - state.q[q]; });
     watch(fmt::format("coordinate '{}' passes its upper limit {:.6g}", coordinate.name, upper),
-          "by up to {:.6g}", [q, upper](const EvaluationState& state, const std::vector<double>&) {
-            return state.q[q] - upper;
-          });
+          "by up to {:.6g}",
+          [q, upper](const EvaluationState& state, std::span<const double>) { return state.q[q] - upper; });
   }
-  const auto largest = [](const std::vector<double>& of, std::size_t first, std::size_t count) {
+  const auto largest = [](std::span<const double> of, std::size_t first, std::size_t count) {
     double most = 0;
     for (std::size_t i = first; i < first + count; ++i) most = std::max(most, std::abs(of[i]));
     return most;
@@ -79,7 +63,7 @@ void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMe
     watch(fmt::format("coordinate '{}' is faster than its drive's speed {:.6g}", coordinate.name,
                       *coordinate.speed_limit),
           "by up to {:.6g}",
-          [=, limit = *coordinate.speed_limit](const EvaluationState& state, const std::vector<double>&) {
+          [=, limit = *coordinate.speed_limit](const EvaluationState& state, std::span<const double>) {
             return largest(state.qd, u, speeds) - limit;
           });
   }
@@ -102,19 +86,16 @@ void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMe
                     *coordinate.effort_limit),
         "by up to {:.6g}",
         [=, first = wanted.size(), limit = *coordinate.effort_limit](const EvaluationState&,
-                                                                     const std::vector<double>& computed) {
+                                                                     std::span<const double> computed) {
           return largest(computed, first, speeds) - limit;
         });
   wanted.insert(wanted.end(), efforts.begin(), efforts.end());
 }
 
 const std::vector<double>& EventWatch::values(const EvaluationState& state) {
-  if (!computed_.empty()) {
-    program_inputs(program_, state, inputs_);
-    interpret(program_, inputs_, computed_, scratch_);
-  }
+  const std::span<const double> computed = program_(state);
   now_.clear();
-  for (const Value& value : values_of_) now_.push_back(value(state, computed_));
+  for (const Value& value : values_of_) now_.push_back(value(state, computed));
   return now_;
 }
 

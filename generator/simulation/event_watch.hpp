@@ -4,11 +4,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "pipeline.hpp"
-#include "simulation/dynamics_evaluator.hpp"
+#include "simulation/state_program.hpp"
 
 namespace alembert {
 
@@ -40,7 +40,7 @@ class EventWatch {
   const std::vector<WatchedEvent>& events() const { return events_; }
 
  private:
-  using Value = std::function<double(const EvaluationState& state, const std::vector<double>& computed)>;
+  using Value = std::function<double(const EvaluationState& state, std::span<const double> computed)>;
 
   void watch(std::string what, std::string most, Value value);
   void watch_coordinate(const Coordinate& coordinate, const CompiledMechanism& compiled,
@@ -49,8 +49,8 @@ class EventWatch {
 
   std::vector<WatchedEvent> events_;
   std::vector<Value> values_of_;
-  Program program_;  ///< what takes more than coordinates and speeds
-  std::vector<double> inputs_, scratch_, computed_, now_, last_;
+  StateProgram program_;  ///< what takes more than coordinates and speeds
+  std::vector<double> now_, last_;
 };
 
 }  // namespace alembert

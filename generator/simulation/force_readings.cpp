@@ -6,10 +6,6 @@
 
 #include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/outputs.hpp"
-#include "dynamics/tree/symbols.hpp"
-#include "program/interpret.hpp"
-#include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "viewer/value_units.hpp"
 
 namespace alembert {
@@ -145,17 +141,16 @@ ForceReadings::ForceReadings(const CompiledMechanism& compiled) {
   const std::vector<Expr> poses = frame_poses(mechanism, tree, graph);
   std::vector<Expr> values = with_moving_values(ReadingsBuilder(mechanism, graph, empty_).build(poses),
                                                 mechanism, tree, derivatives, graph);
-  values_.resize(values.size());
-  const std::vector<OutputExpressions> outputs{
-      {"readings", static_cast<std::uint32_t>(values.size()), 1, std::move(values)}};
-  program_ = optimize(lower("readings", outputs, symbol_bindings(mechanism, graph)));
+  program_ = StateProgram(std::move(values), compiled);
+}
+
+std::span<const double> ForceReadings::forces(const EvaluationState& state) {
+  return program_(state).first(empty_.forces.size());
 }
 
 void ForceReadings::append(const EvaluationState& state, Acting& acting) {
-  if (values_.empty()) return;
-  program_inputs(program_, state, inputs_);
-  interpret(program_, inputs_, values_, scratch_);
-  std::span<const double> rest = values_;
+  if (program_.empty()) return;
+  std::span<const double> rest = program_(state);
   const auto next = [&](std::size_t count) {
     const std::span<const double> values = rest.first(count);
     rest = rest.subspan(count);

@@ -2,8 +2,9 @@
 // the other. Out: their values, as the viewer takes them.
 #pragma once
 
-#include "pipeline.hpp"
-#include "simulation/dynamics_evaluator.hpp"
+#include <span>
+
+#include "simulation/state_program.hpp"
 #include "viewer/scene.hpp"
 
 namespace alembert {
@@ -14,13 +15,14 @@ class ForceReadings {
 
   /// Names, units and limits, without values.
   const Acting& nothing_yet() const { return empty_; }
+  /// Values of the forces at a state; valid until the next call.
+  std::span<const double> forces(const EvaluationState& state);
   /// Adds the values at a state. `acting` began as nothing_yet().
   void append(const EvaluationState& state, Acting& acting);
 
  private:
   Acting empty_;
-  Program program_;  ///< series in their order, points of lines, points of contacts
-  std::vector<double> inputs_, scratch_, values_;
+  StateProgram program_;  ///< series in their order, points of lines, points of contacts
 };
 
 }  // namespace alembert

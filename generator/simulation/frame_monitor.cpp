@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "dynamics/tree/symbols.hpp"
-#include "program/interpret.hpp"
-#include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
+#include <span>
 
 namespace alembert {
 
@@ -31,24 +27,21 @@ std::string values_of(const std::vector<std::string>& names, const Mechanism& me
 FrameMonitor::FrameMonitor(const CompiledMechanism& compiled)
     : mechanism_(*compiled.mechanism), frames_(frame_normals(mechanism_)) {
   if (frames_.empty()) return;
-  OutputExpressions factors{"normals", static_cast<std::uint32_t>(6 * frames_.size()), 1, {}};
+  std::vector<Expr> factors;
   for (const FrameNormal& frame : frames_) {
     for (const Vec3& v : {frame.factors.first, frame.factors.second})
-      factors.values.insert(factors.values.end(), v.entries.begin(), v.entries.end());
+      factors.insert(factors.end(), v.entries.begin(), v.entries.end());
   }
-  const std::vector<OutputExpressions> outputs{std::move(factors)};
-  program_ = optimize(lower("normals", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph)));
-  values_.resize(6 * frames_.size());
+  factors_ = StateProgram(std::move(factors), compiled);
 }
 
 std::optional<InputError> FrameMonitor::check(const EvaluationState& state) {
   constexpr double kSingular = 1e-9;
   if (frames_.empty()) return std::nullopt;
-  program_inputs(program_, state, inputs_);
-  interpret(program_, inputs_, values_, scratch_);
+  const std::span<const double> values = factors_(state);
   std::vector<Eigen::Vector3d> now;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    const Eigen::Map<const Eigen::Vector3d> first(&values_[6 * i]), second(&values_[6 * i + 3]);
+    const Eigen::Map<const Eigen::Vector3d> first(&values[6 * i]), second(&values[6 * i + 3]);
     now.emplace_back(first.cross(second));
     const bool singular = !(now[i].norm() > kSingular * first.norm() * second.norm());
     const bool crossed = !before_.empty() && before_[i].dot(now[i]) < 0;

@@ -8,7 +8,7 @@
 
 #include "dynamics/tree/frame_normals.hpp"
 #include "pipeline.hpp"
-#include "simulation/dynamics_evaluator.hpp"
+#include "simulation/state_program.hpp"
 
 namespace alembert {
 
@@ -25,8 +25,7 @@ class FrameMonitor {
  private:
   const Mechanism& mechanism_;
   std::vector<FrameNormal> frames_;
-  Program program_;  ///< both factors of each normal, six values a frame
-  std::vector<double> inputs_, scratch_, values_;
+  StateProgram factors_;  ///< both of each normal, six values a frame
   std::vector<Eigen::Vector3d> before_;
 };
 

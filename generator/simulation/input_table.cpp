@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "mechanism/document.hpp"
+#include "mechanism/parameter_places.hpp"
 
 namespace alembert {
 namespace {
@@ -63,16 +64,15 @@ class TableReader {
                        fmt::format("expected t as the first column, found '{}'", printable(cells[0].text)),
                        "the first line is t and names of inputs, with commas between them");
     if (cells.size() == 1) throw InputError(where(cells[0]), "no column but the time");
-    std::vector<std::string> names, inputs;
-    for (const Parameter& parameter : mechanism_.parameters) {
-      if (parameter.runtime) names.push_back(parameter.name);
-      if (parameter.is_input()) inputs.push_back(parameter.name);
-    }
+    const std::vector<PlacedParameter> placed = placed_parameters(mechanism_, ParameterRole::input);
+    std::vector<std::string> inputs;
+    for (const PlacedParameter& input : placed) inputs.push_back(input.parameter.name);
     for (const Cell& cell : std::span(cells).subspan(1)) {
-      if (std::ranges::find(inputs, cell.text) == inputs.end())
+      const auto found = std::ranges::find(inputs, cell.text);
+      if (found == inputs.end())
         throw InputError(where(cell), fmt::format("there is no input '{}'{}", printable(cell.text),
                                                   did_you_mean(cell.text, inputs)));
-      const auto place = static_cast<std::size_t>(std::ranges::find(names, cell.text) - names.begin());
+      const std::size_t place = placed[static_cast<std::size_t>(found - inputs.begin())].place;
       if (std::ranges::find(places, place) != places.end())
         throw InputError(where(cell), fmt::format("a second column '{}'", cell.text));
       places.push_back(place);

@@ -5,12 +5,20 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanism/parameter_places.hpp"
+
 namespace alembert {
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
 
 InterpretedMechanism::InterpretedMechanism(const CompiledMechanism& compiled, EvaluationState inputs,
                                            InputTable table)
     : mechanism_(*compiled.mechanism),
-      state_count_(std::ranges::count_if(mechanism_.parameters, &Parameter::is_state)),
+      state_count_(static_cast<Eigen::Index>(placed_parameters(mechanism_, ParameterRole::state).size())),
       rows_(constraint_rows(mechanism_)),
       table_(std::move(table)),
       state_(std::move(inputs)),
@@ -42,7 +50,6 @@ void InterpretedMechanism::mass_matrix_and_bias(const Eigen::VectorXd& q, const 
 void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
                                        Eigen::VectorXd& gamma, Eigen::VectorXd& velocity,
                                        Eigen::VectorXd& position) const {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = nv(), k = nc();
   const std::vector<double> values = evaluator_(FunctionKind("constraints"), at(q, u));
   P = Eigen::Map<const RowMajor>(values.data(), k, n);
@@ -59,7 +66,6 @@ void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::Ve
 void InterpretedMechanism::inverse_dynamics_derivatives(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
                                                         const Eigen::VectorXd& rates, Eigen::MatrixXd& tau_q,
                                                         Eigen::MatrixXd& tau_qd) const {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = nv();
   EvaluationState state = at(q, u);
   state.qdd.assign(rates.begin(), rates.end());
@@ -92,7 +98,6 @@ Eigen::VectorXd InterpretedMechanism::state_rates(const Eigen::VectorXd& q, cons
 
 Eigen::MatrixXd InterpretedMechanism::state_rate_derivatives(const Eigen::VectorXd& q,
                                                              const Eigen::VectorXd& u) const {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const std::vector<double> values = evaluator_(FunctionKind("state_rates_derivatives"), at(q, u));
   const Eigen::Index n = state_count_;
   return Eigen::Map<const RowMajor>(values.data() + values.size() - n * n, n, n);

@@ -9,6 +9,7 @@
 
 #include "alembert/consistent_state.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/parameter_places.hpp"
 #include "simulation/interpreted_mechanism.hpp"
 
 namespace alembert {
@@ -27,10 +28,10 @@ EvaluationState given_state(const CompiledMechanism& compiled, const StartOption
       throw InputError(compiled.mechanism->where, fmt::format("{} takes {} values", option, values.size()));
     std::ranges::copy(given, values.begin());
   };
-  const auto states = std::ranges::count_if(compiled.mechanism->parameters, &Parameter::is_state);
+  const std::size_t states = placed_parameters(*compiled.mechanism, ParameterRole::state).size();
   replace("--q", options.q, state.q);
   replace("--qd", options.qd, state.qd);
-  replace("--states", options.states, std::span(state.parameters).last(static_cast<std::size_t>(states)));
+  replace("--states", options.states, std::span(state.parameters).last(states));
   if (const Coordinate* none = normalise_quaternions(*compiled.mechanism, state.q)) {
     throw InputError(compiled.mechanism->where,
                      fmt::format("--q gives the quaternion '{}' no direction: its length is 0", none->name));

@@ -58,8 +58,7 @@ class MovingMechanism {
   /// Goes on by one step, or says why not; the state is then left as it was.
   std::optional<InputError> step(IntegrationMethod method, double h) {
     const auto force = [this](double, const Eigen::VectorXd&, const Eigen::VectorXd&) { return no_force(); };
-    const Eigen::VectorXd q = q_, u = u_, states = system_.states();
-    const double t = time();
+    const EvaluationState before = state();
     const auto advance = [&]() -> Status {
       switch (method) {
         case IntegrationMethod::rk4:
@@ -76,10 +75,7 @@ class MovingMechanism {
     const Status status = advance();
     if (status != Status::ok) return failure(status, h);
     if (std::optional<InputError> singular = check_frames()) {
-      q_ = q;
-      u_ = u;
-      set_time(t);
-      system_.set_states(states);
+      set_state(before);
       return singular;
     }
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "oracles/taylor/numeric_constraints.hpp"
+#include "oracles/taylor/numeric_functions.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
 namespace alembert::oracles {
@@ -39,9 +40,7 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
   if (function == "body_poses" || function == "frame_poses") {
     return {columns(values, {0, 1, 2, 4, 5, 6, 8, 9, 10}), columns(values, {3, 7, 11})};
   }
-  static const std::set<std::string> six_columns{"body_velocities", "body_accelerations", "frame_velocities",
-                                                 "frame_bias_accelerations"};
-  if (six_columns.count(function) != 0) return {columns(values, {0, 1, 2}), columns(values, {3, 4, 5})};
+  if (is_six_a_row(function)) return {columns(values, {0, 1, 2}), columns(values, {3, 4, 5})};
   if (name == "Minv" || name == "qdd_tau") {
     const Eigen::VectorXd back = unit.cwiseInverse();
     return {back.asDiagonal() * values * back.asDiagonal()};

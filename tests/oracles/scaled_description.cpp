@@ -193,8 +193,6 @@ State scaled_state(const Description& description, const std::set<std::string>& 
 Eigen::MatrixXd scaled_array(const std::string& function, const std::string& name,
                              const Eigen::MatrixXd& values, const std::vector<int>& speeds,
                              const Scale& scale) {
-  static const std::set<std::string> six_columns{"body_velocities", "body_accelerations", "frame_velocities",
-                                                 "frame_bias_accelerations"};
   const int energy = scale.mass + 2 * scale.length;
   const auto of_speed = [&](Eigen::Index i) { return speeds[static_cast<std::size_t>(i)]; };
   const auto exponent = [&](Eigen::Index r, Eigen::Index c) {
@@ -203,7 +201,7 @@ Eigen::MatrixXd scaled_array(const std::string& function, const std::string& nam
     if (function == "body_poses" || function == "frame_poses") return c % 4 == 3 ? scale.length : 0;
     if (name == "Minv" || name == "qdd_tau") return of_speed(r) + of_speed(c) - energy;
     if (name == "qdd_q" || name == "qdd_qd") return of_speed(r) - of_speed(c);
-    if (six_columns.count(function) != 0) return c < 3 ? 0 : scale.length;
+    if (is_six_a_row(function)) return c < 3 ? 0 : scale.length;
     if (function == "centroidal_momentum") {
       if (name == "com") return scale.length;
       return (r < 3 ? energy : scale.mass + scale.length) - (name == "A" ? of_speed(c) : 0);

@@ -20,6 +20,7 @@
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/tree/state_values.hpp"
 #include "mechanism/force_names.hpp"
+#include "mechanism/parameter_places.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/substitute.hpp"
@@ -46,12 +47,9 @@ class AppliedForcesBuilder {
         graph_(graph),
         poses_(frame_poses(mechanism, tree, graph)),
         moving_(moving_values(mechanism, tree, derivatives, graph)),
+        laws_(input_laws(mechanism, moving_, graph)),
         Q_(static_cast<std::size_t>(mechanism.nv), graph.zero()),
-        potential_(graph.zero()) {
-    for (const Parameter& parameter : mechanism.parameters)
-      if (parameter.law)
-        laws_.emplace_back(graph.symbol(parameter.name), replaced({*parameter.law}, moving_).front());
-  }
+        potential_(graph.zero()) {}
 
   AppliedForces build() {
     for (const Force& force : mechanism_.forces) {
@@ -63,11 +61,9 @@ class AppliedForcesBuilder {
     }
     std::vector<Expr> outputs, rates;
     for (const Output& output : mechanism_.outputs) outputs.push_back(output.value);
-    for (const Parameter& parameter : mechanism_.parameters) {
-      if (!parameter.is_state()) continue;
-      rates.push_back(inserted(parameter.rate));
-      check_values(std::span(&rates.back(), 1), parameter.where,
-                   "the rate of state '" + parameter.name + "'");
+    for (const auto& [state, place] : placed_parameters(mechanism_, ParameterRole::state)) {
+      rates.push_back(inserted(state.rate));
+      check_values(std::span(&rates.back(), 1), state.where, "the rate of state '" + state.name + "'");
     }
     return {shortest(), potential_, inserted(outputs), rates};
   }

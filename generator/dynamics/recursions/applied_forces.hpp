@@ -1,5 +1,5 @@
-// Generalized forces of what acts besides gravity and external wrenches, and the values of outputs and rates of states (see the
-// implementation).
+// Generalized forces of what acts besides gravity and external wrenches, the values of outputs and the rates of
+// states (see the implementation).
 #pragma once
 
 #include <vector>

@@ -121,12 +121,18 @@ std::vector<Expr> with_moving_values(std::span<const Expr> given, const Mechanis
                                      const MotionTree& tree, const SpeedDerivatives& derivatives,
                                      ExprGraph& graph) {
   const std::vector<std::pair<Expr, Expr>> moving = moving_values(mechanism, tree, derivatives, graph);
+  return substitute(substitute(given, moving), input_laws(mechanism, moving, graph));
+}
+
+std::vector<std::pair<Expr, Expr>> input_laws(const Mechanism& mechanism,
+                                              std::span<const std::pair<Expr, Expr>> moving,
+                                              ExprGraph& graph) {
   std::vector<std::pair<Expr, Expr>> laws;
   for (const Parameter& parameter : mechanism.parameters) {
     if (parameter.law)
       laws.emplace_back(graph.symbol(parameter.name), substitute({&*parameter.law, 1}, moving).front());
   }
-  return substitute(substitute(given, moving), laws);
+  return laws;
 }
 
 }  // namespace alembert

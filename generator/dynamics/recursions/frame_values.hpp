@@ -37,6 +37,11 @@ std::vector<std::pair<Expr, Expr>> frame_values(const Mechanism& mechanism, cons
 std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, const MotionTree& tree,
                                                  const SpeedDerivatives& derivatives, ExprGraph& graph);
 
+/// What inputs with a law stand for; `moving` as moving_values gives it.
+std::vector<std::pair<Expr, Expr>> input_laws(const Mechanism& mechanism,
+                                              std::span<const std::pair<Expr, Expr>> moving,
+                                              ExprGraph& graph);
+
 /// Expressions as of forces and outputs, with all that is known put in: laws of inputs too.
 std::vector<Expr> with_moving_values(std::span<const Expr> given, const Mechanism& mechanism,
                                      const MotionTree& tree, const SpeedDerivatives& derivatives,

@@ -8,9 +8,6 @@
 // to (turn).
 #include "dynamics/recursions/moving_bodies.hpp"
 
-#include <array>
-#include <span>
-
 #include "differentiation/jacobian.hpp"
 
 namespace alembert {
@@ -35,15 +32,22 @@ class Movements {
           next(node.parent < 0 ? world() : nodes_[static_cast<std::size_t>(node.parent)], node.motion));
   }
 
-  FrameMovement frame(const Frame& frame) const {
-    FrameMovement at = frame.body < 0 ? world() : body(static_cast<std::size_t>(frame.body));
-    for (const Motion& motion : elementary_motions(frame.transform, mechanism_, graph_))
-      at = next(at, motion);
-    return at;
+  std::vector<FrameMovement> frames() const {
+    std::vector<FrameMovement> all;
+    for (const Frame& frame : mechanism_.frames) {
+      FrameMovement& at =
+          all.emplace_back(frame.body < 0 ? world() : body(static_cast<std::size_t>(frame.body)));
+      for (const Motion& motion : elementary_motions(frame.transform, mechanism_, graph_))
+        at = next(at, motion);
+    }
+    return all;
   }
-  /// A body at its centre of mass.
-  FrameMovement center(std::size_t index) const {
-    return next(body(index), translation_motion(mechanism_.bodies[index].mass_properties.com));
+  /// Bodies at their centres of mass.
+  std::vector<FrameMovement> centers() const {
+    std::vector<FrameMovement> all;
+    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b)
+      all.push_back(next(body(b), translation_motion(mechanism_.bodies[b].mass_properties.com)));
+    return all;
   }
 
  private:
@@ -93,66 +97,55 @@ void append(std::vector<Expr>& out, const Vec3& angular, const Vec3& linear) {
   out.insert(out.end(), linear.entries.begin(), linear.entries.end());
 }
 
+/// Six entries of each.
+std::vector<Expr> six_of_each(const std::vector<FrameMovement>& all, Vec3 FrameMovement::*angular,
+                              Vec3 FrameMovement::*linear) {
+  std::vector<Expr> out;
+  for (const FrameMovement& one : all) append(out, one.*angular, one.*linear);
+  return out;
+}
+std::vector<Expr> velocities(const std::vector<FrameMovement>& all) {
+  return six_of_each(all, &FrameMovement::om, &FrameMovement::v);
+}
+std::vector<Expr> accelerations(const std::vector<FrameMovement>& all) {
+  return six_of_each(all, &FrameMovement::al, &FrameMovement::a);
+}
+
 }  // namespace
 
 std::vector<Expr> frame_velocities(const Mechanism& mechanism, const MotionTree& tree,
                                    const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
-  std::vector<Expr> out;
-  for (const Frame& frame : mechanism.frames) {
-    const FrameMovement at = movements.frame(frame);
-    append(out, at.om, at.v);
-  }
-  return out;
+  return velocities(Movements(mechanism, tree, derivatives, graph, SpeedRates::left_out).frames());
 }
 
 std::vector<Expr> frame_accelerations(const Mechanism& mechanism, const MotionTree& tree,
                                       const SpeedDerivatives& derivatives, ExprGraph& graph,
                                       SpeedRates rates) {
-  const Movements movements(mechanism, tree, derivatives, graph, rates);
-  std::vector<Expr> out;
-  for (const Frame& frame : mechanism.frames) {
-    const FrameMovement at = movements.frame(frame);
-    append(out, at.al, at.a);
-  }
-  return out;
+  return accelerations(Movements(mechanism, tree, derivatives, graph, rates).frames());
 }
 
 std::vector<Expr> body_velocities(const Mechanism& mechanism, const MotionTree& tree,
                                   const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
-  std::vector<Expr> out;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const FrameMovement at = movements.center(b);
-    append(out, at.om, at.v);
-  }
-  return out;
+  return velocities(Movements(mechanism, tree, derivatives, graph, SpeedRates::left_out).centers());
 }
 
 std::vector<Expr> body_accelerations(const Mechanism& mechanism, const MotionTree& tree,
                                      const SpeedDerivatives& derivatives, ExprGraph& graph,
                                      SpeedRates rates) {
-  const Movements movements(mechanism, tree, derivatives, graph, rates);
-  std::vector<Expr> out;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const FrameMovement at = movements.center(b);
-    append(out, at.al, at.a);
-  }
-  return out;
+  return accelerations(Movements(mechanism, tree, derivatives, graph, rates).centers());
 }
 
 CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionTree& tree,
                                        const SpeedDerivatives& derivatives, ExprGraph& graph) {
-  const Movements movements(mechanism, tree, derivatives, graph, SpeedRates::left_out);
+  const std::vector<FrameMovement> bodies =
+      Movements(mechanism, tree, derivatives, graph, SpeedRates::left_out).centers();
   const Vec3 none = zeros<3, 1>(graph);
-  std::vector<FrameMovement> bodies;
   Expr mass = graph.zero();
   Vec3 moment = none;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    bodies.push_back(movements.center(b));
     const Expr m = mechanism.bodies[b].mass_properties.mass;
     mass += m;
-    moment = moment + m * bodies.back().pose.origin;
+    moment = moment + m * bodies[b].pose.origin;
   }
   const Vec3 com{{moment[0] / mass, moment[1] / mass, moment[2] / mass}};
   CentroidalMomentum out;

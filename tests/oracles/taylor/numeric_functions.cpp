@@ -519,6 +519,12 @@ const Builders<R>& builders() {
 
 }  // namespace
 
+bool is_six_a_row(const std::string& function) {
+  static const std::set<std::string> all{"body_velocities", "body_accelerations", "frame_velocities",
+                                         "frame_bias_accelerations"};
+  return all.count(function) != 0;
+}
+
 std::set<std::string> numeric_function_names(const Description& description) {
   std::set<std::string> names;
   for (const auto& [name, build] : builders<double>()) names.insert(name);

@@ -14,6 +14,9 @@ namespace alembert::oracles {
 /// centre of mass, xx yy zz xy xz yz), one a body or frame; Jacobians have six rows each.
 using Arrays = std::map<std::string, Eigen::MatrixXd>;
 
+/// Whether rows are three angular entries and three of a point: velocities and accelerations.
+bool is_six_a_row(const std::string& function);
+
 /// All functions that have a reference; applied forces only where there are any.
 std::set<std::string> numeric_function_names(const Description& description);
 
