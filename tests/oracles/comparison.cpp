@@ -97,11 +97,14 @@ void append_forward(std::vector<Comparison>& lines, const Comparison& base,
 /// `subject`.
 void append_functions(std::vector<Comparison>& lines, const Comparison& base, const std::string& executable,
                       const std::string& file, const Description& description,
-                      const std::vector<State>& states, std::vector<Dynamics>& subject) {
+                      const std::vector<State>& states, std::optional<std::uint64_t> turn,
+                      std::vector<Dynamics>& subject) {
+  std::set<std::string> wanted = numeric_function_names(description);
+  if (turn) wanted = functions_in_turn(wanted, *turn);
   std::vector<std::map<std::string, Arrays>> expected;
   std::vector<Eigen::VectorXd> tau;
   for (const State& state : states) {
-    expected.push_back(numeric_functions(description, state));
+    expected.push_back(numeric_functions<double>(description, state, wanted));
     tau.emplace_back(expected.back().at("inverse_dynamics").at("tau"));
   }
   std::vector<std::string> functions;
@@ -252,7 +255,8 @@ std::vector<State> comparable_states(const Description& description, int count, 
 
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int count,
                                 std::uint64_t seed, const std::string& equivalent,
-                                const std::map<std::string, double>& values) {
+                                const std::map<std::string, double>& values,
+                                std::optional<std::uint64_t> turn) {
   Comparison base;
   base.mechanism = file;
   base.oracle = "Taylor";
@@ -275,7 +279,7 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
         append_forward(lines, base, answers, description, states);
       }
       base.formulation = "auto";
-      append_functions(lines, base, executable, file, description, states, subject);
+      append_functions(lines, base, executable, file, description, states, turn, subject);
     }
     const Description for_engines = equivalent.empty() ? description : read_description(equivalent);
     if (!equivalent.empty() && executable.empty()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,10 +34,11 @@ std::vector<State> comparable_states(const Description& description, int count, 
 /// Compares `alembert evaluate`, by both formulations and for every function as it would be generated (or, if
 /// `executable` is empty, the numeric Lagrangian) with all oracles. Engines are given `equivalent` instead,
 /// if it is not empty: a description of the same mechanism in their words. Runtime parameters have their
-/// defaults, or these values.
+/// defaults, or these values. With a `turn`, functions as of functions_in_turn.
 std::vector<Comparison> compare(const std::string& executable, const std::string& file, int states,
                                 std::uint64_t seed, const std::string& equivalent = "",
-                                const std::map<std::string, double>& values = {});
+                                const std::map<std::string, double>& values = {},
+                                std::optional<std::uint64_t> turn = {});
 
 /// Prints lines as a table.
 void print_table(const std::vector<Comparison>& lines);

@@ -12,8 +12,7 @@
 // --root R            fixed, floating or both (default)
 // --require-import    what is not imported counts as wrong
 // --only SUBSTRING    files whose path has it
-// --thirds            derivatives of forward dynamics, which take longest and are made of other functions, of about
-//                     every third robot only
+// --thirds            functions besides the dynamics of about every third robot only
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -171,9 +170,11 @@ void compare_robot(const Options& options, const fs::path& description_file, Row
   for (int i = 0; i < kStates; ++i) states.push_back(random_state(description, random));
   std::set<std::string> functions =
       options.functions.empty() ? comparable_functions(description) : options.functions;
-  const std::string file = fs::path(row.file).filename().string();
-  if (options.thirds && std::accumulate(file.begin(), file.end(), row.floating ? 1 : 0) % 3 != 0)
-    functions.erase("forward_dynamics_derivatives");
+  if (options.thirds) {
+    const std::string file = fs::path(row.file).filename().string();
+    functions =
+        functions_in_turn(functions, std::accumulate(file.begin(), file.end(), row.floating ? 1u : 0u));
+  }
   const std::vector<Reference> expected = references(tree, description, states, functions);
   const auto before = children_seconds();
   const auto compare = [&] {

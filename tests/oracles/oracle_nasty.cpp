@@ -2,7 +2,7 @@
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
 // random forces of every kind, with states and outputs, on such mechanisms and on random trees, and --thirds asks for
-// the derivatives of forward dynamics, which take longest and are made of other functions, of every third only.
+// functions besides the dynamics of every third mechanism only.
 #include <unistd.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
     std::ofstream(file) << mechanism.text;
     std::set<std::string> asked = comparable_functions(mechanism.description);
-    if (thirds && here % 3 != 0) asked.erase("forward_dynamics_derivatives");
+    if (thirds) asked = functions_in_turn(asked, here);
     const std::vector<Reference> references =
         taylor_references(mechanism.description, mechanism.states, asked);
     std::vector<Comparison> lines = compare_functions(executable, file.string(), mechanism.description.name,
@@ -119,7 +119,8 @@ int main(int argc, char** argv) {
       lines.push_back(compare_constrained(executable, file.string(), mechanism.description, mechanism.states,
                                           references));
     if (forces && here % kForcedKinds == 1) {
-      for (const Comparison& line : compare(executable, file.string(), 2, here, "", mechanism.parameters))
+      for (const Comparison& line :
+           compare(executable, file.string(), 2, here, "", mechanism.parameters, here))
         lines.push_back(line);
     }
     std::vector<Comparison> bad;

@@ -1,7 +1,6 @@
 // oracle_random EXECUTABLE [COUNT] [SEED]: random mechanisms against every oracle, three states each, runtime
-// parameters off their defaults. With
-// `-` for the executable, oracles are compared with each other. What disagrees is printed with its
-// description; exit 1.
+// parameters off their defaults; functions besides the dynamics of every third mechanism. With `-` for the executable,
+// oracles are compared with each other. What disagrees is printed with its description; exit 1.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -37,7 +36,7 @@ int main(int argc, char** argv) {
     const std::map<std::string, double> values = random_parameters(parse_description(text), here);
     std::ofstream(file) << text;
     std::vector<Comparison> bad;
-    for (const Comparison& line : compare(executable, file.string(), 3, here, "", values)) {
+    for (const Comparison& line : compare(executable, file.string(), 3, here, "", values, here)) {
       const bool fails = line.verdict == Comparison::Verdict::fail;
       if (fails) bad.push_back(line);
       if (!fails && line.verdict != Comparison::Verdict::pass) continue;

@@ -543,6 +543,16 @@ std::set<std::string> numeric_function_names(const Description& description) {
   return names;
 }
 
+std::set<std::string> functions_in_turn(const std::set<std::string>& functions, std::uint64_t turn) {
+  static const std::set<std::string> always = {"inverse_dynamics",     "mass_matrix",      "bias",
+                                               "mass_matrix_and_bias", "forward_dynamics", "constraints"};
+  std::set<std::string> some;
+  for (const std::string& name : functions) {
+    if (always.count(name) != 0 || turn++ % 3 == 0) some.insert(name);
+  }
+  return some;
+}
+
 template <class R>
 std::map<std::string, Arrays> numeric_functions(const Description& description, const State& state,
                                                 const std::set<std::string>& wanted) {
