@@ -97,9 +97,9 @@ void coordinates(const Mechanism& mechanism, const JsonValue& value, EvaluationS
 EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
                          const EvaluationState& defaults) {
   if (object.kind != JsonValue::Kind::object)
-    fail(object, "expected a JSON object with q, qd, qdd, t, tau, parameters, inputs, states, wrenches");
-  static const std::vector<std::string> kKeys{"q",          "qd",     "qdd",    "t",       "tau",
-                                              "parameters", "inputs", "states", "wrenches"};
+    fail(object, "expected a JSON object with q, qd, qdd, t, tau, mu, parameters, inputs, states, wrenches");
+  static const std::vector<std::string> kKeys{"q",  "qd",         "qdd",    "t",      "tau",
+                                              "mu", "parameters", "inputs", "states", "wrenches"};
   EvaluationState state = defaults;
   members(object, kKeys, "unknown key", [&](std::size_t i, const JsonValue& value) {
     const std::string& key = kKeys[i];
@@ -107,9 +107,10 @@ EvaluationState state_of(const JsonValue& object, const Mechanism& mechanism,
     if (key == "qd") numbers(value, key, state.qd);
     if (key == "qdd") numbers(value, key, state.qdd);
     if (key == "t") state.t = number(value, key);
-    if (key == "tau") {
-      state.tau.resize(state.qd.size());
-      numbers(value, key, state.tau);
+    for (const auto& [name, array] : {std::pair{"tau", &state.tau}, std::pair{"mu", &state.mu}}) {
+      if (key != name) continue;
+      array->resize(state.qd.size());
+      numbers(value, key, *array);
     }
     for (const ParameterKey& of : kParameterKeys)
       if (key == of.key) parameters(mechanism, of, value, state);

@@ -6,6 +6,7 @@
 #include "differentiation/jacobian.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
+#include "dynamics/choice/second_derivatives.hpp"
 #include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/moving_bodies.hpp"
 #include "dynamics/recursions/outputs.hpp"
@@ -207,6 +208,16 @@ Results build_inverse_dynamics_derivatives(const Ingredients& given) {
   return {{both.begin(), middle}, {middle, both.end()}};
 }
 
+Results build_inverse_dynamics_second_derivatives(const Ingredients& given) {
+  SecondForceDerivatives found = second_force_derivatives(given.kinematics, *given.equations);
+  return {std::move(found.along_speeds_twice), std::move(found.along_speeds_by_speeds),
+          std::move(found.by_speeds_twice), std::move(found.along_speeds_by_rates)};
+}
+
+Results build_inverse_dynamics_parameter_derivatives(const Ingredients& given) {
+  return {value_number(derivatives_by(given.equations->Q, symbols_of(given, ParameterRole::parameter)))};
+}
+
 struct Builder {
   FunctionKind kind;
   bool of_equations;
@@ -269,6 +280,8 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
+    {FunctionKind("inverse_dynamics_second_derivatives"), true, build_inverse_dynamics_second_derivatives},
+    {FunctionKind("inverse_dynamics_parameter_derivatives"), true, build_inverse_dynamics_parameter_derivatives},
     {FunctionKind("state_rates"), false,
      [](const Ingredients& given) -> Results { return {given.kinematics.applied.rates}; }},
     {FunctionKind("input_jacobian"), false, build_input_jacobian},

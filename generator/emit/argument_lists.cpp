@@ -22,6 +22,7 @@ bool is_input(ArgumentKind kind, const OutputFunction& signature) {
     case ArgumentKind::qd:
     case ArgumentKind::qdd:
     case ArgumentKind::tau:
+    case ArgumentKind::mu:
       return std::ranges::find(signature.arguments, kind) != signature.arguments.end();
   }
   throw InternalError("emit: argument of unknown kind");

@@ -43,7 +43,7 @@ std::string timed_function(const OutputFunction& function, const Mechanism& mech
 }  // namespace
 
 std::vector<ArgumentKind> bench_arguments() {
-  return {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd, ArgumentKind::tau};
+  return {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd, ArgumentKind::tau, ArgumentKind::mu};
 }
 
 std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const Program> programs,

@@ -23,6 +23,8 @@ std::string extent_constant(const Extent& extent) {
       return "kNc";
     case Extent::Of::outputs:
       return "kNoutputs";
+    case Extent::Of::parameters:
+      return "kNparameters";
     case Extent::Of::inputs:
       return "kNinputs";
     case Extent::Of::forces:

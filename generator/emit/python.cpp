@@ -34,14 +34,14 @@ bool one_of(std::string_view word, std::span<const std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// Runtime parameters that can be keyword arguments: the others are given in a dict.
-std::vector<std::string_view> keyword_parameters(const Mechanism& mechanism) {
+/// Runtime parameters that can be keyword arguments of a function: the others are given in a dict.
+std::vector<std::string_view> keyword_parameters(const OutputFunction& function, const Mechanism& mechanism) {
   static constexpr std::array<std::string_view, 9> kTaken = {"q",          "qd",       "qdd", "tau",    "t",
                                                              "parameters", "wrenches", "out", "threads"};
   std::vector<std::string_view> names;
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime && !parameter.name.starts_with('_') && !one_of(parameter.name, kTaken) &&
-        !one_of(parameter.name, kPythonKeywords))
+        !one_of(parameter.name, argument_names(function)) && !one_of(parameter.name, kPythonKeywords))
       names.push_back(parameter.name);
   return names;
 }
@@ -92,7 +92,7 @@ std::string signature_of(const OutputFunction& function, const Mechanism& mechan
   if (function.takes_inputs) {
     for (const std::string_view name : {"parameters", "wrenches"})
       items.push_back(optional(name, "Inputs", "None"));
-    for (const std::string_view name : keyword_parameters(mechanism))
+    for (const std::string_view name : keyword_parameters(function, mechanism))
       items.push_back(optional(name, "Optional[ArrayLike]", "None"));
   }
   const bool several = function.results.size() > 1;
@@ -104,7 +104,7 @@ std::string signature_of(const OutputFunction& function, const Mechanism& mechan
 std::string python_function(const WrittenFunction& written, const Mechanism& mechanism) {
   const OutputFunction& function = *written.signature;
   std::vector<std::string> keywords;
-  for (const std::string_view name : keyword_parameters(mechanism))
+  for (const std::string_view name : keyword_parameters(function, mechanism))
     keywords.push_back(fmt::format("\"{0}\": {0}", name));
   const std::string inputs = function.takes_inputs
                                  ? fmt::format("(t, parameters, wrenches, {{{}}})", fmt::join(keywords, ", "))

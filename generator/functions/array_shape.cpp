@@ -24,6 +24,8 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
       return constraint_rows(mechanism).size();
     case Extent::Of::outputs:
       return mechanism.outputs.size();
+    case Extent::Of::parameters:
+      return placed_parameters(mechanism, ParameterRole::parameter).size();
     case Extent::Of::inputs:
       return placed_parameters(mechanism, ParameterRole::input).size();
     case Extent::Of::forces:
@@ -77,6 +79,7 @@ std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
     case ArgumentKind::qd:
     case ArgumentKind::qdd:
     case ArgumentKind::tau:
+    case ArgumentKind::mu:
       return static_cast<std::size_t>(mechanism.nv);
     case ArgumentKind::time:
       return 1;

@@ -40,6 +40,7 @@ struct Extent {
     speeds,
     constraint_rows,
     outputs,
+    parameters,
     inputs,
     states,
     forces
@@ -53,7 +54,7 @@ struct Extent {
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
-                        kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
+                        kPerParameter = Extent::Of::parameters, kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
                         kPerForce = Extent::Of::forces;
 
 /// What a result has one block of rows and columns for.
@@ -85,7 +86,7 @@ struct OutputFunction {
   std::string_view name;
   Topic topic;
   bool by_default;  ///< `generate` writes it unless told otherwise
-  Few<ArgumentKind, 3> arguments;
+  Few<ArgumentKind, 4> arguments;
   bool takes_inputs;
   std::string_view summary;  ///< one sentence
   std::string_view formula;  ///< empty: there is none
@@ -270,6 +271,24 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        kPerSpeed, kPerSpeed},
       {"tau_qd", "column k is the derivative by speed k", kPerSpeed, kPerSpeed}},
      "By the rates qdd they are M(q). Those of forward dynamics at the same state are -M^-1 tau_q and -M^-1 tau_qd.", ""},
+    {"inverse_dynamics_second_derivatives", Topic::derivatives, false,
+     {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd, ArgumentKind::mu}, true,
+     "Second partial derivatives of inverse dynamics, summed with the weights mu: what an optimiser's Hessian needs of the dynamics.",
+     "f = mu . tau(q, qd, qdd); tau_qq[j][k] = change of (change of f as q changes by N(q) e_j) as q changes by N(q) e_k, "
+     "tau_qqd[j][k] = change of df/dqd[k] as q changes by N(q) e_j, tau_qdqd = d^2 f/dqd^2, tau_qqdd[j][k] = change of df/dqdd[k] "
+     "as q changes by N(q) e_j",
+     {{"tau_qq", "twice by the coordinates: symmetric, but for turns of one quaternion, whose order counts", kPerSpeed, kPerSpeed},
+      {"tau_qqd", "a row for each coordinate, a column for each speed", kPerSpeed, kPerSpeed},
+      {"tau_qdqd", "twice by the speeds: symmetric", kPerSpeed, kPerSpeed, Per::mechanism, Blocks::in_array, true},
+      {"tau_qqdd", "a row for each coordinate, a column for each rate", kPerSpeed, kPerSpeed}},
+     "By the speeds and the rates, and twice by the rates, they are zero. Where a force has a kink, they are those of the branch "
+     "that is taken.", ""},
+    {"inverse_dynamics_parameter_derivatives", Topic::derivatives, false,
+     {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Partial derivatives of inverse dynamics by the runtime parameters, lengths too.",
+     "tau_p = d tau(q, qd, qdd) / d(parameters)",
+     {{"tau_p", "a column for each of the runtime parameters, in their order", kPerSpeed, kPerParameter}},
+     "Those of forward dynamics are -M^-1 tau_p.", ""},
     {"forward_dynamics_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::tau}, true,
      "Partial derivatives of forward dynamics: along the speeds, that is by the coordinates, by the speeds and by the forces.",
      "qdd_q[.][k] = change of qdd(q, qd, tau) as q changes by N(q) e_k, qdd_qd = d qdd / d qd, qdd_tau = M(q)^-1",

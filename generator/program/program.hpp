@@ -31,6 +31,7 @@ enum class ArgumentKind : std::uint8_t {
   wrench,     ///< 6 per body with external_wrench: force x y z (world, at the centre of mass), torque x y z
               ///< (world)
   tau,        ///< generalized forces, size nv
+  mu,         ///< weights of the generalized forces, size nv
 };
 /// What the argument is called.
 constexpr std::string_view argument_name(ArgumentKind kind) {
@@ -49,6 +50,8 @@ constexpr std::string_view argument_name(ArgumentKind kind) {
       return "wrench";
     case ArgumentKind::tau:
       return "tau";
+    case ArgumentKind::mu:
+      return "mu";
   }
   return "";
 }

@@ -58,6 +58,8 @@ void program_inputs(const Program& program, const EvaluationState& state, std::v
           return state.wrenches.at(slot.index);
         case ArgumentKind::tau:
           return state.tau.empty() ? 0.0 : state.tau.at(slot.index);
+        case ArgumentKind::mu:
+          return state.mu.empty() ? 1.0 : state.mu.at(slot.index);
       }
       return 0;
     };

@@ -14,6 +14,7 @@ struct EvaluationState {
   double t = 0;
   std::vector<double> parameters, wrenches;
   std::vector<double> tau;  ///< generalized forces; empty: none
+  std::vector<double> mu;   ///< weights of generalized forces; empty: 1 each
 };
 
 /// Scales each quaternion among the coordinates to unit length; those that rounding explains are left as they

@@ -175,21 +175,23 @@ Ref Builder::choice(Operation wanted, Ref condition, Ref x) {
 }
 
 bool Builder::may_lack_value(Ref x) const {
-  constexpr int kDepth = 4;
-  const auto lacks = [this](const auto& self, Ref of, int depth) -> bool {
+  // Longer ones are taken to lack one: to take in what has a value changes nothing.
+  int left = 64;
+  const auto lacks = [&](const auto& self, Ref of) -> bool {
     const Node& n = node(of);
-    if (n.constant || depth == 0) return false;
-    const Interval a = n.arity() > 0 ? graph.bounds(n.a) : Interval{0, 0};
-    if (n.op == Operation::div || n.op == Operation::mul) {
-      if (self(self, n.a, depth - 1) || self(self, n.b, depth - 1)) return true;
+    if (n.constant || n.arity() == 0 || is_choice(n.op)) return false;
+    if (--left < 0) return true;
+    if (self(self, n.a) || (n.arity() > 1 && self(self, n.b))) return true;
+    const Interval a = graph.bounds(n.a);
+    if (n.op == Operation::div) {
       const Interval divisor = graph.bounds(n.b);
-      return n.op == Operation::div && !(divisor.lower > 0 || divisor.upper < 0);
+      return !(divisor.lower > 0 || divisor.upper < 0);
     }
     if (n.op == Operation::sqrt) return !(a.lower >= 0);
     if (n.op == Operation::log || n.op == Operation::pow) return !(a.lower > 0);
     return (n.op == Operation::asin || n.op == Operation::acos) && !(a.lower >= -1 && a.upper <= 1);
   };
-  return lacks(lacks, x, kDepth);
+  return lacks(lacks, x);
 }
 
 Ref Builder::exponential(Ref x) {

@@ -72,6 +72,17 @@ TEST(AppliedForces, OfCoordinates) {
   EXPECT_DOUBLE_EQ(rubbed("applied_forces", {{"d(x)", 0.05}})[0], -5 * std::tanh(0.5));
 }
 
+TEST(AppliedForces, WhatIsNotChosenSpoilsNoDerivative) {
+  const Forced forced(slider("x", R"yaml(  - {name: f, on: x, value: "select(x, d(x)*(sqrt(x) + x*d(x)), 0)"}
+  - {name: g, on: x, value: "select(x, (x + d(x))*(sqrt(x) + log(x)*d(x))^2, 0)"}
+)yaml"));
+  for (const double value : forced("inverse_dynamics_derivatives", {{"x", -0.3}, {"d(x)", 0.2}}))
+    EXPECT_EQ(value, 0);
+for (const double value :
+     forced("inverse_dynamics_second_derivatives", {{"x", -0.3}, {"d(x)", 0.2}, {"mu(x)", 1}}))
+  EXPECT_EQ(value, 0);
+}
+
 TEST(AppliedForces, AlongPathsPullTheirEndsTogether) {
   const Forced rubber(slider("x", "  - {name: rubber, between: [wall, tip], tension: 10*length + 7*rate}"));
   // From x = 0: the line is (3, 4), 5 long.

@@ -324,6 +324,46 @@ TEST_P(Laws, DerivativesOfTheForcesAreThoseByComplexSteps) {
   EXPECT_GE(expect_force_derivatives(loaded, kinematics.derivatives, equations.Q, both, kFewStates), 2U);
 }
 
+/// Second derivatives are those of the first ones, summed with the same weights.
+TEST_P(Laws, SecondDerivativesAreThoseOfTheFirstByComplexSteps) {
+  constexpr std::size_t kMost = 7;
+  if (nv > kMost) GTEST_SKIP() << "more than 7 speeds";
+  ExprGraph& graph = *loaded.graph;
+  const std::vector<OutputExpressions> first =
+      function_outputs(kinematics, equations, FunctionKind("inverse_dynamics_derivatives"));
+  const std::vector<OutputExpressions> second =
+      function_outputs(kinematics, equations, FunctionKind("inverse_dynamics_second_derivatives"));
+  ASSERT_EQ(second.size(), 4U);
+  const auto summed = [&](const std::vector<Expr>& rows) {
+    std::vector<Expr> sums(nv, graph.zero());
+    for (std::size_t i = 0; i < nv; ++i)
+      for (std::size_t k = 0; k < nv; ++k)
+        sums[k] += mu_symbol(*loaded.mechanism, static_cast<int>(i), graph) * rows[i * nv + k];
+    return sums;
+  };
+  std::vector<Expr> transposed;
+  for (std::size_t k = 0; k < nv; ++k)
+    for (std::size_t l = 0; l < nv; ++l) transposed.push_back(second[1].values[l * nv + k]);
+  constexpr unsigned kFewStates = 2;
+  const auto expect = [&](const std::vector<Expr>& of, const std::vector<Expr>& along,
+                          const std::vector<Expr>& by_speeds) {
+    std::vector<Expr> both = along;
+    both.insert(both.end(), by_speeds.begin(), by_speeds.end());
+    EXPECT_GE(expect_force_derivatives(loaded, kinematics.derivatives, of, both, kFewStates), 1U);
+  };
+  expect(summed(first[0].values), second[0].values, second[1].values);
+  expect(summed(first[1].values), transposed, second[2].values);
+  expect(
+      summed(equations.M),
+      [&] {
+        std::vector<Expr> columns;
+        for (std::size_t k = 0; k < nv; ++k)
+          for (std::size_t l = 0; l < nv; ++l) columns.push_back(second[3].values[l * nv + k]);
+        return columns;
+      }(),
+      std::vector<Expr>(nv * nv, graph.zero()));
+}
+
 /// Solving for the accelerations by the straight-line factorisation gives back the forces.
 TEST_P(Laws, ForwardDynamicsInvertsInverseDynamics) {
   const std::vector<OutputExpressions> outputs =

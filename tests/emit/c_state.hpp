@@ -34,7 +34,7 @@ inline bool random_functions(const Mechanism& mechanism) {
 /// A random state as arrays of numbers that Real holds exactly.
 template <class Real>
 struct CState {
-  std::vector<Real> q, qd, qdd, tau, parameters, wrenches;
+  std::vector<Real> q, qd, qdd, tau, mu, parameters, wrenches;
   Real t;
 
   CState(const Mechanism& mechanism, std::uint64_t seed) {
@@ -51,7 +51,7 @@ struct CState {
       for (std::size_t i = first; i < q.size() && c.type == alembert::CoordinateType::quaternion; ++i)
         q[i] = static_cast<Real>(static_cast<double>(q[i]) / std::sqrt(square));
     }
-    for (std::vector<Real>* array : {&qd, &qdd, &tau})
+    for (std::vector<Real>* array : {&qd, &qdd, &tau, &mu})
       for (int i = 0; i < mechanism.nv; ++i) array->push_back(near(0, 2));
     for (const alembert::Parameter& p : mechanism.parameters)
       if (p.runtime) parameters.push_back(wide ? near(1.25, 0.75) : near(p.value, 0.1 * std::abs(p.value)));
@@ -69,6 +69,8 @@ struct CState {
         return qdd;
       case ArgumentKind::tau:
         return tau;
+      case ArgumentKind::mu:
+        return mu;
       case ArgumentKind::parameter:
         return parameters;
       case ArgumentKind::wrench:

@@ -52,6 +52,7 @@ std::vector<double> interpreted(const alembert::Program& program, const State<M>
         break;
       case alembert::ArgumentKind::qdd:
       case alembert::ArgumentKind::tau:  // the numbers of the state's qdd
+      case alembert::ArgumentKind::mu:
         inputs.push_back(s.qdd(i));
         break;
       case alembert::ArgumentKind::time:

@@ -45,7 +45,7 @@ static_assert(alembert::has_energy_v<Model> && alembert::has_energy_v<all::Mecha
 static_assert(!alembert::is_mechanism_v<big::Mechanism<>>, "it has no mass_matrix_and_bias");
 
 struct Arguments {
-  std::vector<double> q, qd, qdd, tau;
+  std::vector<double> q, qd, qdd, tau, mu;
   all::Inputs<double> in;
 };
 
@@ -56,7 +56,7 @@ Arguments random_arguments(int nq, int nv, std::uint64_t seed) {
     for (double& x : out) x = random.uniform(-2, 2);
     return out;
   };
-  Arguments a{vector(nq), vector(nv), vector(nv), vector(nv), {}};
+  Arguments a{vector(nq), vector(nv), vector(nv), vector(nv), vector(nv), {}};
   a.in.t = random.uniform(0, 3);
   for (double& x : a.in.parameters) x = random.uniform(0.5, 2);
   for (double& x : a.in.wrenches) x = random.uniform(-5, 5);
@@ -78,6 +78,9 @@ std::vector<double> interpreted(const alembert::Program& program, const Argument
         break;
       case alembert::ArgumentKind::tau:
         inputs.push_back(a.tau[slot.index]);
+        break;
+      case alembert::ArgumentKind::mu:
+        inputs.push_back(a.mu[slot.index]);
         break;
       case alembert::ArgumentKind::time:
         inputs.push_back(a.in.t);
@@ -119,7 +122,8 @@ TEST(Compiled, EqualsTheInterpreterBitForBit) {
   std::size_t finite = 0, values = 0, calls = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Arguments a = random_arguments(all::kNq, all::kNv, seed);
-    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
+    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data(),
+                 *mu = a.mu.data();
     const all::Inputs<double>& in = a.in;
     namespace m = alembert::mechanisms::sample_all;
     const auto visit = [&](const std::string& function, const auto& call) {
@@ -342,7 +346,8 @@ TEST(Compiled, RepeatedBlocksHaveEveryFunctionAndOperation) {
   namespace evil = alembert::mechanisms::sample_evil;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Arguments a = random_arguments(all::kNq, all::kNv, seed);
-    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data();
+    const double *q = a.q.data(), *qd = a.qd.data(), *qdd = a.qdd.data(), *tau = a.tau.data(),
+                 *mu = a.mu.data();
     std::map<std::string, std::vector<double>> plain;
     {
       namespace m = alembert::mechanisms::sample_all;

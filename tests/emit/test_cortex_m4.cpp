@@ -37,8 +37,9 @@ std::string list(const std::vector<std::string>& items) {
 /// states.h: places of arguments and results, and the states' numbers as bits.
 std::string states_header(const std::vector<Program>& programs, const std::vector<CState<float>>& states) {
   std::vector<std::string> arguments, results, counts, rows;
-  const std::vector<ArgumentKind> order{ArgumentKind::q,   ArgumentKind::qd,        ArgumentKind::qdd,
-                                        ArgumentKind::tau, ArgumentKind::parameter, ArgumentKind::wrench};
+  const std::vector<ArgumentKind> order{ArgumentKind::q,     ArgumentKind::qd, ArgumentKind::qdd,
+                                        ArgumentKind::tau,   ArgumentKind::mu, ArgumentKind::parameter,
+                                        ArgumentKind::wrench};
   std::map<ArgumentKind, std::size_t> places;
   std::size_t state_size = 0, largest = 0;
   for (const ArgumentKind kind : order) {

@@ -16,7 +16,7 @@ namespace {
 
 const char* const kTable = ALEMBERT_SOURCE_DIR "/tests/golden/operation_counts.txt";
 const char* const kHeader =
-    "mechanism                function                         mul    add   div  trig other  formulation";
+    "mechanism                function                                   mul    add   div  trig other  formulation";
 
 /// Rows of the table by mechanism.
 std::map<std::string, std::string> read_table() {
@@ -36,7 +36,7 @@ std::string rows_of(const std::string& path) {
   const CompiledMechanism compiled = compile_mechanism(read_source(path), options);
   std::string rows;
   for (const CompiledFunction& f : compiled.functions) {
-    rows += fmt::format("{:<24} {:<28} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,
+    rows += fmt::format("{:<24} {:<38} {:>7} {:>6} {:>5} {:>5} {:>5}  {}\n", compiled.mechanism->name,
                         to_string(f.kind), f.count.mul, f.count.add, f.count.div, f.count.trig, f.count.other,
                         to_string(f.formulation));
   }

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "oracles/taylor/force_derivatives.hpp"
+
 namespace alembert::oracles {
 
 namespace {
@@ -67,6 +69,7 @@ Eigen::MatrixXd matrix_of(const nlohmann::json& rows) {
 
 nlohmann::json json_state(const State& state) {
   nlohmann::json line = {{"q", state.q}, {"qd", state.speeds}, {"qdd", state.rates}, {"t", state.time}};
+  line["mu"] = force_weights(static_cast<int>(state.rates.size()));
   if (!state.wrenches.empty()) line["wrenches"] = state.wrenches;
   if (!state.parameters.empty()) line["parameters"] = state.parameters;
   if (!state.inputs.empty()) line["inputs"] = state.inputs;

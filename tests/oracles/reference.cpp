@@ -121,7 +121,7 @@ Judged judge_array(const std::string& function, const std::string& name, const s
       if (rates != state.exact.end() && rates->second.at(values).size() > 0)
         largest[0] = std::max(largest[0], rates->second.at(values).cwiseAbs().maxCoeff());
     };
-    if (function == "inverse_dynamics_derivatives") floor_by("inverse_dynamics", "tau");
+    if (function.rfind("inverse_dynamics_", 0) == 0) floor_by("inverse_dynamics", "tau");
     if (function == "state_rates_derivatives") floor_by("state_rates", "sdot");
     const std::vector<double> from = made_of(function, name, state);
     for (std::size_t p = 0; p < std::min(from.size(), largest.size()); ++p)

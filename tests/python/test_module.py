@@ -21,7 +21,7 @@ def random_states(m, count, seed=1):
         s["q"][:, first:first + 4] /= np.linalg.norm(s["q"][:, first:first + 4], axis=1, keepdims=True)
     if m.name == "four_bar_knee":
         s["q"][:, 1] = rng.uniform(0.9, 2.0, count)
-    for name in ("qd", "qdd", "tau"):
+    for name in ("qd", "qdd", "tau", "mu"):
         s[name] = rng.normal(size=(count, m.nv))
     s["parameters"] = m.default_parameters * rng.uniform(0.7, 1.4, (count, len(m.parameter_names)))
     s["wrenches"] = rng.normal(size=(count, len(m.wrench_body_names), 6))
@@ -30,7 +30,7 @@ def random_states(m, count, seed=1):
 
 def arguments_of(m, name, states, state=slice(None)):
     signature = inspect.signature(getattr(m, name)).parameters
-    return {k: states[k][state] for k in ("q", "qd", "qdd", "tau", "t", "parameters", "wrenches") if k in signature}
+    return {k: states[k][state] for k in ("q", "qd", "qdd", "tau", "mu", "t", "parameters", "wrenches") if k in signature}
 
 
 def parts(result):
@@ -43,7 +43,7 @@ def test_every_function_equals_evaluate_and_many_states_equal_one_by_one(load, n
     states = random_states(m, 7)
     lines = []
     for i in range(7):
-        line = {k: states[k][i].tolist() for k in ("q", "qd", "qdd", "tau", "t")}
+        line = {k: states[k][i].tolist() for k in ("q", "qd", "qdd", "tau", "mu", "t")}
         line["parameters"] = dict(zip(m.parameter_names, states["parameters"][i].tolist()))
         line["wrenches"] = {b: w.tolist() for b, w in zip(m.wrench_body_names, states["wrenches"][i])}
         lines.append(json.dumps({k: v for k, v in line.items() if v != {}}))

@@ -65,6 +65,7 @@ std::vector<double> state_in_range(const Kinematics& kinematics, unsigned k) {
     const double r = uniform(random);
     set(graph.symbol(parameter.name), parameter.value == 0 ? 0.1 * r : parameter.value * (1 + 0.3 * r));
   }
+  for (int i = 0; i < mechanism.nv; ++i) set(mu_symbol(mechanism, i, graph), uniform(random));
   return values;
 }
 

@@ -8,16 +8,29 @@
 
 namespace alembert {
 
-Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
+namespace {
+
+/// `tau(coordinate)`
+Expr symbol_of_speed(const char* what, const Mechanism& mechanism, int speed, ExprGraph& graph) {
   for (const Coordinate& coordinate : mechanism.coordinates) {
     const int k = speed - coordinate.first_speed;
     if (k < 0 || k >= coordinate.nv()) continue;
-    std::string name = "tau(" + coordinate.name + ")";
+    std::string name = std::string(what) + "(" + coordinate.name + ")";
     if (coordinate.type == CoordinateType::quaternion)
       name += std::array{".x", ".y", ".z"}[static_cast<std::size_t>(k)];
     return graph.symbol(name);
   }
   throw InternalError("there is no speed of that index");
+}
+
+}  // namespace
+
+Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
+  return symbol_of_speed("tau", mechanism, speed, graph);
+}
+
+Expr mu_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph) {
+  return symbol_of_speed("mu", mechanism, speed, graph);
 }
 
 std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph& graph) {
@@ -65,6 +78,8 @@ std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph
     for (const Expr symbol : force.entries) bind(symbol, ArgumentKind::wrench, wrench++);
     for (const Expr symbol : moment.entries) bind(symbol, ArgumentKind::wrench, wrench++);
   }
+  for (std::size_t k = 0; k < speed; ++k)
+    bind(mu_symbol(mechanism, static_cast<int>(k), graph), ArgumentKind::mu, k);
   return bindings;
 }
 

@@ -19,6 +19,8 @@ std::vector<WrenchSymbols> wrench_symbols(const Mechanism& mechanism, ExprGraph&
 
 /// The generalized force of a speed, `tau(coordinate)`; of a quaternion's speeds with .x .y .z.
 Expr tau_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph);
+/// The weight of the generalized force of one speed.
+Expr mu_symbol(const Mechanism& mechanism, int speed, ExprGraph& graph);
 
 /// What the symbols stand for: q, qd, qdd, t, runtime parameters, wrenches, tau.
 std::vector<SymbolBinding> symbol_bindings(const Mechanism& mechanism, ExprGraph& graph);

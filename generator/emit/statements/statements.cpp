@@ -39,6 +39,8 @@ std::string input_local(const InputSlot& slot) {
       return fmt::format("qdd{}", slot.index);
     case ArgumentKind::tau:
       return fmt::format("tau{}", slot.index);
+    case ArgumentKind::mu:
+      return fmt::format("mu{}", slot.index);
     case ArgumentKind::time:
       return "time";
     case ArgumentKind::parameter:
@@ -59,6 +61,8 @@ std::string input_source(const InputSlot& slot, const Syntax& syntax) {
       return fmt::format("qdd[{}]", slot.index);
     case ArgumentKind::tau:
       return fmt::format("tau[{}]", slot.index);
+    case ArgumentKind::mu:
+      return fmt::format("mu[{}]", slot.index);
     case ArgumentKind::time:
       return syntax.inputs + "t";
     case ArgumentKind::parameter:

@@ -64,10 +64,10 @@ class UnsignedProgram {
 /// Inputs that belong to a coordinate, in the order of the coordinates.
 constexpr bool is_of_coordinate(ArgumentKind kind) {
   return kind == ArgumentKind::q || kind == ArgumentKind::qd || kind == ArgumentKind::qdd ||
-         kind == ArgumentKind::tau;
+         kind == ArgumentKind::tau || kind == ArgumentKind::mu;
 }
 
-/// How far apart the elements of q, and those of qd, qdd and tau, are that correspond to each other: a
+/// How far apart the elements of q, and those of qd, qdd, tau and mu, are that correspond to each other: a
 /// quaternion has four coordinates and three speeds.
 struct Shift {
   std::uint32_t coordinates = 1, speeds = 1;

@@ -327,7 +327,9 @@ double Description::parameter(const std::string& wanted) const {
 }
 
 Description parse_description(const std::string& yaml, const std::map<std::string, double>& values) {
-  return Reader(YAML::Load(yaml), values).read();
+  Description description = Reader(YAML::Load(yaml), values).read();
+  description.text = yaml;
+  return description;
 }
 
 Description read_description(const std::string& path, const std::map<std::string, double>& values) {

@@ -93,7 +93,7 @@ struct Constraint {
 };
 
 struct Description {
-  std::string name;
+  std::string name, text;  ///< what it is called, what it was read from
   std::array<double, 3> gravity{0, 0, -9.81};
   std::vector<std::pair<std::string, double>> parameters;
   std::map<std::string, double> runtime_parameters;  ///< those of them that stay arguments

@@ -119,8 +119,8 @@ class ContactText {
       velocity = difference(velocity, at(other, other_arm));
     }
     const std::string speed = dot(normal, velocity);
-    const std::string strength = text("stiffness", "0") + "*max(0, " + depth + ")^1.5*max(0, 1 - 1.5*" +
-                                 text("dissipation", "0") + "*" + speed + ")";
+    const std::string strength = text("stiffness", "0") + "*select(" + depth + ", " + depth +
+                                 "^1.5, 0)*max(0, 1 - 1.5*" + text("dissipation", "0") + "*" + speed + ")";
     const Three slip = difference(velocity, times(speed, normal));
     const std::string size = "sqrt(" + dot(slip, slip) + " + " + text("slip_velocity", "1") + "^2)";
     const Three braking = times(text("friction", "0") + "/" + size, slip);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "oracles/taylor/applied_forces.hpp"
+#include "oracles/taylor/force_derivatives.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 #include "oracles/taylor/poses.hpp"
@@ -507,6 +508,12 @@ const Builders<R>& builders() {
                        {"velocity", rows.velocity.template cast<double>()},
                        {"position", rows.position.template cast<double>()}};
        }},
+      {"inverse_dynamics_second_derivatives",
+       [](From x) { return second_derivatives_of_forces<R>(x.description, x.state); }},
+      {"inverse_dynamics_parameter_derivatives",
+       [](From x) {
+         return Arrays{{"tau_p", parameter_derivatives_of_forces<R>(x.description, x.state)}};
+       }},
       {"inverse_dynamics_derivatives",
        [](From x) {
          const auto& [along, by_speeds] = x.force_derivatives();
@@ -537,6 +544,7 @@ std::set<std::string> numeric_function_names(const Description& description) {
          {"state_rates", "state_jacobian", "state_rates_derivatives", "state_input_jacobian"})
       names.erase(name);
   }
+  if (description.runtime_parameters.empty()) names.erase("inverse_dynamics_parameter_derivatives");
   if (description.outputs.empty()) names.erase("outputs");
   if (description.outputs.empty() || description.outputs_of_speeds())
     for (const char* name : {"outputs_jacobian", "outputs_rate", "outputs_bias"}) names.erase(name);

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::bead_on_helix::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::bead_on_helix::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::bead_on_helix::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::bead_on_helix::kParameterCount - ::alembert::mechanisms::bead_on_helix::kInputCount - ::alembert::mechanisms::bead_on_helix::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::bead_on_helix::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::bead_on_helix::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;

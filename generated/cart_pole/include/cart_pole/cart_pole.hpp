@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::cart_pole::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::cart_pole::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::cart_pole::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::cart_pole::kParameterCount - ::alembert::mechanisms::cart_pole::kInputCount - ::alembert::mechanisms::cart_pole::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::cart_pole::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::cart_pole::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;

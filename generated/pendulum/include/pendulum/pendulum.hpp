@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::pendulum::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::pendulum::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::pendulum::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::pendulum::kParameterCount - ::alembert::mechanisms::pendulum::kInputCount - ::alembert::mechanisms::pendulum::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::pendulum::kQuaternionOffsets;

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::puma560::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::puma560::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::puma560::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::puma560::kParameterCount - ::alembert::mechanisms::puma560::kInputCount - ::alembert::mechanisms::puma560::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::puma560::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::puma560::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::puma560::kQuaternionOffsets;

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::rolling_wheels::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::rolling_wheels::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::rolling_wheels::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::rolling_wheels::kParameterCount - ::alembert::mechanisms::rolling_wheels::kInputCount - ::alembert::mechanisms::rolling_wheels::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::rolling_wheels::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::rolling_wheels::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::spherical_pendulum::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::spherical_pendulum::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::spherical_pendulum::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::spherical_pendulum::kParameterCount - ::alembert::mechanisms::spherical_pendulum::kInputCount - ::alembert::mechanisms::spherical_pendulum::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::spherical_pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::spherical_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::spherical_pendulum::kQuaternionOffsets;

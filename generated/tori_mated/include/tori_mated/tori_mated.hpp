@@ -35,6 +35,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::tori_mated::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::tori_mated::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::tori_mated::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::tori_mated::kParameterCount - ::alembert::mechanisms::tori_mated::kInputCount - ::alembert::mechanisms::tori_mated::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::tori_mated::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tori_mated::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;

@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNframes = ::alembert::mechanisms::tree_every_joint::kFrameCount;
   static constexpr int kNoutputs = ::alembert::mechanisms::tree_every_joint::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::tree_every_joint::kForceCount;
+  static constexpr int kNparameters = ::alembert::mechanisms::tree_every_joint::kParameterCount - ::alembert::mechanisms::tree_every_joint::kInputCount - ::alembert::mechanisms::tree_every_joint::kStateCount;
   static constexpr int kNinputs = ::alembert::mechanisms::tree_every_joint::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tree_every_joint::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
