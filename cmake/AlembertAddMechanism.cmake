@@ -2,10 +2,11 @@
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
-#                          [LANGUAGE CXX|C|PYTHON] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
+#                          [LANGUAGE CXX|C|PYTHON|JAVASCRIPT] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
 #                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH. PYTHON: the same as a
 #                                                  shared library, and the module over it beside it, in the folder that the target's
-#                                                  property ALEMBERT_PYTHON_FOLDER names
+#                                                  property ALEMBERT_PYTHON_FOLDER names. JAVASCRIPT: no library, but the ES
+#                                                  module that the target's property ALEMBERT_JAVASCRIPT_MODULE names; no SCALARS
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
 #                                                  inverse_dynamics_derivatives
@@ -125,13 +126,20 @@ function(alembert_add_mechanism)
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE CXX)
   endif()
-  if(NOT arg_LANGUAGE MATCHES "^(C|CXX|PYTHON)$")
-    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX, C or PYTHON, not ${arg_LANGUAGE}")
+  if(NOT arg_LANGUAGE MATCHES "^(C|CXX|PYTHON|JAVASCRIPT)$")
+    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX, C, PYTHON or JAVASCRIPT, not ${arg_LANGUAGE}")
   endif()
   if(NOT arg_LANGUAGE STREQUAL "CXX")
     foreach(argument NAMESPACE PARTS TRIG BATCH BATCH_INSTRUCTIONS)
       if(arg_${argument})
         message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE ${arg_LANGUAGE}")
+      endif()
+    endforeach()
+  endif()
+  if(arg_LANGUAGE STREQUAL "JAVASCRIPT")
+    foreach(argument SCALARS FP_CONTRACT STATIC SHARED OBJECT)
+      if(arg_${argument})
+        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE JAVASCRIPT")
       endif()
     endforeach()
   endif()
@@ -179,8 +187,12 @@ function(alembert_add_mechanism)
       list(APPEND sources "${folder}/src/${name}_states.c")
     endif()
   endif()
+  if(arg_LANGUAGE STREQUAL "JAVASCRIPT")
+    set(headers "")
+    set(sources "${folder}/javascript/${name}.mjs")
+  endif()
   foreach(part RANGE 1 ${arg_PARTS})
-    if(arg_LANGUAGE STREQUAL "C")
+    if(NOT arg_LANGUAGE STREQUAL "CXX")
       break()
     endif()
     list(APPEND headers "${include}/${name}_part${part}.hpp")
@@ -208,6 +220,8 @@ function(alembert_add_mechanism)
     else()
       list(APPEND options --language c)
     endif()
+  elseif(arg_LANGUAGE STREQUAL "JAVASCRIPT")
+    list(APPEND options --language javascript)
   else()
     list(APPEND options --parts ${arg_PARTS})
   endif()
@@ -250,6 +264,11 @@ function(alembert_add_mechanism)
     COMMENT "Generating the equations of motion of ${name}"
     VERBATIM)
 
+  if(arg_LANGUAGE STREQUAL "JAVASCRIPT")
+    add_custom_target(${arg_TARGET} ALL DEPENDS "${stamp}")
+    set_target_properties(${arg_TARGET} PROPERTIES ALEMBERT_JAVASCRIPT_MODULE "${sources}")
+    return()
+  endif()
   add_library(${arg_TARGET} ${type} ${sources} "${stamp}")
   add_library(alembert::mechanisms::${arg_TARGET} ALIAS ${arg_TARGET})
   target_sources(${arg_TARGET} PUBLIC FILE_SET HEADERS BASE_DIRS "${folder}/include" FILES ${headers})

@@ -197,8 +197,8 @@ int run(int argc, char** argv) {
   command
       ->add_option("--language", generate.language,
                    "c++; or c: the C interface with C99 behind it, for one scalar type (default: double); or "
-                   "python: the same and a module over it")
-      ->check(CLI::IsMember({"c++", "c", "python"}))
+                   "python: the same and a module over it; or javascript: an ES module")
+      ->check(CLI::IsMember({"c++", "c", "python", "javascript"}))
       ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command

@@ -76,7 +76,9 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
   if (options.language != "c++") {
-    emit.language = options.language == "c" ? Language::c : Language::python;
+    emit.language = options.language == "c"        ? Language::c
+                    : options.language == "python" ? Language::python
+                                                   : Language::javascript;
     emit.scalars = {"double"};
   }
   if (!options.scalars.empty()) emit.scalars = options.scalars;

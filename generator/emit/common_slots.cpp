@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -262,6 +263,46 @@ std::string index_aliases(const Mechanism& mechanism, const std::string& full_na
   return out;
 }
 
+struct ScriptWords {
+  std::string_view yes, no;
+  std::string infinity;
+};
+
+/// Of languages with lists: `tuple` writes those of names and places, those of numbers stand in brackets.
+Slots scripted_slots(const Mechanism& mechanism,
+                     const std::function<std::string(const std::vector<std::string>&)>& tuple,
+                     std::string (*quote)(std::string_view), const ScriptWords& words) {
+  const Names names = names_of(mechanism);
+  const auto quoted = [&](const std::vector<std::string>& items) {
+    std::vector<std::string> out;
+    for (const std::string& item : items) out.push_back(quote(item));
+    return tuple(out);
+  };
+  const auto list = [](const std::vector<std::string>& items) { return fmt::format("[{}]", wrapped(items)); };
+  return {
+      {"coordinate_names", quoted(names.coordinates)},
+      {"speed_names", quoted(names.speeds)},
+      {"body_names", quoted(names.bodies)},
+      {"frame_names", quoted(names.frames)},
+      {"output_names", quoted(names.outputs)},
+      {"force_names", quoted(names.forces)},
+      {"parameter_names", quoted(names.parameters)},
+      {"input_names", quoted(names_of(mechanism, ParameterRole::input))},
+      {"state_names", quoted(names_of(mechanism, ParameterRole::state))},
+      {"wrench_names", quoted(names.wrench_bodies)},
+      {"constraint_names", quoted(names.constraints)},
+      {"holonomic", tuple(holonomic(mechanism, words.yes, words.no))},
+      {"quaternion_offsets", tuple(quaternion_offsets(mechanism))},
+      {"initial", list(initial_coordinates(mechanism, "double"))},
+      {"initial_speeds", list(initial_speeds(mechanism, "double"))},
+      {"lower_limits", list(limits(mechanism, true, words.infinity))},
+      {"upper_limits", list(limits(mechanism, false, words.infinity))},
+      {"effort_limits", list(drive_limits(mechanism, &Coordinate::effort_limit, words.infinity))},
+      {"speed_limits", list(drive_limits(mechanism, &Coordinate::speed_limit, words.infinity))},
+      {"parameter_defaults", list(parameter_defaults(mechanism, "{}", "double"))},
+  };
+}
+
 }  // namespace
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
@@ -335,33 +376,17 @@ Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, cons
 }
 
 Slots python_constant_slots(const Mechanism& mechanism) {
-  const Names names = names_of(mechanism);
   const auto tuple = [](const std::vector<std::string>& items) {
     return fmt::format("({}{})", wrapped(items), items.size() == 1 ? "," : "");
   };
-  const auto list = [](const std::vector<std::string>& items) { return fmt::format("[{}]", wrapped(items)); };
-  return {
-      {"coordinate_names", tuple(literals(names.coordinates))},
-      {"speed_names", tuple(literals(names.speeds))},
-      {"body_names", tuple(literals(names.bodies))},
-      {"frame_names", tuple(literals(names.frames))},
-      {"output_names", tuple(literals(names.outputs))},
-      {"force_names", tuple(literals(names.forces))},
-      {"parameter_names", tuple(literals(names.parameters))},
-      {"input_names", tuple(literals(names_of(mechanism, ParameterRole::input)))},
-      {"state_names", tuple(literals(names_of(mechanism, ParameterRole::state)))},
-      {"wrench_names", tuple(literals(names.wrench_bodies))},
-      {"constraint_names", tuple(literals(names.constraints))},
-      {"holonomic", tuple(holonomic(mechanism, "True", "False"))},
-      {"quaternion_offsets", tuple(quaternion_offsets(mechanism))},
-      {"initial", list(initial_coordinates(mechanism, "double"))},
-      {"initial_speeds", list(initial_speeds(mechanism, "double"))},
-      {"lower_limits", list(limits(mechanism, true, "numpy.inf"))},
-      {"upper_limits", list(limits(mechanism, false, "numpy.inf"))},
-      {"effort_limits", list(drive_limits(mechanism, &Coordinate::effort_limit, "numpy.inf"))},
-      {"speed_limits", list(drive_limits(mechanism, &Coordinate::speed_limit, "numpy.inf"))},
-      {"parameter_defaults", list(parameter_defaults(mechanism, "{}", "double"))},
+  return scripted_slots(mechanism, tuple, string_literal, {"True", "False", "numpy.inf"});
+}
+
+Slots javascript_constant_slots(const Mechanism& mechanism) {
+  const auto array = [](const std::vector<std::string>& items) {
+    return fmt::format("[{}]", wrapped(items));
   };
+  return scripted_slots(mechanism, array, javascript_string, {"true", "false", "Infinity"});
 }
 
 }  // namespace alembert

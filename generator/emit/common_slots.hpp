@@ -1,4 +1,4 @@
-// Names and constants of a mechanism as text of C++ and C: what both interfaces show of it besides functions.
+// Names and constants of a mechanism as text of C++, C, Python and JavaScript: what interfaces show of it besides functions.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
 Slots cpp_constant_slots(const Mechanism& mechanism);
 Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null);
 
-/// Tuples and lists of Python.
+/// Tuples and lists of Python; arrays of JavaScript.
 Slots python_constant_slots(const Mechanism& mechanism);
+Slots javascript_constant_slots(const Mechanism& mechanism);
 
 }  // namespace alembert

@@ -14,6 +14,7 @@
 #include "emit/common_slots.hpp"
 #include "emit/eigen_members.hpp"
 #include "emit/function_docs.hpp"
+#include "emit/javascript.hpp"
 #include "emit/python.hpp"
 #include "emit/statements/batch.hpp"
 #include "emit/statements/literals.hpp"
@@ -28,6 +29,9 @@
 
 namespace alembert {
 namespace {
+
+// The compilers of browsers leave functions that are longer unoptimised.
+constexpr BlockSizes kJavaScriptBlocks{.longest = 800, .size = 500};
 
 // With the number of parts left open: statements in one file, which a compiler takes a few seconds for.
 constexpr std::size_t kStatementsPerPart = 6000;
@@ -98,22 +102,25 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
     if (std::ranges::count(options.scalars, scalar) > 1)
       fail(fmt::format("the scalar type {} is given twice", scalar));
   }
-  const bool over_c = options.language != Language::cpp;
+  const bool over_c = options.language == Language::c || options.language == Language::python;
   if (over_c && options.scalars.size() > 1)
     fail(fmt::format("{} is written for one scalar type: expected double or float",
                      options.language == Language::c ? "C" : "Python"));
-  if (over_c && !options.batch.empty()) fail("functions over many states are written in C++ only");
+  if (options.language == Language::javascript && options.scalars != std::vector<std::string>{"double"})
+    fail("JavaScript has one scalar type: double");
+  if (options.language != Language::cpp && !options.batch.empty())
+    fail("functions over many states are written in C++ only");
   if (options.parts < 0 || options.parts > kMaxParts)
     fail(fmt::format("the number of parts must be 1 to {}", kMaxParts));
 }
 
 std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<const Program> programs,
-                                          const Syntax& syntax) {
+                                          const Syntax& syntax, const BlockSizes& sizes = {}) {
   std::vector<WrittenFunction> functions;
   const auto add = [&](const Program& program, const OutputFunction& signature) {
     check_program(program, signature, mechanism);
     functions.push_back({&signature, counts_text(program, syntax.number == "float"),
-                         function_body(order_for_registers(program, States::one), signature, {},
+                         function_body(order_for_registers(program, States::one), signature, sizes,
                                        Registers::compiled, syntax)});
   };
   for (const Program& program : programs) {
@@ -323,6 +330,16 @@ std::vector<EmittedFile> c_files(const Mechanism& mechanism, std::span<const Pro
   return files;
 }
 
+std::vector<EmittedFile> javascript_files(const Mechanism& mechanism, std::span<const Program> programs) {
+  Slots common = common_slots(mechanism, "");
+  common["banner"] = banner_of(mechanism);
+  common["version"] = generator_version();
+  return {
+      {fmt::format("javascript/{}.mjs", mechanism.name),
+       javascript_module(mechanism, functions_of(mechanism, programs, javascript_syntax(), kJavaScriptBlocks),
+                         common)}};
+}
+
 }  // namespace
 
 std::string_view generator_version() {
@@ -342,6 +359,7 @@ std::vector<std::string> emitted_paths(const std::string& name, int parts) {
 std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
                                         const EmitOptions& options) {
   check_options(mechanism, options);
+  if (options.language == Language::javascript) return javascript_files(mechanism, programs);
   if (options.language != Language::cpp) return c_files(mechanism, programs, options);
   const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());
   Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);

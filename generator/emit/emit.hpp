@@ -16,7 +16,7 @@ struct EmittedFile {
   std::string text;
 };
 
-enum class Language { cpp, c, python };
+enum class Language { cpp, c, python, javascript };
 
 struct EmitOptions {
   Language language = Language::cpp;
@@ -63,6 +63,10 @@ std::string_view generator_version();
 ///     src/name_states.c             functions of C over many states
 ///     python/name.py                the module over a library of both
 ///     python/name.pyi               its types
+///
+/// and with Language::javascript, for double,
+///
+///     javascript/name.mjs           an ES module
 ///
 /// The same input gives the same bytes. Long functions (BlockSizes in statement_layout.hpp) are cut into
 /// blocks; loops are blocks of their own. If all coordinates are real and no program gives coordinate_rates,

@@ -1,6 +1,6 @@
 // C99 of every mechanism of the catalogue and of samples, compiled with each C compiler at hand and all
 // warnings, against the interpreter: the same bits for double, and for float as many units in the last place
-// as double may differ by elsewhere.
+// as double may differ by elsewhere. JavaScript of the same by node, to 1e-12.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "catalogue.hpp"
 #include "emit/c_library.hpp"
 #include "emit/c_state.hpp"
+#include "emit/javascript_check.hpp"
 #include "emit/sample.hpp"
 #include "mechanism/names.hpp"
 #include "pipeline.hpp"
@@ -78,6 +79,7 @@ void check_file(const std::string& path, const alembert::CompileOptions& options
   const alembert::CompiledMechanism compiled = all_functions(path, options);
   check<double>(*compiled.mechanism, programs_of(compiled));
   check<float>(*compiled.mechanism, programs_of(compiled));
+  check_javascript(*compiled.mechanism, programs_of(compiled));
 }
 
 TEST(C99, EveryOperation) {
@@ -171,6 +173,38 @@ TEST(C99, OneScalarAndNoBatches) {
   EXPECT_THAT(files[0].text, HasSubstr("relative error 2e-16 in double where it was measured"));
   options.batch = {"bias"};
   EXPECT_THAT(error_of(options), HasSubstr("functions over many states are written in C++ only"));
+}
+
+TEST(JavaScript, EveryOperation) {
+  const alembert::CompiledMechanism compiled =
+      all_functions(ALEMBERT_SOURCE_DIR "/tests/emit/batch_sample.yaml");
+  check_javascript(*compiled.mechanism, programs_of(compiled));
+}
+TEST(JavaScript, NamesAreTextOnly) {
+  for (const Sample& s : {every_function(), evil()})
+    check_javascript(s.mechanism, s.programs, {"mass_matrix", "energy"});
+}
+TEST(JavaScript, StepsInLoops) {
+  const Sample s = stepping();
+  check_javascript(s.mechanism, s.programs);
+}
+TEST(JavaScript, IsForDoubleAlone) {
+  const Sample s = every_function();
+  EmitOptions options;
+  options.language = Language::javascript;
+  const auto error_of = [&]() -> std::string {
+    try {
+      alembert::emit_mechanism(s.mechanism, s.programs, options);
+    } catch (const alembert::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  options.scalars = {"float"};
+  EXPECT_THAT(error_of(), HasSubstr("JavaScript has one scalar type: double"));
+  options.scalars = {"double"};
+  options.batch = {"bias"};
+  EXPECT_THAT(error_of(), HasSubstr("functions over many states are written in C++ only"));
 }
 
 class C99Catalogue : public testing::TestWithParam<std::string> {};

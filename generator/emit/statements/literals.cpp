@@ -98,6 +98,18 @@ std::string string_literal(std::string_view text) {
   return out + '"';
 }
 
+std::string javascript_string(std::string_view text) {
+  std::string out = "\"";
+  for (const char character : text) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x20 || byte >= 0x7F || character == '"' || character == '\\' || character == '<')
+      out += fmt::format("\\x{:02x}", static_cast<unsigned>(byte));
+    else
+      out += character;
+  }
+  return out + '"';
+}
+
 std::string name_list(std::span<const std::string> names, std::size_t limit) {
   std::string out;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -20,6 +20,10 @@ std::string comment_text(std::string_view text);
 /// A string literal of C and C++, quotes included, whose value is `text`.
 std::string string_literal(std::string_view text);
 
+/// A string literal of JavaScript, quotes included, which cannot end an element of HTML. Bytes beyond ASCII
+/// stand for themselves.
+std::string javascript_string(std::string_view text);
+
 /// `a, b, c`, for comments; past `limit` names the rest is counted.
 std::string name_list(std::span<const std::string> names, std::size_t limit = 12);
 

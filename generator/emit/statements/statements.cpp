@@ -110,7 +110,8 @@ class Writer {
     layout_.loops() ? write_late(last) : write_leaves(last);
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
-    if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_)
+    if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_ &&
+        syntax_.dialect != Dialect::javascript)
       states_[0].lines.insert(0, fmt::format("{} w[{}];\n", syntax_.number, layout_.crossing()));
     for (std::size_t b = 0; b < body_.blocks.size(); ++b) finish(b);
     body_.crossing = plan_ ? plan_->crossing() : layout_.crossing();
@@ -139,7 +140,7 @@ class Writer {
 
   void define(std::uint32_t block, std::string_view name, std::string_view value,
               std::string_view comment = "") {
-    line(block, fmt::format("const {} {} = {};{}", syntax_.number, name, value, comment));
+    line(block, syntax_.definition(name, value) + std::string(comment));
   }
   /// The same of what the calls for sines and cosines may take from elsewhere.
   void define_angle(std::uint32_t block, std::string_view name, std::string_view value,
@@ -254,7 +255,7 @@ class Writer {
       for (const std::size_t k : found) stored[k] = true;
       const std::uint32_t step = results[found[1]].second - first;
       const std::string next = step == 1 ? "++i" : fmt::format("i += {}", step);
-      line(block, fmt::format("for (int i = {}; i <= {}; {}) {}[i] = {};", first,
+      line(block, fmt::format("for ({} i = {}; i <= {}; {}) {}[i] = {};", syntax_.counter(), first,
                               results[found.back()].second, next, signature_.results[array].name, value));
     }
   }
@@ -276,19 +277,17 @@ class Writer {
       std::string numbers;
       for (const double c : body.constants) numbers += syntax_.table_constant(c) + ", ";
       numbers.resize(numbers.size() - 2);
-      line(block, fmt::format("{} {} table[] = {{\n    {}}};", syntax_.table, syntax_.table_number,
-                              wrap_list(numbers, 4, 4)));
+      line(block, syntax_.table_definition(wrap_list(numbers, 4, 4)));
     }
     // What an iteration hands to the next, by value and element.
     std::map<std::pair<std::uint32_t, std::int64_t>, std::string> carried;
     for (const auto& pair : body.operands)
       for (const LoopOperand& o : pair)
         if (o.kind == LoopOperand::Kind::carried)
-          carried.try_emplace({o.index, o.element.first}, read_carried(block, o, ""));
-    line(block, fmt::format("for (int k = 0; k < {}; ++k) {{", loop.count));
+          carried.try_emplace({o.index, o.element.first}, read_carried(block, o, true));
+    line(block, fmt::format("for ({} k = 0; k < {}; ++k) {{", syntax_.counter(), loop.count));
     indent_ = "  ";
-    if (body.columns > 0)
-      line(block, fmt::format("const {}* const row = table + {} * k;", syntax_.table_number, body.columns));
+    if (body.columns > 0) line(block, syntax_.table_row(body.columns));
     for (std::uint32_t v = loop.first; v < loop.first + loop.length; ++v) write_value(v);
     for (const auto& [from, name] : carried)
       line(block, fmt::format("{} = t{};", name, layout_.number(loop.first + from.first)));
@@ -329,25 +328,25 @@ class Writer {
       case LoopOperand::Kind::memory:
         return read_once(block, fmt::format("w[{}]", index_text(o.element)));
       case LoopOperand::Kind::carried:
-        return read_carried(block, o, "const ");
+        return read_carried(block, o, false);
     }
     throw InternalError("emit: operand of unknown kind");
   }
 
   /// The name of an element that a loop reads.
   std::string read_once(std::uint32_t block, const std::string& element) {
-    return named_element(block, element, element, "const ");
+    return named_element(block, element, element, false);
   }
   /// The name of what iterations hand over, which begins as an element of w.
-  std::string read_carried(std::uint32_t block, const LoopOperand& o, std::string_view qualifier) {
+  std::string read_carried(std::uint32_t block, const LoopOperand& o, bool varies) {
     return named_element(block, fmt::format("{} {}", o.index, o.element.first),
-                         fmt::format("w[{}]", o.element.first), qualifier);
+                         fmt::format("w[{}]", o.element.first), varies);
   }
   std::string named_element(std::uint32_t block, const std::string& key, const std::string& element,
-                            std::string_view qualifier) {
+                            bool varies) {
     auto& names = states_[block].elements;
     const auto [entry, fresh] = names.try_emplace(key, fmt::format("x{}", names.size()));
-    if (fresh) line(block, fmt::format("{}{} {} = {};", qualifier, syntax_.number, entry->second, element));
+    if (fresh) line(block, syntax_.definition(entry->second, element, varies));
     return entry->second;
   }
 
@@ -366,7 +365,14 @@ class Writer {
     const std::size_t rows = products.right.size() / products.terms;
     for (std::size_t i = 0; i < products.runs.size(); ++i) {
       const DotProducts::Run& run = products.runs[i];
-      if (!syntax_.templates) {
+      if (syntax_.dialect == Dialect::javascript) {
+        line(block,
+             fmt::format("{}({}, {}, {}, {}, {}, {}, {}, {}, {}, {});", syntax_.function("dot_products"),
+                         products.terms, tables.left + products.terms * run.left, tables.right + run.right,
+                         rows, run.count, result, run.first, run.stride, run.mirror, run.step));
+        continue;
+      }
+      if (syntax_.dialect == Dialect::c) {
         line(block, fmt::format("{}({}, w + {}, w + {}, {}, {}, {} + {}, {}, {} + {}, {});",
                                 syntax_.function("dot_products"), products.terms,
                                 tables.left + products.terms * run.left, tables.right + run.right, rows,
@@ -435,16 +441,23 @@ class Writer {
                      first->kind == ArgumentKind::q && slot->index == first->index + i;
     }
     std::string source = "angle";
-    if (consecutive) {
+    // JavaScript reads coordinates by name anyway.
+    if (consecutive && syntax_.dialect != Dialect::javascript) {
       source = first->index == 0 ? "q" : fmt::format("q + {}", first->index);
     } else {
       for (const std::uint32_t angle : angles)
         list += (list.empty() ? "" : ", ") + operand(angle, block, Binding::sum);
-      line(block, fmt::format("const {} angle[] = {{{}}};", syntax_.number, list));
+      line(block, syntax_.array("angle", list));
     }
     const std::size_t sines = layout_.trig_place();
     const std::string name = syntax_.function("sines_and_cosines");
-    if (sines != kNoPlace) {
+    if (syntax_.dialect == Dialect::javascript && sines == kNoPlace) {
+      line(block, "const sine = angle.map(Math.sin), cosine = angle.map(Math.cos);");
+      return;
+    }
+    if (syntax_.dialect == Dialect::javascript) {
+      line(block, fmt::format("{}(angle, {});", name, sines));
+    } else if (sines != kNoPlace) {
       line(block, fmt::format("{}({}, {}, w + {}, w + {});", name, angles.size(), source, sines,
                               sines + angles.size()));
     } else {
@@ -545,7 +558,7 @@ class Writer {
     CodeBlock& block = body_.blocks[b];
     for (const std::string& name : state.calls) {
       if (is_helper(name)) block.helpers.insert(name);
-      if (syntax_.templates)
+      if (syntax_.dialect == Dialect::cpp)
         block.using_lines += fmt::format("using {}::{};\n", is_helper(name) ? "detail" : "::std", name);
     }
     block.statement_lines += state.lines;

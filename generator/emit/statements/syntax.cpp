@@ -25,7 +25,7 @@ std::string c_literal(double value, std::string_view number) {
 }
 
 std::string Syntax::constant(double value) const {
-  if (templates) return fmt::format("{}({})", number, number_literal(value));
+  if (dialect == Dialect::cpp) return fmt::format("{}({})", number, number_literal(value));
   const std::string literal = c_literal(value, number);
   return literal.starts_with('-') ? "(" + literal + ")" : literal;
 }
@@ -35,13 +35,40 @@ std::string Syntax::table_constant(double value) const {
 }
 
 std::string Syntax::row_entry(std::uint32_t index) const {
+  if (dialect == Dialect::javascript) return fmt::format("table[row + {}]", index);
   const std::string entry = fmt::format("row[{}]", index);
-  return templates ? fmt::format("{}({})", number, entry) : entry;
+  return dialect == Dialect::cpp ? fmt::format("{}({})", number, entry) : entry;
+}
+
+std::string Syntax::definition(std::string_view name, std::string_view value, bool varies) const {
+  if (dialect == Dialect::javascript)
+    return fmt::format("{} {} = {};", varies ? "let" : "const", name, value);
+  return fmt::format("{}{} {} = {};", varies ? "" : "const ", number, name, value);
+}
+
+std::string Syntax::array(std::string_view name, std::string_view items) const {
+  if (dialect == Dialect::javascript) return fmt::format("const {} = [{}];", name, items);
+  return fmt::format("const {} {}[] = {{{}}};", number, name, items);
+}
+
+std::string Syntax::table_definition(std::string_view items) const {
+  if (dialect == Dialect::javascript) return fmt::format("{} table = [\n    {}];", table, items);
+  return fmt::format("{} {} table[] = {{\n    {}}};", table, table_number, items);
+}
+
+std::string_view Syntax::counter() const {
+  return dialect == Dialect::javascript ? "let" : "int";
+}
+
+std::string Syntax::table_row(std::uint32_t columns) const {
+  if (dialect == Dialect::javascript) return fmt::format("const row = {} * k;", columns);
+  return fmt::format("const {}* const row = table + {} * k;", table_number, columns);
 }
 
 std::string Syntax::function(std::string_view name) const {
   if (is_helper(name)) return helpers + std::string(name);
-  if (templates) return std::string(name);
+  if (dialect == Dialect::cpp) return std::string(name);
+  if (dialect == Dialect::javascript) return fmt::format("Math.{}", name);
   // Of <math.h>.
   const std::string base = name == "abs" ? "fabs" : std::string(name);
   return number == "float" ? base + "f" : base;
@@ -53,7 +80,7 @@ Syntax cpp_syntax() {
           .helpers = "",
           .table = "static constexpr",
           .table_number = "double",
-          .templates = true};
+          .dialect = Dialect::cpp};
 }
 
 Syntax c_syntax(const std::string& number, const std::string& prefix) {
@@ -62,7 +89,16 @@ Syntax c_syntax(const std::string& number, const std::string& prefix) {
           .helpers = prefix,
           .table = "static const",
           .table_number = number,
-          .templates = false};
+          .dialect = Dialect::c};
+}
+
+Syntax javascript_syntax() {
+  return {.number = "",
+          .inputs = "given.",
+          .helpers = "",
+          .table = "const",
+          .table_number = "",
+          .dialect = Dialect::javascript};
 }
 
 }  // namespace alembert

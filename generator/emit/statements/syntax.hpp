@@ -10,14 +10,28 @@
 
 namespace alembert {
 
+enum class Dialect : std::uint8_t { cpp, c, javascript };
+
 struct Syntax {
-  std::string number;        ///< type of numbers: S, double, float
+  std::string number;        ///< type of numbers: S, double, float; in JavaScript none
   std::string inputs;        ///< before `t`, `parameters` and `wrenches`
   std::string helpers;       ///< before the names of kHelpers
-  std::string table;         ///< what a table of constants is declared as, but for its type
+  std::string table;         ///< what a table of constants is declared as, its type apart
   std::string table_number;  ///< and its type
-  bool templates;            ///< functions are brought in by `using` and take sizes as template arguments
+  /// cpp: functions are brought in by `using` and take sizes as template arguments. javascript: w belongs to the
+  /// module, and there are no pointers into arrays.
+  Dialect dialect;
 
+  /// `const S x = value;`, or of a variable `S x = value;`
+  std::string definition(std::string_view name, std::string_view value, bool varies = false) const;
+  /// `const S x[] = {items};`
+  std::string array(std::string_view name, std::string_view items) const;
+  /// `static constexpr double table[] = {` and the items, below.
+  std::string table_definition(std::string_view items) const;
+  /// What counts a loop: int.
+  std::string_view counter() const;
+  /// `const S* const row = table + columns * k;`
+  std::string table_row(std::uint32_t columns) const;
   /// A constant in an expression or a table; an entry of a table's row.
   std::string constant(double value) const;
   std::string table_constant(double value) const;
@@ -32,8 +46,11 @@ Syntax cpp_syntax();
 /// C99, for double or float; names of helpers begin with `prefix`.
 Syntax c_syntax(const std::string& number, const std::string& prefix);
 
+/// JavaScript; inputs are members of `given`.
+Syntax javascript_syntax();
+
 /// The functions that generated code brings along, in the order in which it does: NAME stands in the templates
-/// NAME.hpp and c99_NAME.c.
+/// NAME.hpp, c99_NAME.c and javascript_NAME.mjs.
 inline constexpr std::string_view kHelpers[] = {"sign", "if_positive", "unless_positive", "sines_and_cosines",
                                                 "dot_products"};
 /// Whether it is one of them.
