@@ -93,7 +93,7 @@ std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const
             {"table", table},
             {"instructions", instructions}})}};
   for (const char* header :
-       {"batch", "floating_point", "pack", "sines_and_cosines", "sines_and_cosines_lanes"})
+       {"batch", "floating_point", "pack", "pack_window", "sines_and_cosines", "sines_and_cosines_lanes"})
     files.push_back({fmt::format("include/alembert/{}.hpp", header),
                      std::string(template_text(fmt::format("alembert/{}.hpp", header)))});
   return files;

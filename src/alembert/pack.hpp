@@ -1,8 +1,7 @@
 // Several doubles as one scalar, for generated functions over many states. In, as a macro before this file is
 // included: ALEMBERT_PACK_NAMESPACE, a namespace of its own for each file that is compiled for its own set of
 // instructions, so that no inline function compiled for one machine is linked into code for another. Out: in
-// alembert::ALEMBERT_PACK_NAMESPACE the type Pack with arithmetic and functions, its loads and stores, and a
-// solver for M x = b.
+// alembert::ALEMBERT_PACK_NAMESPACE the type Pack with arithmetic and functions, and a solver for M x = b.
 //
 // No lane depends on another, and all are computed alike: a product is fused with the sum that it stands in
 // where the machine can, by what is written here and never by the compiler, which might fuse one vector of a
@@ -18,9 +17,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
-#include <vector>
 
-#include "alembert/batch.hpp"
 #include "alembert/floating_point.hpp"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
@@ -262,83 +259,6 @@ inline Pack cos(const Pack& a) {
   Pack s, c;
   sines_and_cosines(1, &a, &s, &c);
   return c;
-}
-
-/// Packs that are done together: states first ... first + packs * kLanes - 1, or a single pack of fewer
-/// states, `count`. Of these the first `known` were in a window before.
-struct Window {
-  ::std::size_t first;
-  int packs;
-  int count = Pack::kLanes;
-  int known = 0;
-
-  /// One entry of an array: that of pack k goes to out[k * step]. Lanes without a state get the last one.
-  void load(const double* row, Pack* out, int step) const {
-    const double* from = row + first;
-    if (count == Pack::kLanes) {
-      for (int k = 0; k < packs; ++k) out[k * step] = Pack::load(from + k * Pack::kLanes);
-    } else {
-      double lanes[Pack::kLanes];
-      for (int i = 0; i < Pack::kLanes; ++i) lanes[i] = from[i < count ? i : count - 1];
-      *out = Pack::load(lanes);
-    }
-  }
-  void store(const Pack* in, int step, double* row) const {
-    double* to = row + first;
-    if (count == Pack::kLanes) {
-      for (int k = 0; k < packs; ++k) in[k * step].store(to + k * Pack::kLanes);
-    } else {
-      double lanes[Pack::kLanes];
-      in->store(lanes);
-      for (int i = 0; i < count; ++i) to[i] = lanes[i];
-    }
-  }
-
-  /// n entries, one after the other and not one pack after the other: a stride may be such that all entries
-  /// of a state fall on the same few places of a cache.
-  void load(int n, const double* x, ::std::size_t stride, Pack* out) const {
-    for (int i = 0; i < n; ++i) load(x + static_cast<::std::size_t>(i) * stride, out + i, n);
-  }
-  void store(int n, const Pack* in, double* x, ::std::size_t stride) const {
-    for (int i = 0; i < n; ++i) store(in + i, n, x + static_cast<::std::size_t>(i) * stride);
-  }
-
-  /// New states of a pack whose lane of `sum` is not zero.
-  ::std::size_t count_not_finite(const Pack& sum) const {
-    return static_cast<::std::size_t>(sum.count_not_zero(known, count));
-  }
-};
-
-/// An array that is too large for the stack.
-using HeapArray = ::std::vector<Pack>;
-
-/// The most packs that are done together.
-constexpr int kMostPacks = 16;
-
-/// Packs that are done together if a function has `size` values for each: no more than half fill a
-/// second-level cache.
-constexpr int packs_together(::std::size_t size) {
-  constexpr ::std::size_t kBytes = 1 << 18;
-  const ::std::size_t packs = kBytes / (size * sizeof(Pack));
-  return packs < 1 ? 1 : packs < kMostPacks ? static_cast<int>(packs) : kMostPacks;
-}
-
-/// Calls body(window) -> number of failures for the windows of a range, of up to kPacks packs, and adds up.
-/// The last one overlaps the one before, whose states it computes again: no lane is left empty unless the
-/// range is shorter than a pack.
-template <int kPacks, class Body>
-::std::size_t for_each_window(::std::size_t first, ::std::size_t last, const Body& body) {
-  constexpr ::std::size_t kLanes = Pack::kLanes;
-  if (last - first < kLanes) return body(Window{first, 1, static_cast<int>(last - first), 0});
-  ::std::size_t failed = 0, at = first;
-  while (at + kLanes <= last) {
-    const ::std::size_t packs = (last - at) / kLanes;
-    const Window window{at, packs < kPacks ? static_cast<int>(packs) : kPacks};
-    failed += body(window);
-    at += static_cast<::std::size_t>(window.packs) * kLanes;
-  }
-  if (at == last) return failed;
-  return failed + body(Window{last - kLanes, 1, Pack::kLanes, static_cast<int>(at - (last - kLanes))});
 }
 
 /// 0 in lanes where all n numbers are finite, NaN in the others. Under -ffast-math, numbers whose sum

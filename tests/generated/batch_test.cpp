@@ -131,6 +131,21 @@ TEST(Batch, DoesNotDependOnNumberPlaceOrThreads) {
   }
 }
 
+/// So many results that they go past the caches; the shares of many threads do not.
+TEST(Batch, OfManyStatesIsThatOfFew) {
+  for (const Instructions instructions : all_instructions()) {
+    BatchOptions options;
+    options.instructions = instructions;
+    States all(8003, 8005), shared(8003, 8005);
+    run_chain(all, options);
+    options.threads = 40;
+    run_chain(shared, options);
+    EXPECT_EQ(all.M, shared.M);
+    EXPECT_EQ(all.c, shared.c);
+    EXPECT_EQ(all.tau, shared.tau);
+  }
+}
+
 TEST(Batch, ReportsStatesWithoutAResultAndOnlyThose) {
   for (const Instructions instructions : all_instructions()) {
     BatchOptions options;

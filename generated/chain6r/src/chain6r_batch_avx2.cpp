@@ -9,7 +9,7 @@
 #if defined(__AVX2__) && defined(__FMA__)
 
 #define ALEMBERT_PACK_NAMESPACE batch_avx2
-#include <alembert/pack.hpp>
+#include <alembert/pack_window.hpp>
 #include <chain6r/chain6r_batch_impl.hpp>
 
 namespace alembert::mechanisms::chain6r {
@@ -42,13 +42,14 @@ using pack::Pack;
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
   Pack w[51];
-  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
+  const double* const streamed = pack::is_streamed(last - first, 6) ? call.results[0] : nullptr;
+  return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, qdd);
     take_own(call, window, inputs);
     detail::inverse_dynamics_packs<Pack>(window.packs, q, qd, qdd, tau, w, inputs);
-    window.store(6, tau, call.results[0], call.stride);
+    window.store(6, pack::SameRows(), 6, tau, call.results[0], call.stride);
     Pack sum(0.0);
     for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(6, tau + 6 * k));
     if (pack::is_zero(sum)) return ::std::size_t{0};
@@ -59,52 +60,56 @@ using pack::Pack;
 }
 
 ::std::size_t mass_matrix_and_bias_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(54);
+  constexpr int kPacks = pack::packs_together(39);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
-  Pack M[kPacks * 36];
+  Pack M[kPacks * 21];
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
   Pack w[83];
-  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
+  const double* const streamed = pack::is_streamed(last - first, 42) ? call.results[0] : nullptr;
+  return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     take_own(call, window, inputs);
     detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, w, inputs);
-    window.store(36, M, call.results[0], call.stride);
-    window.store(6, c, call.results[1], call.stride);
+    window.store(36, detail::mass_matrix_and_bias_M_rows, 21, M, call.results[0], call.stride);
+    window.store(6, pack::SameRows(), 6, c, call.results[1], call.stride);
     Pack sum(0.0);
-    for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(36, M + 36 * k) + pack::zero_if_finite(6, c + 6 * k));
+    for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(21, M + 21 * k) + pack::zero_if_finite(6, c + 6 * k));
     if (pack::is_zero(sum)) return ::std::size_t{0};
     ::std::size_t failed = 0;
-    for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(36, M + 36 * k) + pack::zero_if_finite(6, c + 6 * k));
+    for (int k = 0; k < window.packs; ++k) failed += window.count_not_finite(pack::zero_if_finite(21, M + 21 * k) + pack::zero_if_finite(6, c + 6 * k));
     return failed;
   });
 }
 
 ::std::size_t forward_dynamics_lanes(const BatchCall& call, ::std::size_t first, ::std::size_t last) {
-  constexpr int kPacks = pack::packs_together(66);
+  constexpr int kPacks = pack::packs_together(51);
   Pack q[kPacks * 6];
   Pack qd[kPacks * 6];
   Pack tau[kPacks * 6];
   Pack qdd[kPacks * 6];
-  Pack M[kPacks * 36];
+  Pack M[kPacks * 21];
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
   Pack w[83];
-  return pack::for_each_window<kPacks>(first, last, [&](const pack::Window& window) {
+  Pack square[36];
+  const double* const streamed = pack::is_streamed(last - first, 6) ? call.results[0] : nullptr;
+  return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
     window.load(6, call.arguments[1], call.stride, qd);
     window.load(6, call.arguments[2], call.stride, tau);
     take_own(call, window, inputs);
     detail::mass_matrix_and_bias_packs<Pack>(window.packs, q, qd, M, c, w, inputs);
     for (int k = 0; k < window.packs; ++k) {
-      for (int i = 6 * k; i < 6 * (k + 1); ++i) qdd[i] = tau[i] - c[i];
-      pack::solve_positive_definite<6>(M + 36 * k, qdd + 6 * k);
+      for (int i = 0; i < 36; ++i) square[i] = M[21 * k + detail::mass_matrix_and_bias_M_rows[i]];
+      for (int i = 0; i < 6; ++i) qdd[6 * k + i] = tau[6 * k + i] - c[6 * k + pack::SameRows()[i]];
+      pack::solve_positive_definite<6>(square, qdd + 6 * k);
     }
-    window.store(6, qdd, call.results[0], call.stride);
+    window.store(6, pack::SameRows(), 6, qdd, call.results[0], call.stride);
     Pack sum(0.0);
     for (int k = 0; k < window.packs; ++k) sum = sum + (pack::zero_if_finite(6, qdd + 6 * k));
     if (pack::is_zero(sum)) return ::std::size_t{0};

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "emit/statements/distinct_results.hpp"
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
 #include "functions/array_shape.hpp"
@@ -74,22 +75,50 @@ struct PackArray {
   std::string_view name;
   std::size_t size;  ///< elements a pack
   bool result;
+  std::string rows;  ///< of a result: which of them each entry is, an array's name or something like one
+  std::size_t entries = 0;  ///< of a result
 };
+
+constexpr std::string_view kSameRows = "pack::SameRows()";
 
 std::vector<PackArray> pack_arrays(const Mechanism& mechanism, const OutputFunction& signature) {
   std::vector<PackArray> arrays;
   for (const ArgumentKind kind : signature.arguments)
     arrays.push_back({argument_name(kind),
-                      static_cast<std::size_t>(kind == ArgumentKind::q ? mechanism.nq : mechanism.nv),
-                      false});
-  for (const ResultArray& result : signature.results)
-    arrays.push_back({result.name, array_shape(result, mechanism).size(), true});
+                      static_cast<std::size_t>(kind == ArgumentKind::q ? mechanism.nq : mechanism.nv), false,
+                      ""});
+  for (const ResultArray& result : signature.results) {
+    const std::size_t size = array_shape(result, mechanism).size();
+    arrays.push_back({result.name, size, true, std::string(kSameRows), size});
+  }
   return arrays;
+}
+
+/// The same arrays where equal results of a program stand once, and the definitions of what says which.
+std::string keep_distinct(const DistinctResults& distinct, std::vector<PackArray>& arrays) {
+  std::string definitions;
+  std::size_t k = 0;
+  for (PackArray& array : arrays) {
+    if (!array.result) continue;
+    const std::size_t size = distinct.program.outputs[k].values.size();
+    const std::vector<std::uint32_t>& rows = distinct.rows[k++];
+    if (rows.empty()) continue;
+    array.size = size;
+    const std::string name = fmt::format("{}_{}_rows", distinct.program.function, array.name);
+    array.rows = "detail::" + name;
+    definitions += fmt::format(
+        "/// Which of the {} values of a pack the entries of {} are.\n"
+        "constexpr ::std::uint{}_t {}[] = {{\n    {}}};\n",
+        size, array.name, size <= 0x10000 ? 16 : 32, name,
+        wrap_list(fmt::format("{}", fmt::join(rows, ", ")), 4, 4));
+  }
+  return definitions;
 }
 
 /// A program over packs: its blocks, and a function that calls them.
 struct PackFunction {
   std::string definition;
+  std::vector<PackArray> arrays;
   std::size_t crossing;  ///< elements of w
   bool of_all;  ///< w serves all packs, one after the other, since there is one block; or each has its own
 };
@@ -98,9 +127,11 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
   const OutputFunction& signature = *find_function(program.function);
   const std::size_t products = dot_products(program);
   const bool straight = products > 0 && products < options.batch_dot_products;
-  const Program written = straight ? schedule(program) : program;
-  const FunctionBody body =
-      function_body(order_for_registers(written, States::many), signature, kBatchBlocks, Registers::planned);
+  const DistinctResults distinct = distinct_results(straight ? schedule(program) : program);
+  const FunctionBody body = function_body(order_for_registers(distinct.program, States::many), signature,
+                                          kBatchBlocks, Registers::planned);
+  std::vector<PackArray> arrays = pack_arrays(mechanism, signature);
+  const std::string rows = keep_distinct(distinct, arrays);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);
   const bool of_all = body.blocks.size() == 1;
   std::string one, all = "int packs, ", arguments;  // parameters of a block, of the function; arguments
@@ -109,8 +140,7 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
     all += fmt::format("{}* {}, ", type, name);
     arguments += size == 0 ? fmt::format("{}, ", name) : fmt::format("{} + {} * k, ", name, size);
   };
-  for (const PackArray& array : pack_arrays(mechanism, signature))
-    add(array.result ? "S" : "const S", array.name, array.size);
+  for (const PackArray& array : arrays) add(array.result ? "S" : "const S", array.name, array.size);
   add("S", "w", of_all ? 0 : crossing);
   if (signature.takes_inputs) {
     one += "[[maybe_unused]] const Inputs<S>& in";
@@ -137,12 +167,13 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
                     {{"function", program.function},
                      {"block_count",
                       body.blocks.size() == 1 ? "one block" : fmt::format("{} blocks", body.blocks.size())},
+                     {"rows", rows},
                      {"blocks", blocks},
                      {"arguments", wrap_behind(start, all, 4)},
                      {"crossing_count",
                       fmt::format("{} {}", of_all ? "All packs together have" : "A pack has", crossing)},
                      {"calls", calls}}),
-      crossing, of_all};
+      std::move(arrays), crossing, of_all};
 }
 
 /// Larger arrays, in packs of up to 64 bytes, are no longer on the stack: a thread has a few MiB of it.
@@ -154,30 +185,50 @@ std::string array_of_packs(std::string_view name, const std::string& count, std:
                      count);
 }
 
+/// From M and c, as the function over packs leaves them.
+std::string solve_for_rates(const Mechanism& mechanism, const PackFunction& packs) {
+  std::string body;
+  for (const PackArray& array : packs.arrays) {
+    if (!array.result) continue;
+    const std::string entry = fmt::format("{}[{} * k + {}[i]]", array.name, array.size, array.rows);
+    body += fmt::format("  for (int i = 0; i < {}; ++i) ", array.entries);
+    body += array.name == "M"
+                ? fmt::format("square[i] = {};\n", entry)
+                : fmt::format("qdd[{0} * k + i] = tau[{0} * k + i] - {1};\n", array.entries, entry);
+  }
+  return fmt::format(
+      "for (int k = 0; k < window.packs; ++k) {{\n"
+      "{1}"
+      "  pack::solve_positive_definite<{0}>(square, qdd + {0} * k);\n"
+      "}}\n",
+      mechanism.nv, body);
+}
+
 /// The function over a range of states, for one set of instructions. `solved`: forward dynamics from the
 /// program of M and c. `packs`: the function that is called.
 std::string lanes_function(const Mechanism& mechanism, const OutputFunction& signature, bool solved,
                            const PackFunction& packs) {
-  const OutputFunction& called = solved ? *find_function(kSolvedFrom) : signature;
+  const std::string_view called = solved ? kSolvedFrom : signature.name;
   std::string arrays, loads, stores, call = "window.packs", finite;
-  std::size_t size = 0, argument = 0, result = 0;
+  std::size_t size = 0, results = 0, argument = 0, result = 0;
   const auto add = [&](const PackArray& array) {
     arrays += array_of_packs(array.name, fmt::format("kPacks * {}", array.size), array.size);
     size += array.size;
   };
-  for (const PackArray& array : pack_arrays(mechanism, signature)) {
+  for (const PackArray& array : solved ? pack_arrays(mechanism, signature) : packs.arrays) {
     add(array);
     if (array.result) {
-      stores += fmt::format("window.store({0}, {1}, call.results[{2}], call.stride);\n", array.size,
-                            array.name, result++);
+      stores += fmt::format("window.store({0}, {1}, {2}, {3}, call.results[{4}], call.stride);\n",
+                            array.entries, array.rows, array.size, array.name, result++);
       finite += fmt::format("{0}pack::zero_if_finite({1}, {2} + {1} * k)", finite.empty() ? "" : " + ",
                             array.size, array.name);
+      results += array.entries;
     } else {
       loads += fmt::format("window.load({0}, call.arguments[{1}], call.stride, {2});\n", array.size,
                            argument++, array.name);
     }
   }
-  for (const PackArray& array : pack_arrays(mechanism, called)) {
+  for (const PackArray& array : packs.arrays) {
     if (solved && array.result) add(array);
     call += fmt::format(", {}", array.name);
   }
@@ -190,18 +241,18 @@ std::string lanes_function(const Mechanism& mechanism, const OutputFunction& sig
   if (packs.of_all) {
     arrays += array_of_packs("w", std::to_string(packs.crossing), packs.crossing);
   } else {
-    add({"w", packs.crossing, true});
+    add({"w", packs.crossing, false, ""});
   }
-  std::string calls = fmt::format("detail::{}_packs<Pack>({});\n", called.name, call);
-  if (solved)
-    calls += fmt::format(
-        "for (int k = 0; k < window.packs; ++k) {{\n"
-        "  for (int i = {0} * k; i < {0} * (k + 1); ++i) qdd[i] = tau[i] - c[i];\n"
-        "  pack::solve_positive_definite<{0}>(M + {1} * k, qdd + {0} * k);\n"
-        "}}\n",
-        mechanism.nv, mechanism.nv * mechanism.nv);
+  std::string calls = fmt::format("detail::{}_packs<Pack>({});\n", called, call);
+  if (solved) {
+    const std::size_t square =
+        static_cast<std::size_t>(mechanism.nv) * static_cast<std::size_t>(mechanism.nv);
+    arrays += array_of_packs("square", std::to_string(square), square);
+    calls += solve_for_rates(mechanism, packs);
+  }
   return fill_template("batch_lanes.cpp", {{"function", std::string(signature.name)},
                                            {"pack_size", std::to_string(size)},
+                                           {"result_size", std::to_string(results)},
                                            {"arrays", arrays},
                                            {"loads", loads},
                                            {"calls", calls},

@@ -8,7 +8,7 @@
 #include "alembert/sines_and_cosines.hpp"
 #include "reference.hpp"
 #define ALEMBERT_PACK_NAMESPACE packs_with_flags
-#include "alembert/pack.hpp"
+#include "alembert/pack_window.hpp"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "chain6r_raw.hpp"
 
@@ -617,6 +618,10 @@ inline void inverse_dynamics_packs(int packs, const S* q, const S* qd, const S* 
 }
 
 // mass_matrix_and_bias in one block.
+/// Which of the 21 values of a pack the entries of M are.
+constexpr ::std::uint16_t mass_matrix_and_bias_M_rows[] = {
+    0, 1, 2, 3, 4, 5, 1, 6, 7, 8, 9, 10, 2, 7, 11, 12, 13, 14, 3, 8, 12, 15, 16, 17, 4, 9, 13, 16, 18, 19, 5, 10, 14,
+    17, 19, 20};
 template <class S>
 ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S* ALEMBERT_RESTRICT q,
     [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] S* ALEMBERT_RESTRICT M,
@@ -668,8 +673,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t42 = S(0.9286646355765102) * t29 - t37;
   const S t43 = S(0.9286646355765102) * t36 + t40;
   w[3] = t43;
-  M[29] = t43;
-  M[34] = t43;
+  M[19] = t43;
   const S t44 = S(0.11411216484764737) - t39;
   const S t45 = t7 * t42;
   const S t46 = t29 - S(0.9286646355765102) * t41;
@@ -694,7 +698,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t63 = t8 * t59;
   const S t64 = t8 * t48 - t54;
   const S t65 = t55 + t21;
-  M[28] = t65;
+  M[18] = t65;
   ALEMBERT_FROM_MEMORY;
   const S t9_2 = sine[4];
   const S t66 = S(0.10990443579209751) * t9_2 + t62;
@@ -708,8 +712,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t73 = t61 + S(0.298) * t30;
   const S t74 = S(0.8472551110134161) * t71 - t69;
   w[7] = t74;
-  M[22] = t74;
-  M[27] = t74;
+  M[16] = t74;
   const S t75 = t72 - S(0.596) * t35;
   const S t76 = t64 + S(0.782) * t35;
   const S t77 = S(0.06165732843631448) * t9_2 + t76;
@@ -751,7 +754,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t106 = t96 + S(1.4902889476962993);
   const S t107 = t106 + t94;
   w[13] = t107;
-  M[21] = t107;
+  M[15] = t107;
   const S t108 = t5 * t91 + t100;
   const S t109 = t6 * t102;
   const S t110 = t6 * t91 - t95;
@@ -808,8 +811,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t145 = t4 * t129;
   const S t146 = t3 * t129;
   const S t147 = S(-0.805664471353141) * t132 - t141;
-  M[16] = t147;
-  M[26] = t147;
+  M[13] = t147;
   const S t148 = S(0.805664471353141) * t4;
   w[22] = t148;
   const S t149 = t138 * t148 - t137;
@@ -855,9 +857,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t177 = S(0.4983511407473459) * t126_2 - t161;
   const S t178 = t3 * t166 + t171;
   w[30] = t178;
-  const S t179 = t177 - t174;
-  M[10] = t179;
-  M[25] = t179;
+  M[9] = t177 - t174;
   const S t180 = S(0.8044781165221552) * t175 + t170;
   const S t1 = cosine[0];
   const S t181 = S(0.6506104627573298) * t1 + S(0.3493635909010501);
@@ -938,9 +938,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t231 = t228 * t228;
   const S t232 = t138_2 * t216;
   const S t233 = S(0.6506104627573298) * t218 + t220;
-  const S t234 = t196 + t230;
-  M[4] = t234;
-  M[24] = t234;
+  M[4] = t196 + t230;
   const S t235 = S(0.381) * t217;
   const S t236 = t233 * t233;
   const S t237 = S(9.81) - S(0.5393258145987296) * t217;
@@ -1224,8 +1222,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t449 = t9_3 * t438;
   const S t224_2 = w[48];
   const S t450 = S(0.805664471353141) * t224_2 - t448;
-  M[15] = t450;
-  M[20] = t450;
+  M[12] = t450;
   const S t451 = t10_3 * t420 + t449;
   const S t452 = S(1.611328942706282) * t433 + w[20];
   const S t453 = S(0.5578117245092649) * t446;
@@ -1286,10 +1283,8 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t183_2 = w[33];
   const S t496 = t183_2 * t450 - t489;
   const S t497 = t472 + t470;
-  M[14] = t497;
-  const S t498 = t493 - w[23];
-  M[9] = t498;
-  M[19] = t498;
+  M[11] = t497;
+  M[8] = t493 - w[23];
   const S t499 = S(1.678) * t178_2 + t487;
   const S t500 = t492 + t494;
   const S t501 = S(0.8044781165221552) * t497;
@@ -1300,14 +1295,10 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t175_2 = w[28];
   const S t505 = S(0.31) * t175_2 + t474;
   const S t506 = S(0.5939822893293754) * t495;
-  const S t507 = t496 - w[24];
-  M[3] = t507;
-  M[18] = t507;
+  M[3] = t496 - w[24];
   const S t508 = S(0.8044781165221552) * t495;
   const S t509 = S(1.6089562330443103) * t505;
-  const S t510 = w[36] - t502;
-  M[8] = t510;
-  M[13] = t510;
+  M[7] = w[36] - t502;
   const S t511 = S(0.5939822893293754) * t500 + t509;
   const S t7_3 = cosine[3];
   const S t81_2 = w[8];
@@ -1326,9 +1317,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t523 = t1_2 * t519;
   const S t10_4 = cosine[4];
   const S t524 = t518 - S(0.06165732843631448) * t10_4;
-  const S t525 = t503 - t504;
-  M[2] = t525;
-  M[12] = t525;
+  M[2] = t503 - t504;
   const S t526 = t499 + S(8.81224666);
   const S t527 = t522 + S(4.567134699867921);
   const S t528 = t527 - t526;
@@ -1343,7 +1332,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t535 = t7_3 * w[29] + t530;
   const S t536 = t2_3 * t532;
   const S t537 = t527 + t526;
-  M[7] = t537;
+  M[6] = t537;
   const S t538 = S(0.298) * t535 + w[3];
   const S t539 = t2_3 * t521 - t533;
   const S t540 = S(0.8472551110134161) * t535 - w[0];
@@ -1354,8 +1343,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t545 = S(0.5311861979208834) * t538 - t542;
   const S t546 = t543 + t541;
   const S t547 = S(0.8472551110134161) * t538 + t534;
-  M[23] = t547;
-  M[33] = t547;
+  M[17] = t547;
   const S t548 = S(0.8087360605531302) * t546;
   const S t549 = t2_3 * w[47] - t544;
   const S t198_2 = w[39];
@@ -1367,9 +1355,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t555 = w[5] - S(0.782) * t535;
   const S t5_3 = sine[2];
   const S t556 = t5_3 * t540;
-  const S t557 = S(0.588171730331375) * t550 - t552;
-  M[1] = t557;
-  M[6] = t557;
+  M[1] = S(0.588171730331375) * t550 - t552;
   const S t6_3 = cosine[2];
   const S t558 = t6_3 * t512 - t556;
   const S t559 = t6_3 * t540;
@@ -1442,8 +1428,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t608 = t3_4 * t604;
   const S t609 = t607 + S(1.9410905406257044) * t602;
   const S t610 = S(0.805664471353141) * t571 + t606;
-  M[17] = t610;
-  M[32] = t610;
+  M[14] = t610;
   const S t611 = t4_4 * t604;
   const S t612 = t602 - S(0.20249736489679188) * t607;
   const S t613 = S(0.298) * w[67] + t612;
@@ -1474,15 +1459,11 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t632 = S(0.5939822893293754) * t616 + t627;
   const S t633 = t624 - S(0.11980297207828171) * t623;
   const S t634 = t628 + w[33] * t610;
-  const S t635 = t626 + t632;
-  M[11] = t635;
-  M[31] = t635;
+  M[10] = t626 + t632;
   const S t9_4 = sine[4];
   const S t464_2 = w[15];
   const S t636 = t9_4 * t464_2;
-  const S t637 = t625 + t634;
-  M[5] = t637;
-  M[30] = t637;
+  M[5] = t625 + t634;
   const S t638 = t630 - S(2.936440786054142) * t633;
   const S t639 = S(0.16731440654462862) * t631 - w[6];
   const S t640 = t9_4 * t639;
@@ -1619,14 +1600,14 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t755 = t748 - t754;
   const S t756 = t755 + S(0.647769997013194) * t746;
   c[0] = S(0.8087360605531302) * t756 + t753;
-  M[35] = S(0.35079199999999994);
+  M[20] = S(0.35079199999999994);
 }
 
 /// All packs together have 83 values in w. Inside a loop, compilers would put the constants of a block into memory.
 template <class S>
 inline void mass_matrix_and_bias_packs(int packs, const S* q, const S* qd, S* M, S* c, S* w, const Inputs<S>* inputs) {
   for (int k = 0; k < packs; ++k)
-    mass_matrix_and_bias_pack_block1<S>(q + 6 * k, qd + 6 * k, M + 36 * k, c + 6 * k, w, inputs[k]);
+    mass_matrix_and_bias_pack_block1<S>(q + 6 * k, qd + 6 * k, M + 21 * k, c + 6 * k, w, inputs[k]);
 }
 
 }  // namespace alembert::mechanisms::chain6r::detail

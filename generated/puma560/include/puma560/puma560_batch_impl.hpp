@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "puma560_raw.hpp"
 
@@ -355,6 +356,10 @@ inline void inverse_dynamics_packs(int packs, const S* q, const S* qd, const S* 
 }
 
 // mass_matrix_and_bias in one block.
+/// Which of the 19 values of a pack the entries of M are.
+constexpr ::std::uint16_t mass_matrix_and_bias_M_rows[] = {
+    0, 1, 2, 3, 4, 5, 1, 6, 7, 8, 9, 10, 2, 7, 11, 12, 13, 10, 3, 8, 12, 14, 15, 16, 4, 9, 13, 15, 17, 15, 5, 10, 10,
+    16, 15, 18};
 template <class S>
 ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S* ALEMBERT_RESTRICT q,
     [[maybe_unused]] const S* ALEMBERT_RESTRICT qd, [[maybe_unused]] S* ALEMBERT_RESTRICT M,
@@ -386,7 +391,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t23 = t5 * t7;
   const S t24 = S(0.001243584) * t19;
   const S t25 = t11 + S(0.00164);
-  M[21] = t25;
+  M[14] = t25;
   const S t26 = S(5.8464e-05) * t19 - t25;
   w[3] = t26;
   const S t27 = t13 * t5;
@@ -396,17 +401,12 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t30 = t4 * t18;
   const S t3 = sine[1];
   const S t31 = t21 * t3;
-  const S t32 = S(4e-05) * t7;
-  M[23] = t32;
-  M[33] = t32;
+  M[16] = S(4e-05) * t7;
   const S t33 = t3 * t28 + t24;
   w[5] = t33;
   const S t34 = S(-0.001247328) * t21 - t30;
-  M[15] = t34;
-  M[20] = t34;
-  const S t35 = t34 + S(-0.001243584) * t31;
-  M[9] = t35;
-  M[19] = t35;
+  M[12] = t34;
+  M[8] = t34 + S(-0.001243584) * t31;
   const S t36 = S(0.0106736385) - t29;
   w[6] = t36;
   const S t37 = S(5.8464e-05) * t21 - t27;
@@ -422,8 +422,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   w[9] = t43;
   const S t44 = S(0.001247328) * t23 + t22;
   const S t45 = t44 - S(5.8464e-05) * t6;
-  M[16] = t45;
-  M[26] = t45;
+  M[13] = t45;
   const S t46 = S(0.00288) * t7 + S(0.861795);
   const S t47 = t3 * t37;
   const S t48 = S(0.025375) - S(0.00288) * t19;
@@ -451,13 +450,9 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t1 = cosine[0];
   const S t68 = t1 * t58;
   const S t0 = sine[0];
-  const S t69 = t0 * t65 - t68;
-  M[2] = t69;
-  M[12] = t69;
+  M[2] = t0 * t65 - t68;
   const S t70 = t56 + S(0.0016704);
-  const S t71 = t45 + S(0.001243584) * t60;
-  M[10] = t71;
-  M[25] = t71;
+  M[9] = t45 + S(0.001243584) * t60;
   const S t72 = S(0.00043228799999999996) * t60;
   const S t73 = t2 * t7;
   ALEMBERT_FROM_MEMORY;
@@ -465,9 +460,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t74 = S(0.00064216) * t4_2;
   const S t75 = S(0.2435) * t59 - t70;
   const S t76 = t0 * t67;
-  const S t77 = t1 * t75 - t76;
-  M[1] = t77;
-  M[6] = t77;
+  M[1] = t1 * t75 - t76;
   const S t78 = t4_2 * t7;
   const S t79 = S(5.8464e-05) * t78;
   const S t80 = S(0.001247328) * t78 + t74;
@@ -490,9 +483,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t96 = t89 * t87;
   w[12] = t96;
   const S t97 = t1 * t94;
-  const S t98 = t0 * t90 + t97;
-  M[4] = t98;
-  M[24] = t98;
+  M[4] = t0 * t90 + t97;
   const S t99 = t2 * t89 - t88;
   const S t100 = t0 * t84 + t95;
   const S t101 = t92 * t99;
@@ -505,9 +496,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t106 = qd1 * t87;
   const S t107 = S(9.81) * t1 - t102;
   w[14] = t107;
-  const S t108 = S(-4e-05) * t100;
-  M[5] = t108;
-  M[30] = t108;
+  M[5] = S(-4e-05) * t100;
   const S t109 = t99 * t99;
   const S t110 = S(0.0016704) * t96;
   const S t111 = t109 - t93;
@@ -649,15 +638,13 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t146_2 = w[24];
   const S t211 = t2_2 * t146_2;
   const S t212 = t189 + t16_2;
-  M[14] = t212;
+  M[11] = t212;
   const S t213 = t3_2 * w[3] - w[7];
   w[1] = t213;
   const S t214 = t189 - t209;
   const S t57_2 = w[11];
   const S t215 = S(0.8636) * t57_2 - t214;
-  const S t216 = t212 - S(0.4318) * t57_2;
-  M[8] = t216;
-  M[13] = t216;
+  M[7] = t212 - S(0.4318) * t57_2;
   const S t217 = t3_2 * t146_2;
   const S t218 = S(2e-05) * t205;
   const S t219 = t210 + S(0.0731264);
@@ -678,7 +665,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t0_2 = sine[0];
   const S t232 = t0_2 * t223 + t230;
   const S t233 = t227 - S(0.0203) * w[22];
-  M[7] = t221 + t219;
+  M[6] = t221 + t219;
   const S t235 = t221 - t0_2 * t232;
   const S t101_3 = w[13];
   const S t236 = S(0.0203) * t101_3 + t225;
@@ -729,11 +716,7 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t272 = t269 - S(0.4331) * t247;
   const S t273 = w[25] + t272;
   const S t21_2 = w[2];
-  const S t274 = S(4e-05) * t21_2;
-  M[11] = t274;
-  M[17] = t274;
-  M[31] = t274;
-  M[32] = t274;
+  M[10] = S(4e-05) * t21_2;
   const S t275 = S(1.9898291387670284) * t248;
   const S t3_3 = sine[1];
   const S t276 = t3_3 * t273;
@@ -771,26 +754,21 @@ ALEMBERT_NOINLINE void mass_matrix_and_bias_pack_block1([[maybe_unused]] const S
   const S t306 = t0_3 * t305 - t303;
   const S t307 = t0_3 * t292;
   const S t308 = t294 - S(0.4318) * t290;
-  const S t309 = t1_2 * t285 + t307;
-  M[3] = t309;
-  M[18] = t309;
+  M[3] = t1_2 * t285 + t307;
   const S t310 = t0_3 * t293 + t300;
   const S t311 = S(0.2435) * t310;
   c[0] = t306 + t311;
   c[1] = w[26] - t308;
-  M[28] = S(0.00064216);
-  M[35] = S(4e-05);
-  M[22] = S(0.0);
-  M[27] = S(0.0);
-  M[29] = S(0.0);
-  M[34] = S(0.0);
+  M[17] = S(0.00064216);
+  M[18] = S(4e-05);
+  M[15] = S(0.0);
 }
 
 /// All packs together have 34 values in w. Inside a loop, compilers would put the constants of a block into memory.
 template <class S>
 inline void mass_matrix_and_bias_packs(int packs, const S* q, const S* qd, S* M, S* c, S* w, const Inputs<S>* inputs) {
   for (int k = 0; k < packs; ++k)
-    mass_matrix_and_bias_pack_block1<S>(q + 6 * k, qd + 6 * k, M + 36 * k, c + 6 * k, w, inputs[k]);
+    mass_matrix_and_bias_pack_block1<S>(q + 6 * k, qd + 6 * k, M + 19 * k, c + 6 * k, w, inputs[k]);
 }
 
 }  // namespace alembert::mechanisms::puma560::detail
