@@ -2,11 +2,12 @@
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
-#                          [LANGUAGE CXX|C|PYTHON|JAVASCRIPT] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
+#                          [LANGUAGE CXX|C|PYTHON|JAVASCRIPT|CUDA] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
 #                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH. PYTHON: the same as a
 #                                                  shared library, and the module over it beside it, in the folder that the target's
 #                                                  property ALEMBERT_PYTHON_FOLDER names. JAVASCRIPT: no library, but the ES
-#                                                  module that the target's property ALEMBERT_JAVASCRIPT_MODULE names; no SCALARS
+#                                                  module that the target's property ALEMBERT_JAVASCRIPT_MODULE names; no SCALARS.
+#                                                  CUDA: <cuda/NAME.cuh>, a header for any scalar type, and no library
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
 #                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
 #                                                  inverse_dynamics_derivatives
@@ -126,8 +127,8 @@ function(alembert_add_mechanism)
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE CXX)
   endif()
-  if(NOT arg_LANGUAGE MATCHES "^(C|CXX|PYTHON|JAVASCRIPT)$")
-    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX, C, PYTHON or JAVASCRIPT, not ${arg_LANGUAGE}")
+  if(NOT arg_LANGUAGE MATCHES "^(C|CXX|PYTHON|JAVASCRIPT|CUDA)$")
+    message(FATAL_ERROR "alembert_add_mechanism: LANGUAGE must be CXX, C, PYTHON, JAVASCRIPT or CUDA, not ${arg_LANGUAGE}")
   endif()
   if(NOT arg_LANGUAGE STREQUAL "CXX")
     foreach(argument NAMESPACE PARTS TRIG BATCH BATCH_INSTRUCTIONS)
@@ -136,10 +137,10 @@ function(alembert_add_mechanism)
       endif()
     endforeach()
   endif()
-  if(arg_LANGUAGE STREQUAL "JAVASCRIPT")
+  if(arg_LANGUAGE MATCHES "^(JAVASCRIPT|CUDA)$")
     foreach(argument SCALARS FP_CONTRACT STATIC SHARED OBJECT)
       if(arg_${argument})
-        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE JAVASCRIPT")
+        message(FATAL_ERROR "alembert_add_mechanism: ${argument} does not go with LANGUAGE ${arg_LANGUAGE}")
       endif()
     endforeach()
   endif()
@@ -191,6 +192,10 @@ function(alembert_add_mechanism)
     set(headers "")
     set(sources "${folder}/javascript/${name}.mjs")
   endif()
+  if(arg_LANGUAGE STREQUAL "CUDA")
+    set(headers "${folder}/cuda/${name}.cuh")
+    set(sources "")
+  endif()
   foreach(part RANGE 1 ${arg_PARTS})
     if(NOT arg_LANGUAGE STREQUAL "CXX")
       break()
@@ -222,6 +227,8 @@ function(alembert_add_mechanism)
     endif()
   elseif(arg_LANGUAGE STREQUAL "JAVASCRIPT")
     list(APPEND options --language javascript)
+  elseif(arg_LANGUAGE STREQUAL "CUDA")
+    list(APPEND options --language cuda)
   else()
     list(APPEND options --parts ${arg_PARTS})
   endif()
@@ -267,6 +274,13 @@ function(alembert_add_mechanism)
   if(arg_LANGUAGE STREQUAL "JAVASCRIPT")
     add_custom_target(${arg_TARGET} ALL DEPENDS "${stamp}")
     set_target_properties(${arg_TARGET} PROPERTIES ALEMBERT_JAVASCRIPT_MODULE "${sources}")
+    return()
+  endif()
+  if(arg_LANGUAGE STREQUAL "CUDA")
+    add_custom_target(${arg_TARGET}_header DEPENDS "${stamp}")
+    add_library(${arg_TARGET} INTERFACE)
+    add_dependencies(${arg_TARGET} ${arg_TARGET}_header)
+    target_include_directories(${arg_TARGET} INTERFACE "${folder}")
     return()
   endif()
   add_library(${arg_TARGET} ${type} ${sources} "${stamp}")

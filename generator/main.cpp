@@ -197,8 +197,9 @@ int run(int argc, char** argv) {
   command
       ->add_option("--language", generate.language,
                    "c++; or c: the C interface with C99 behind it, for one scalar type (default: double); or "
-                   "python: the same and a module over it; or javascript: an ES module")
-      ->check(CLI::IsMember({"c++", "c", "python", "javascript"}))
+                   "python: the same and a module over it; or javascript: an ES module; or cuda: functions "
+                   "of host and device, and kernels")
+      ->check(CLI::IsMember({"c++", "c", "python", "javascript", "cuda"}))
       ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command

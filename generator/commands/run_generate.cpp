@@ -78,6 +78,7 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   if (options.language != "c++") {
     emit.language = options.language == "c"        ? Language::c
                     : options.language == "python" ? Language::python
+                    : options.language == "cuda"   ? Language::cuda
                                                    : Language::javascript;
     emit.scalars = {"double"};
   }

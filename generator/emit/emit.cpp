@@ -11,6 +11,7 @@
 
 #include "emit/argument_lists.hpp"
 #include "emit/c99.hpp"
+#include "emit/cuda.hpp"
 #include "emit/common_slots.hpp"
 #include "emit/eigen_members.hpp"
 #include "emit/function_docs.hpp"
@@ -32,6 +33,9 @@ namespace {
 
 // The compilers of browsers leave functions that are longer unoptimised.
 constexpr BlockSizes kJavaScriptBlocks{.longest = 800, .size = 500};
+
+// Calls between blocks move numbers through memory, of which each thread has its own.
+constexpr BlockSizes kCudaBlocks{.longest = 12000, .size = 6000};
 
 // With the number of parts left open: statements in one file, which a compiler takes a few seconds for.
 constexpr std::size_t kStatementsPerPart = 6000;
@@ -340,6 +344,14 @@ std::vector<EmittedFile> javascript_files(const Mechanism& mechanism, std::span<
                          common)}};
 }
 
+std::vector<EmittedFile> cuda_files(const Mechanism& mechanism, std::span<const Program> programs,
+                                    const EmitOptions& options) {
+  Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name + "::cuda");
+  common["banner"] = banner_of(mechanism);
+  return {{fmt::format("cuda/{}.cuh", mechanism.name),
+           cuda_header(mechanism, functions_of(mechanism, programs, cpp_syntax(), kCudaBlocks), common)}};
+}
+
 }  // namespace
 
 std::string_view generator_version() {
@@ -360,6 +372,7 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
                                         const EmitOptions& options) {
   check_options(mechanism, options);
   if (options.language == Language::javascript) return javascript_files(mechanism, programs);
+  if (options.language == Language::cuda) return cuda_files(mechanism, programs, options);
   if (options.language != Language::cpp) return c_files(mechanism, programs, options);
   const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());
   Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);

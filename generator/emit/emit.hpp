@@ -16,7 +16,7 @@ struct EmittedFile {
   std::string text;
 };
 
-enum class Language { cpp, c, python, javascript };
+enum class Language { cpp, c, python, javascript, cuda };
 
 struct EmitOptions {
   Language language = Language::cpp;
@@ -67,6 +67,10 @@ std::string_view generator_version();
 /// and with Language::javascript, for double,
 ///
 ///     javascript/name.mjs           an ES module
+///
+/// and with Language::cuda, for any scalar type,
+///
+///     cuda/name.cuh                 functions of host and device, and kernels
 ///
 /// The same input gives the same bytes. Long functions (BlockSizes in statement_layout.hpp) are cut into
 /// blocks; loops are blocks of their own. If all coordinates are real and no program gives coordinate_rates,

@@ -22,6 +22,7 @@ std::string_view meaning(ArgumentKind kind) {
   return kind == ArgumentKind::q     ? "coordinates"
          : kind == ArgumentKind::qd  ? "speeds"
          : kind == ArgumentKind::qdd ? "rates of the speeds"
+         : kind == ArgumentKind::mu  ? "weights of the generalized forces"
                                      : "generalized forces";
 }
 

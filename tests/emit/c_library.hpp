@@ -85,14 +85,19 @@ template <class Real>
 class CLibrary {
  public:
   /// \param compiler  shell words
-  CLibrary(const std::string& folder, const std::string& name, const std::string& compiler) {
+  CLibrary(const std::string& folder, const std::string& name, const std::string& compiler)
+      : CLibrary(folder, compiler,
+                 fmt::format("-std=c99 -Wstrict-prototypes -Wmissing-prototypes '-I{0}/include' "
+                             "'{0}/src/{1}.c' '{0}/caller.c'",
+                             folder, name),
+                 0) {}
+  /// Of sources that `words` name, by what they say besides warnings and optimisation.
+  CLibrary(const std::string& folder, const std::string& compiler, const std::string& words, int) {
     const std::string library = fmt::format("{}/lib_{}.so", folder, std::hash<std::string>()(compiler));
     const std::string command = fmt::format(
-        "{0} -std=c99 -Wall -Wextra -pedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow "
-        "-Wstrict-prototypes -Wmissing-prototypes -Werror -O0 -ffp-contract=off -shared -fPIC "
-        "'-I{1}/include' "
-        "'{1}/src/{2}.c' '{1}/caller.c' -o '{3}' -lm",
-        compiler, folder, name, library);
+        "{} -Wall -Wextra -pedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow "
+        "-Werror -O0 -ffp-contract=off -shared -fPIC {} -o '{}' -lm",
+        compiler, words, library);
     if (std::system(command.c_str()) != 0) {
       ADD_FAILURE() << "does not compile: " << command;
       return;
