@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "differentiation/jacobian.hpp"
+#include "dynamics/choice/constrained_dynamics.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/choice/second_derivatives.hpp"
 #include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/joint_reactions.hpp"
 #include "dynamics/recursions/moving_bodies.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
@@ -66,6 +68,18 @@ Results build_forward_dynamics(const Ingredients& given) {
 Results build_forward_dynamics_derivatives(const Ingredients& given) {
   ForwardDerivatives found = forward_dynamics_derivatives(given.kinematics, *given.equations);
   return {std::move(found.along_speeds), std::move(found.by_speeds), std::move(found.by_forces)};
+}
+
+Results build_constrained_forward_dynamics(const Ingredients& given) {
+  ConstrainedMotion found = constrained_forward_dynamics(given.kinematics, *given.equations);
+  return {std::move(found.rates), std::move(found.lambdas)};
+}
+
+Results build_constrained_forward_dynamics_derivatives(const Ingredients& given) {
+  ConstrainedDerivatives found = constrained_forward_dynamics_derivatives(given.kinematics, *given.equations);
+  return {std::move(found.rates_along),       std::move(found.rates_by_speeds),
+          std::move(found.rates_by_forces),   std::move(found.lambdas_along),
+          std::move(found.lambdas_by_speeds), std::move(found.lambdas_by_forces)};
 }
 
 Results build_gravity(const Ingredients& given) {
@@ -251,6 +265,9 @@ constexpr Builder kBuilders[] = {
        return {inverse_mass_matrix(given.kinematics, *given.equations)};
      }},
     {FunctionKind("forward_dynamics_derivatives"), true, build_forward_dynamics_derivatives},
+    {FunctionKind("constrained_forward_dynamics"), true, build_constrained_forward_dynamics},
+    {FunctionKind("constrained_forward_dynamics_derivatives"), true,
+     build_constrained_forward_dynamics_derivatives},
     {FunctionKind("coordinate_rates"), false, build_coordinate_rates},
     {FunctionKind("energy"), false, build_energy},
     {FunctionKind("body_poses"), false,
@@ -277,6 +294,8 @@ constexpr Builder kBuilders[] = {
            given, [](auto&... of) { return body_accelerations(of..., SpeedRates::included); });
      }},
     {FunctionKind("centroidal_momentum"), false, build_centroidal_momentum},
+    {FunctionKind("joint_reactions"), false,
+     [](const Ingredients& given) { return for_shortest_moving_tree(given, joint_reactions); }},
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},

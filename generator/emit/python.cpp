@@ -196,8 +196,10 @@ std::vector<EmittedFile> python_files(const Mechanism& mechanism, std::span<cons
     std::vector<std::string> fields;
     stub_tuples += fmt::format("class {}(NamedTuple):\n", type);
     for (const ResultArray& result : function.results) {
-      fields.push_back(fmt::format("\"{}\"", result.name));
-      stub_tuples += fmt::format("    {}: Array\n", result.name);
+      const std::string field =
+          fmt::format("{}{}", result.name, one_of(result.name, kPythonKeywords) ? "_" : "");
+      fields.push_back(fmt::format("\"{}\"", field));
+      stub_tuples += fmt::format("    {}: Array\n", field);
     }
     tuples += fmt::format("{0} = collections.namedtuple(\"{0}\", [{1}])\n", type, fmt::join(fields, ", "));
   }

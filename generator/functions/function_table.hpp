@@ -90,7 +90,7 @@ struct OutputFunction {
   bool takes_inputs;
   std::string_view summary;  ///< one sentence
   std::string_view formula;  ///< empty: there is none
-  Few<ResultArray, 4> results;
+  Few<ResultArray, 6> results;
   std::string_view remark;  ///< guarantee, errors, frames; empty: none
   std::string_view source;  ///< where the formula stands, or is explained; empty: it is the definition
   Needs needs = Needs::nothing;
@@ -229,6 +229,15 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"velocity", "residuals of the speeds", kPerConstraintRow},
       {"position", "phi(q, t), the equation whose rate a row of kHolonomic is; 0 for the others", kPerConstraintRow}},
      "M, c and the other functions are those of the mechanism without constraints.", ""},
+    {"constrained_forward_dynamics", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::tau}, true,
+     "Forward dynamics under the constraints, without a branch: the rates of the speeds and the reactions of the constraints.",
+     "M qdd + c = tau + P^T lambda, P qdd + gamma = 0, with P and gamma of constraints",
+     {{"qdd", "rates of the speeds, rad/s^2 or m/s^2", kPerSpeed},
+      {"lambda", "for each name of kConstraintNames its reaction: P^T lambda are generalized forces", kPerConstraintRow}},
+     "A row that follows from those before it is left out; its lambda is 0. In double precision that is told to an angle of about "
+     "1e-7; in float leave such rows out of the description. Where rows contradict each other, the first ones are kept and nothing "
+     "tells: alembert::constrained_forward_dynamics of the runtime does. Where M is singular, results are not finite.",
+     "", Needs::regular_mass_matrix},
     {"body_jacobians", Topic::kinematics, false, {ArgumentKind::q}, true,
      "Geometric Jacobians of the bodies' centres of mass: angular rows first, in world axes.",
      "J(q) qd = (angular velocity x y z, velocity of the centre of mass x y z), less what motion prescribed in time adds",
@@ -256,6 +265,15 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"com", "centre of mass x y z, m", 3}},
      "Rotors of armatures are left out.", "Orin, Goswami and Lee, Centroidal dynamics of a humanoid robot, Autonomous Robots 35, 2013",
      Needs::mass},
+    {"joint_reactions", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Wrenches in the joints: what the parent of each body exerts on it, in the body's axes, about its origin, moment first.",
+     "w = inertia of the body and of all that hangs on it - gravity, external wrenches and forces that act on these bodies",
+     {{"w", "for each body of kBodyNames the moment x y z about the origin of its frame, N m, and the force x y z, N, in the axes "
+       "of its frame", 6, 1, Per::body, Blocks::stacked}},
+     "Along the joints' motions they are what inverse_dynamics gives plus the forces that act in the joints (springs, damping and "
+     "friction of coordinates, forces on coordinates), less what accelerates armatures. Reactions of constraints are left out: add "
+     "them as external wrenches.",
+     "Featherstone, Rigid Body Dynamics Algorithms, section 5.3"},
     {"body_inertias", Topic::kinematics, false, {}, true,
      "Masses, centres of mass and inertias of the bodies, in the axes of each body.",
      "",
@@ -299,6 +317,21 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "Constraints are left out. Where M is singular, they are not finite.",
      "Carpentier and Mansard, Analytical derivatives of rigid body dynamics algorithms, RSS 2018",
      Needs::regular_mass_matrix},
+    {"constrained_forward_dynamics_derivatives", Topic::derivatives, false,
+     {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::tau}, true,
+     "Partial derivatives of forward dynamics under the constraints, and of their reactions.",
+     "[M -P^T; P 0] [d qdd; d lambda] = [d tau - d(M qdd + c - P^T lambda); -d(P qdd + gamma)], at constant qdd and lambda on the right",
+     {{"qdd_q", "column k is the derivative by coordinate k; of a quaternion, by a turn about an axis of its body", kPerSpeed,
+       kPerSpeed},
+      {"qdd_qd", "column k is the derivative by speed k", kPerSpeed, kPerSpeed},
+      {"qdd_tau", "column k is the derivative by force k: symmetric", kPerSpeed, kPerSpeed, Per::mechanism, Blocks::in_array, true},
+      {"lambda_q", "for each name of kConstraintNames a row of derivatives by the coordinates, as above", kPerConstraintRow,
+       kPerSpeed},
+      {"lambda_qd", "by the speeds", kPerConstraintRow, kPerSpeed},
+      {"lambda_tau", "by the forces", kPerConstraintRow, kPerSpeed}},
+     "Of the rows that constrained_forward_dynamics takes, whether or not the state keeps them. Where M is singular, they are not "
+     "finite.",
+     "", Needs::regular_mass_matrix},
     {"input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Derivatives of the applied forces by the inputs: the input matrix of a linearisation.",
      "B = dQ/d(inputs), where tau = M(q) qdd + c and c contains -Q",

@@ -17,6 +17,8 @@
 #include "dynamics/mechanism_file.hpp"
 #include "dynamics/recursions/armature.hpp"
 #include "dynamics/recursions/articulated_bodies.hpp"
+#include "dynamics/recursions/frame_values.hpp"
+#include "dynamics/recursions/joint_reactions.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
@@ -263,6 +265,36 @@ TEST_P(UnmovedLaws, EnergyChangesByThePowerOfTheForces) {
 }
 
 /// Gravity forces are the slope of the potential energy along the speeds.
+TEST_P(Laws, ReactionsWorkAlongTheJointsAsTheForcesDo) {
+  const Mechanism& mechanism = *loaded.mechanism;
+  const auto in_a_joint = [](const Force& force) { return force.kind == ForceKind::on_speed; };
+  if (!std::ranges::all_of(mechanism.forces, in_a_joint)) GTEST_SKIP() << "forces act on bodies";
+  ExprGraph& graph = kinematics.graph;
+  std::vector<Expr> expected = equations.Q, found(nv, graph.zero());
+  for (std::size_t k = 0; k < nv; ++k) {
+    expected[k] -= armature_forces(mechanism)[k];
+    if (!kinematics.applied.Q.empty()) expected[k] += kinematics.applied.Q[k];
+  }
+  const std::vector<Expr> w = joint_reactions(mechanism, kinematics.tree, kinematics.derivatives, graph);
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    Pose pose = identity_pose(graph);
+    for (const Motion& motion : elementary_motions(mechanism.bodies[b].transform, mechanism, graph))
+      pose = moved(pose, motion);
+    std::vector<Expr> rows;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) rows.push_back(pose.rotation(r, c));
+      rows.push_back(pose.origin[r]);
+    }
+    const Expr* of = &w[6 * b];
+    const Wrench in_body{{{of[0], of[1], of[2]}}, {{of[3], of[4], of[5]}}};
+    const Wrench in_parent{pose.rotation * in_body.moment, pose.rotation * in_body.force};
+    for (const FrameTwist& along : frame_twists(kinematics.derivatives, rows))
+      if (along.speed != kinematics.derivatives.time_index())
+        found[static_cast<std::size_t>(along.speed)] += dot(along.twist, in_parent);
+  }
+  expect_equal(found, expected);
+}
+
 TEST_P(Laws, GravityIsTheSlopeOfThePotentialEnergy) {
   const std::vector<Expr> potential{energies(*loaded.mechanism, kinematics.tree, *loaded.graph)[1]};
   std::vector<Expr> slope(nv, loaded.graph->zero());

@@ -45,6 +45,8 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
     const Eigen::VectorXd back = unit.cwiseInverse();
     return {back.asDiagonal() * values * back.asDiagonal()};
   }
+  if (name == "lambda_q" || name == "lambda_qd") return {values};
+  if (name == "lambda_tau") return {values * unit.cwiseInverse().asDiagonal()};
   if (name == "qdd_q" || name == "qdd_qd") return {unit.cwiseInverse().asDiagonal() * values};
   if (function == "body_jacobians" || function == "frame_jacobians" || function == "frame_jacobian_rates" ||
       (function == "centroidal_momentum" && name != "com"))
@@ -260,7 +262,10 @@ std::vector<Reference> taylor_references(const Description& description, const s
   for (const State& state : states) {
     all.push_back({numeric_functions<Wide>(description, state, wanted),
                    numeric_functions<double>(description, state, wanted),
-                   numeric_lagrangian<Wide>(description, state)});
+                   numeric_lagrangian<Wide>(description, state),
+                   {}});
+    if (wanted.count("constrained_forward_dynamics") != 0)
+      all.back().rows = numeric_constraints<Wide>(description, state);
   }
   return all;
 }
@@ -299,6 +304,13 @@ std::vector<Comparison> compare_functions(const std::string& executable, const s
     if (function == "forward_dynamics") {
       for (std::size_t i = 0; i < references.size(); ++i)
         keep_worse(worst, judge_rates(references[i], found[i].at(function).at("qdd")));
+    } else if (function == "constrained_forward_dynamics") {
+      for (std::size_t i = 0; i < references.size(); ++i) {
+        Answer answer;
+        answer.rates = found[i].at(function).at("qdd");
+        answer.multipliers = found[i].at(function).at("lambda");
+        keep_worse(worst, judge_constrained(references[i], references[i].rows.value(), answer));
+      }
     } else {
       for (const auto& [name, values] : references[0].exact.at(function))
         keep_worse(worst, judge_array(function, name, references, found));

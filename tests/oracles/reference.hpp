@@ -1,11 +1,13 @@
 // What the functions of a mechanism give at some states, judged against the Taylor oracle in long double.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "oracles/comparison.hpp"
+#include "oracles/taylor/numeric_constraints.hpp"
 
 namespace alembert::oracles {
 
@@ -37,6 +39,7 @@ std::set<std::string> comparable_functions(const Description& description);
 struct Reference {
   std::map<std::string, Arrays> exact, plain;
   DynamicsOf<long double> dynamics;
+  std::optional<ConstraintRowsOf<long double>> rows = {};  ///< if they are asked for
 };
 std::vector<Reference> taylor_references(const Description& description, const std::vector<State>& states,
                                          const std::set<std::string>& functions);

@@ -201,6 +201,7 @@ Eigen::MatrixXd scaled_array(const std::string& function, const std::string& nam
     if (function == "body_poses" || function == "frame_poses") return c % 4 == 3 ? scale.length : 0;
     if (name == "Minv" || name == "qdd_tau") return of_speed(r) + of_speed(c) - energy;
     if (name == "qdd_q" || name == "qdd_qd") return of_speed(r) - of_speed(c);
+    if (function == "joint_reactions") return c < 3 ? energy : energy - scale.length;
     if (is_six_a_row(function)) return c < 3 ? 0 : scale.length;
     if (function == "centroidal_momentum") {
       if (name == "com") return scale.length;

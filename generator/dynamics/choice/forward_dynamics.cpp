@@ -52,8 +52,8 @@ std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const Equations
   return weigh(other_length, other) > weigh(length, *by_bodies) ? *by_bodies : other;
 }
 
-/// M^-1 of several right sides at once: what belongs to M is shared. The ways as above; that by bodies is O(n) for
-/// each of them, that by factors keeps the zeros of a tree.
+}  // namespace
+
 std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
                                                   const EquationsOfMotion& equations,
                                                   const std::vector<std::vector<Expr>>& columns) {
@@ -82,8 +82,6 @@ std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
   }
   return operations(by_bodies) < most ? by_bodies : by_factors;
 }
-
-}  // namespace
 
 std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const EquationsOfMotion& equations) {
   std::vector<Expr> right_side;

@@ -11,6 +11,12 @@ namespace alembert {
 /// M^-1 (tau - c), nv.
 std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const EquationsOfMotion& equations);
 
+/// M^-1 of several right sides at once: what belongs to M is shared. By articulated bodies, which is O(n) for each of
+/// them, or by factors of M, which keep the zeros of a tree.
+std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
+                                                  const EquationsOfMotion& equations,
+                                                  const std::vector<std::vector<Expr>>& columns);
+
 /// M^-1, nv x nv, symmetric.
 std::vector<Expr> inverse_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations);
 

@@ -16,6 +16,7 @@
 #include <span>
 #include <utility>
 
+#include "differentiation/jacobian.hpp"
 #include "dynamics/recursions/frame_values.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/tree/state_values.hpp"
@@ -80,6 +81,35 @@ class AppliedForcesBuilder {
     return rows;
   }
 
+  /// By body, about its node.
+  std::vector<Wrench> build_wrenches() {
+    const std::size_t frames = mechanism_.frames.size();
+    in_world_.assign(frames, zero_wrench(graph_));
+    std::vector<Wrench> in_frame = in_world_;
+    for (const Force& force : mechanism_.forces) {
+      if (force.kind == ForceKind::potential)
+        pull(force.value, -graph_.one());
+      else if (force.kind == ForceKind::path)
+        pull(force.length, -inserted(force.value));
+      else if (force.kind == ForceKind::wrench) {
+        Wrench& sum = (force.frame_axes ? in_frame : in_world_)[static_cast<std::size_t>(force.frame)];
+        sum = sum + Wrench{inserted(force.torque), inserted(force.force)};
+      }
+    }
+    std::vector<Wrench> of_bodies(mechanism_.bodies.size(), zero_wrench(graph_));
+    for (std::size_t f = 0; f < frames; ++f) {
+      const int body = mechanism_.frames[f].body;
+      if (body < 0) continue;
+      const Mat3 to_frame = transpose(rotation(static_cast<int>(f)));
+      Wrench wrench = in_frame[f] + Wrench{to_frame * in_world_[f].moment, to_frame * in_world_[f].force};
+      const FramePlace place = frame_place(static_cast<int>(f), mechanism_, tree_, graph_);
+      for (std::size_t m = place.motions.size(); m-- > 0;) wrench = inward(place.motions[m], wrench);
+      Wrench& sum = of_bodies[static_cast<std::size_t>(body)];
+      sum = sum + wrench;
+    }
+    return of_bodies;
+  }
+
  private:
   using Values = std::vector<std::pair<Expr, Expr>>;
 
@@ -132,6 +162,42 @@ class AppliedForcesBuilder {
   Vec3 inserted(const Vec3& given) const {
     const std::vector<Expr> x = inserted(std::vector<Expr>(given.entries.begin(), given.entries.end()));
     return {{x[0], x[1], x[2]}};
+  }
+
+  /// To frames, `strength` times the derivatives of a function of where they are: by a distance along the line
+  /// between both, by a position as it is, and by a rotation R its columns' R_c x (derivative by R_c).
+  void pull(const Expr& of, const Expr& strength) {
+    const auto derivatives_by = [&](const std::vector<Expr>& symbols) {
+      const std::vector<Expr> roots{of};
+      std::vector<Expr> found = inserted(jacobian(roots, symbols).entries);
+      for (Expr& one : found) one = strength * one;
+      return found;
+    };
+    const auto at = [&](int frame) -> Wrench& { return in_world_[static_cast<std::size_t>(frame)]; };
+    for (const FrameDistance& distance : mechanism_.distances) {
+      const Expr by = derivatives_by({distance.symbol}).front();
+      if (by.is_zero()) continue;
+      const Vec3 force = (by / inserted(distance.symbol)) * (origin(distance.to) - origin(distance.from));
+      at(distance.to).force = at(distance.to).force + force;
+      at(distance.from).force = at(distance.from).force - force;
+    }
+    for (const FrameSymbols& symbols : mechanism_.frame_symbols) {
+      Wrench& sum = at(symbols.frame);
+      if (symbols.quantity == FrameQuantity::position) {
+        const std::vector<Expr> by = derivatives_by(symbols.symbols);
+        sum.force = sum.force + Vec3{{by[0], by[1], by[2]}};
+      } else if (symbols.quantity == FrameQuantity::rotation) {
+        const std::vector<Expr> by = derivatives_by(symbols.symbols);
+        const Mat3 R = rotation(symbols.frame);
+        for (std::size_t c = 0; c < 3; ++c)
+          sum.moment = sum.moment + cross(Vec3{{R(0, c), R(1, c), R(2, c)}}, {{by[c], by[3 + c], by[6 + c]}});
+      }
+    }
+  }
+
+  Vec3 origin(int frame) const {
+    const std::span<const Expr> pose = pose_of(frame);
+    return {{pose[3], pose[7], pose[11]}};
   }
 
   void add_wrench(const Force& force) {
@@ -230,6 +296,7 @@ class AppliedForcesBuilder {
   std::vector<Expr> Q_;                  ///< of all but ...
   std::vector<AppliedWrench> wrenches_;  ///< ... those on frames that are fixed to nodes
   Expr potential_;
+  std::vector<Wrench> in_world_;  ///< on each frame, about its origin, in axes of the world
 };
 
 }  // namespace
@@ -245,6 +312,12 @@ AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
       std::ranges::none_of(mechanism.parameters, &Parameter::is_state))
     return {{}, graph.zero(), {}, {}};
   return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build();
+}
+
+std::vector<Wrench> applied_wrenches(const Mechanism& mechanism, const MotionTree& tree,
+                                     const SpeedDerivatives& derivatives, ExprGraph& graph) {
+  if (mechanism.forces.empty()) return {};
+  return AppliedForcesBuilder(mechanism, tree, derivatives, graph).build_wrenches();
 }
 
 std::vector<Expr> force_contributions(const Mechanism& mechanism, const MotionTree& tree,

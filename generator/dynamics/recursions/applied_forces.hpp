@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/tree/motion_tree.hpp"
+#include "dynamics/tree/spatial_vectors.hpp"
 #include "dynamics/tree/speed_derivatives.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/expr.hpp"
@@ -24,6 +25,12 @@ std::vector<Expr> less_applied(std::vector<Expr> forces, const AppliedForces& ap
 /// Throws InputError where a force or a rate has no value at the initial state.
 AppliedForces applied_forces(const Mechanism& mechanism, const MotionTree& tree,
                              const SpeedDerivatives& derivatives, ExprGraph& graph);
+
+/// What forces do to bodies, summed by body: moment and force about the origin of the body's node (or of the world), in
+/// its axes. Those along a speed act in a joint and are not among them; a potential or a path pulls at the frames
+/// that it is a function of. Empty where there are no forces.
+std::vector<Wrench> applied_wrenches(const Mechanism& mechanism, const MotionTree& tree,
+                                     const SpeedDerivatives& derivatives, ExprGraph& graph);
 
 /// Q of each name of force_names by itself, a row each.
 std::vector<Expr> force_contributions(const Mechanism& mechanism, const MotionTree& tree,

@@ -92,10 +92,10 @@ Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const Mom
   return out;
 }
 
-std::vector<NodeWrench> external_wrenches(const Mechanism& mechanism, const MotionTree& tree,
-                                          ExprGraph& graph) {
+std::vector<BodyWrench> external_wrenches_by_body(const Mechanism& mechanism, const MotionTree& tree,
+                                                  ExprGraph& graph) {
   const std::vector<WrenchSymbols> given = wrench_symbols(mechanism, graph);
-  std::vector<NodeWrench> out;
+  std::vector<BodyWrench> out;
   if (given.empty()) return out;
   std::vector<Pose> poses;  // rotations only: wrenches are given in world axes
   for (const MotionNode& node : tree.nodes) {
@@ -103,12 +103,22 @@ std::vector<NodeWrench> external_wrenches(const Mechanism& mechanism, const Moti
     poses.push_back(node.motion.kind == MotionKind::translation ? from : moved(from, node.motion));
   }
   for (const auto& [body, wrench] : given) {
-    const BodyPlace& place = tree.places[static_cast<std::size_t>(body)];
-    if (place.node < 0) continue;
-    const std::size_t i = static_cast<std::size_t>(place.node);
-    const Mat3 to_node = transpose(poses[i].rotation);
-    const Vec3 center = center_at_node(mechanism.bodies[static_cast<std::size_t>(body)], place);
-    out.push_back({i, center, {to_node * wrench.moment, to_node * wrench.force}});
+    const std::size_t b = static_cast<std::size_t>(body);
+    const BodyPlace& place = tree.places[b];
+    const Pose pose = place.node < 0 ? identity_pose(graph) : poses[static_cast<std::size_t>(place.node)];
+    const Mat3 to_node = transpose(pose.rotation);
+    const Vec3 center = center_at_node(mechanism.bodies[b], place);
+    out.push_back({b, center, {to_node * wrench.moment, to_node * wrench.force}});
+  }
+  return out;
+}
+
+std::vector<NodeWrench> external_wrenches(const Mechanism& mechanism, const MotionTree& tree,
+                                          ExprGraph& graph) {
+  std::vector<NodeWrench> out;
+  for (const auto& [body, point, wrench] : external_wrenches_by_body(mechanism, tree, graph)) {
+    const int node = tree.places[body].node;
+    if (node >= 0) out.push_back({static_cast<std::size_t>(node), point, wrench});
   }
   return out;
 }

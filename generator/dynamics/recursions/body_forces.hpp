@@ -31,7 +31,16 @@ struct FrameMotion {
 Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
                       ExprGraph& graph);
 
-/// An external wrench on a body that is fixed to a node, in the node's axes: about the centre of mass at `point`.
+/// An external wrench on a body, in the axes of the body's node or of the world: about the centre of mass at `point`.
+struct BodyWrench {
+  std::size_t body;
+  Vec3 point;
+  Wrench wrench;
+};
+std::vector<BodyWrench> external_wrenches_by_body(const Mechanism& mechanism, const MotionTree& tree,
+                                                  ExprGraph& graph);
+
+/// The same of the bodies that are fixed to nodes.
 struct NodeWrench {
   std::size_t node;
   Vec3 point;

@@ -2,7 +2,6 @@
 #include "dynamics/recursions/reduced.hpp"
 
 #include "dynamics/recursions/armature.hpp"
-#include "dynamics/recursions/body_forces.hpp"
 
 namespace alembert {
 
@@ -50,23 +49,29 @@ NodeMotion next(const NodeMotion& before, const WrittenTree& written, std::size_
   return {frame, om, al, angular};
 }
 
+/// By node, of a mechanism that falls upward as fast as things fall.
+std::vector<NodeMotion> node_motions(const Mechanism& mechanism, const WrittenTree& written,
+                                     ExprGraph& graph) {
+  const Vec3 zero = zeros<3, 1>(graph);
+  const NodeMotion root{motion_of_world(mechanism, graph), zero, zero, kUnscaled};
+  std::vector<NodeMotion> motions;
+  const std::size_t count = written.tree.nodes.size();
+  motions.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = written.tree.nodes[i].parent;
+    const NodeMotion& from = parent < 0 ? root : motions[static_cast<std::size_t>(parent)];
+    motions.push_back(next(from, written, i, graph));
+  }
+  return motions;
+}
+
 /// Q, to which the forces of the tree's masses and of the wrenches are added.
 std::vector<Expr> tree_forces(const Mechanism& mechanism, const WrittenTree& written,
                               const std::vector<NodeWrench>& wrenches, std::vector<Expr> Q,
                               ExprGraph& graph) {
   const auto& [tree, moments, scaling] = written;
   const std::size_t count = tree.nodes.size();
-  const Vec3 zero = zeros<3, 1>(graph);
-  const Vec3 acceleration{{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}};
-  const NodeMotion root{FrameMotion(zero, zero, acceleration), zero, zero, kUnscaled};
-
-  std::vector<NodeMotion> motions;
-  motions.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const MotionNode& node = tree.nodes[i];
-    const NodeMotion& from = node.parent < 0 ? root : motions[static_cast<std::size_t>(node.parent)];
-    motions.push_back(next(from, written, i, graph));
-  }
+  const std::vector<NodeMotion> motions = node_motions(mechanism, written, graph);
 
   std::vector<Wrench> loads(count, zero_wrench(graph));  // as stored
   for (std::size_t i = 0; i < count; ++i) {
@@ -97,6 +102,18 @@ std::vector<Expr> tree_forces(const Mechanism& mechanism, const WrittenTree& wri
 }
 
 }  // namespace
+
+FrameMotion motion_of_world(const Mechanism& mechanism, ExprGraph& graph) {
+  const Vec3 zero = zeros<3, 1>(graph);
+  return {zero, zero, {{-mechanism.gravity[0], -mechanism.gravity[1], -mechanism.gravity[2]}}};
+}
+
+std::vector<FrameMotion> frame_motions(const Mechanism& mechanism, const WrittenTree& written,
+                                       ExprGraph& graph) {
+  std::vector<FrameMotion> out;
+  for (const NodeMotion& motion : node_motions(mechanism, written, graph)) out.push_back(motion.frame);
+  return out;
+}
 
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const WrittenTree& written,
                                            ExprGraph& graph) {

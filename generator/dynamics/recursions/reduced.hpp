@@ -3,11 +3,17 @@
 
 #include <vector>
 
+#include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/rewrites/written_tree.hpp"
 #include "mechanism/model.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
+
+/// Motions with gravity in them, as if the world were accelerated by -g: of the world, and of each node.
+FrameMotion motion_of_world(const Mechanism& mechanism, ExprGraph& graph);
+std::vector<FrameMotion> frame_motions(const Mechanism& mechanism, const WrittenTree& written,
+                                       ExprGraph& graph);
 
 /// Q by the reduced form: outward twists and accelerations, inward forces (README.md, 2).
 std::vector<Expr> reduced_inverse_dynamics(const Mechanism& mechanism, const WrittenTree& written,

@@ -19,6 +19,7 @@ template <class R>
 struct Layout {
   std::vector<RigidMotion<Jet<R>>> frames;
   std::vector<Jet<R>> lengths;
+  std::vector<std::vector<std::size_t>> ways;  ///< by path, the frames that it leads over
 
   Layout(const Description& description, const StateOf<R>& state, const std::vector<Jet<R>>& q,
          const Jet<R>& t)
@@ -31,6 +32,7 @@ struct Layout {
           on_it.push_back(point.frame);
       }
       lengths.push_back(length_over(on_it));
+      ways.push_back(std::move(on_it));
     }
   }
 
@@ -216,6 +218,72 @@ std::vector<R> applied_forces(const Description& description, const StateOf<R>& 
   }
   return Q;
 }
+
+namespace {
+
+/// Adds what a tension along a path does to the frames that it leads over.
+template <class R>
+void pull_together(const Layout<R>& layout, std::size_t path, const R& tension,
+                   std::vector<FrameWrench<R>>& on) {
+  const auto value = [&](std::size_t frame) {
+    const Vector3<Jet<R>>& p = layout.frames[frame].translation;
+    return Vector3<R>{p[0].value, p[1].value, p[2].value};
+  };
+  const std::vector<std::size_t>& way = layout.ways[path];
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    if (way[i] == way[i + 1]) continue;
+    const Vector3<R> pull = tension * normalized(value(way[i + 1]) + R(-1.0) * value(way[i]));
+    on[way[i]].force = on[way[i]].force + pull;
+    on[way[i + 1]].force = on[way[i + 1]].force + R(-1.0) * pull;
+  }
+}
+
+}  // namespace
+
+template <class R>
+std::vector<FrameWrench<R>> wrenches_on_frames(const Description& description, const StateOf<R>& state) {
+  std::vector<FrameWrench<R>> on(description.frames.size());
+  if (description.forces.empty()) return on;
+  const Layout<R> moving = moving_layout(description, state);
+  const std::vector<R> variables = variables_at(description, state, moving);
+  const std::size_t frames = on.size();
+  const std::size_t positions = state.q.size() + state.speeds.size();
+  const std::size_t after = positions + 3 * frames + description.inputs.size() + description.states.size();
+  for (const AppliedForce& force : description.forces) {
+    const auto strength = std::visit(Strength<R>{variables, state.time, moving}, force);
+    if (const auto* tension = std::get_if<Tension>(&force)) {
+      pull_together(moving, tension->path, R(-1.0) * strength[0][0], on);
+    } else if (const auto* at = std::get_if<FrameForce>(&force)) {
+      on[at->frame].force = on[at->frame].force + strength[0];
+      on[at->frame].torque = on[at->frame].torque + strength[1];
+    } else if (const auto* potential = std::get_if<Potential>(&force)) {
+      const auto slope = [&](std::size_t variable) {
+        std::vector<Jet<R>> moved;
+        for (const R& x : variables) moved.emplace_back(x, R(0.0), R(0.0));
+        moved[variable].first = R(1.0);
+        return R(-1.0) * evaluate(potential->value, moved, Jet<R>(state.time, R(0.0), R(0.0))).first;
+      };
+      for (std::size_t frame = 0; frame < frames; ++frame) {
+        for (std::size_t i = 0; i < 3; ++i)
+          on[frame].force[i] = on[frame].force[i] + slope(positions + 3 * frame + i);
+        for (std::size_t column = 0; column < 3; ++column) {
+          Vector3<R> axis, by;
+          for (std::size_t row = 0; row < 3; ++row) {
+            axis[row] = moving.frames[frame].column[column][row].value;
+            by[row] = slope(after + 15 * frame + 3 + 3 * row + column);
+          }
+          on[frame].torque = on[frame].torque + cross(axis, by);
+        }
+      }
+      for (std::size_t path = 0; path < moving.lengths.size(); ++path)
+        pull_together(moving, path, R(-1.0) * slope(after + 15 * frames + 2 * path), on);
+    }
+  }
+  return on;
+}
+template std::vector<FrameWrench<double>> wrenches_on_frames(const Description&, const StateOf<double>&);
+template std::vector<FrameWrench<long double>> wrenches_on_frames(const Description&,
+                                                                  const StateOf<long double>&);
 
 template <class R>
 R potential_of_forces(const Description& description, const StateOf<R>& state) {

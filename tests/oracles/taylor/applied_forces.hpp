@@ -13,6 +13,15 @@ namespace alembert::oracles {
 template <class R>
 std::vector<R> applied_forces(const Description& description, const StateOf<R>& state);
 
+/// What forces do to frames, in world axes: a force at the origin and a torque. Forces along speeds do nothing to
+/// frames; a potential pulls by its derivatives by positions, rotations and lengths of paths.
+template <class R>
+struct FrameWrench {
+  Vector3<R> force{R(0.0), R(0.0), R(0.0)}, torque{R(0.0), R(0.0), R(0.0)};
+};
+template <class R>
+std::vector<FrameWrench<R>> wrenches_on_frames(const Description& description, const StateOf<R>& state);
+
 /// Sum of the potentials and of k (q - r)^2/2.
 template <class R>
 R potential_of_forces(const Description& description, const StateOf<R>& state);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "oracles/taylor/poses.hpp"
-
 namespace alembert::oracles {
 
 namespace {
@@ -74,6 +72,39 @@ RowJets<R> row_jets(const Description& description, const std::vector<Jet<R>>& q
 }
 
 template <class R>
+std::vector<Jet<R>> constant_jets(const std::vector<R>& values) {
+  std::vector<Jet<R>> jets;
+  for (const R& value : values) jets.emplace_back(value, R(0.0), R(0.0));
+  return jets;
+}
+
+/// By speed, the column of P. Rows are affine in the speeds, so that a difference of two of their values is a column
+/// exactly.
+template <class R>
+std::vector<std::vector<R>> columns_of(const Description& description, const StateOf<R>& state) {
+  const Jet<R> t(state.time, R(0.0), R(0.0));
+  const std::vector<Jet<R>> rest(state.speeds.size(), Jet<R>(0.0));
+  const std::vector<R> at_rest = row_jets(description, constant_jets(state.q), rest, t).velocity;
+  std::vector<std::vector<R>> columns;
+  for (int k = 0; k < description.nv; ++k) {
+    std::vector<Jet<R>> unit = rest;
+    unit[static_cast<std::size_t>(k)] = Jet<R>(1.0);
+    std::vector<R>& column =
+        columns.emplace_back(row_jets(description, unit_motion(description, state, k), unit, t).velocity);
+    for (std::size_t r = 0; r < column.size(); ++r) column[r] = column[r] - at_rest[r];
+  }
+  return columns;
+}
+
+/// As the state moves, with these rates of its speeds.
+template <class R>
+RowJets<R> moving_rows(const Description& description, const StateOf<R>& state, const std::vector<R>& rates) {
+  std::vector<Jet<R>> u;
+  for (std::size_t k = 0; k < rates.size(); ++k) u.emplace_back(state.speeds[k], rates[k], R(0.0));
+  return row_jets(description, trajectory(description, state, rates), u, Jet<R>(state.time, R(1.0), R(0.0)));
+}
+
+template <class R>
 VectorOf<R> vector_of(const std::vector<R>& values) {
   return Eigen::Map<const VectorOf<R>>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -83,29 +114,33 @@ VectorOf<R> vector_of(const std::vector<R>& values) {
 template <class R>
 ConstraintRowsOf<R> numeric_constraints(const Description& description, const State& state) {
   const StateOf<R> given = lifted<R>(state);
-  std::vector<Jet<R>> u, still;
-  for (const R& speed : given.speeds) u.emplace_back(speed);
-  for (const R& value : given.q) still.emplace_back(value);
-  const std::vector<R> no_rates(state.speeds.size(), R(0.0));
-  const RowJets<R> moving =
-      row_jets(description, trajectory(description, given, no_rates), u, Jet<R>(given.time, R(1.0), R(0.0)));
+  const RowJets<R> moving = moving_rows(description, given, std::vector<R>(given.speeds.size(), R(0.0)));
   ConstraintRowsOf<R> rows;
   rows.gamma = vector_of(moving.acceleration);
   rows.velocity = vector_of(moving.velocity);
   rows.position = vector_of(moving.position);
   rows.P.resize(rows.gamma.size(), description.nv);
-  // Rows are affine in the speeds, so that a difference of two of their values is a column exactly.
-  const std::vector<Jet<R>> rest(state.speeds.size(), Jet<R>(0.0));
-  const VectorOf<R> at_rest = vector_of(row_jets(description, still, rest, Jet<R>(state.time)).velocity);
-  for (int k = 0; k < description.nv; ++k) {
-    std::vector<Jet<R>> unit = rest;
-    unit[static_cast<std::size_t>(k)] = Jet<R>(1.0);
-    const RowJets<R> along =
-        row_jets(description, unit_motion(description, given, k), unit, Jet<R>(state.time));
-    rows.P.col(k) = vector_of(along.velocity) - at_rest;
-  }
+  Eigen::Index k = 0;
+  for (const std::vector<R>& column : columns_of(description, given)) rows.P.col(k++) = vector_of(column);
   return rows;
 }
+
+template <class R>
+ConstraintActions<R> constraint_actions(const Description& description, const StateOf<R>& state,
+                                        const std::vector<R>& multipliers) {
+  ConstraintActions<R> actions;
+  for (const std::vector<R>& column : columns_of(description, state)) {
+    R& force = actions.forces.emplace_back(0.0);
+    for (std::size_t r = 0; r < multipliers.size(); ++r) force = force + column[r] * multipliers[r];
+  }
+  actions.accelerations = moving_rows(description, state, state.rates).acceleration;
+  return actions;
+}
+template ConstraintActions<Jet<double>> constraint_actions(const Description&, const StateOf<Jet<double>>&,
+                                                           const std::vector<Jet<double>>&);
+template ConstraintActions<Jet<long double>> constraint_actions(const Description&,
+                                                                const StateOf<Jet<long double>>&,
+                                                                const std::vector<Jet<long double>>&);
 
 template ConstraintRows numeric_constraints<double>(const Description&, const State&);
 template ConstraintRowsOf<long double> numeric_constraints<long double>(const Description&, const State&);

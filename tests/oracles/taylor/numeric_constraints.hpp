@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "oracles/state.hpp"
+#include "oracles/taylor/poses.hpp"
 
 namespace alembert::oracles {
 
@@ -21,6 +22,16 @@ using ConstraintRows = ConstraintRowsOf<double>;
 /// R is double, or long double for a reference that has digits to spare.
 template <class R = double>
 ConstraintRowsOf<R> numeric_constraints(const Description& description, const State& state);
+
+/// P^T multipliers, and P rates + gamma with the state's rates. On jets, their derivatives along whatever the state
+/// moves along.
+template <class R>
+struct ConstraintActions {
+  std::vector<R> forces, accelerations;
+};
+template <class R>
+ConstraintActions<R> constraint_actions(const Description& description, const StateOf<R>& state,
+                                        const std::vector<R>& multipliers);
 
 /// M rates + c = tau + P^T multipliers, P rates + gamma = 0.
 struct ConstrainedMotion {

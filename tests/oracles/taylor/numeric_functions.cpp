@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "oracles/taylor/applied_forces.hpp"
+#include "oracles/taylor/constrained_functions.hpp"
 #include "oracles/taylor/force_derivatives.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
+#include "oracles/taylor/numeric_reactions.hpp"
 #include "oracles/taylor/poses.hpp"
 
 namespace alembert::oracles {
@@ -439,6 +441,10 @@ const Builders<R>& builders() {
                        {"qdd_qd", solved(by_speeds)},
                        {"qdd_tau", inverse.template cast<double>()}};
        }},
+      {"constrained_forward_dynamics",
+       [](From x) { return constrained_functions<R>(x.description, x.state, x.dynamics); }},
+      {"constrained_forward_dynamics_derivatives",
+       [](From x) { return constrained_derivatives<R>(x.description, x.state, x.dynamics); }},
       {"body_velocities",
        [](From x) {
          return Arrays{{"V", rows_of(x.moving().bodies, &Motion<R>::velocity)}};
@@ -470,6 +476,10 @@ const Builders<R>& builders() {
                        {"A", A},
                        {"bias", centre.rate(bodies).template cast<double>()},
                        {"com", centre.com.template cast<double>()}};
+       }},
+      {"joint_reactions",
+       [](From x) {
+         return Arrays{{"w", numeric_reactions<R>(x.description, x.state).template cast<double>()}};
        }},
       {"coordinate_rates",
        [](From x) {
@@ -528,7 +538,7 @@ const Builders<R>& builders() {
 
 bool is_six_a_row(const std::string& function) {
   static const std::set<std::string> all{"body_velocities", "body_accelerations", "frame_velocities",
-                                         "frame_bias_accelerations"};
+                                         "frame_bias_accelerations", "joint_reactions"};
   return all.count(function) != 0;
 }
 
@@ -537,6 +547,9 @@ std::set<std::string> numeric_function_names(const Description& description) {
   for (const auto& [name, build] : builders<double>()) names.insert(name);
   if (!description.has_forces())
     for (const char* name : {"applied_forces", "force_contributions"}) names.erase(name);
+  if (description.constraints.empty())
+    for (const char* name : {"constrained_forward_dynamics", "constrained_forward_dynamics_derivatives"})
+      names.erase(name);
   if (description.inputs.empty())
     for (const char* name : {"input_jacobian", "state_input_jacobian"}) names.erase(name);
   if (description.states.empty()) {
