@@ -11,6 +11,7 @@
 
 #include "commands/common_options.hpp"
 #include "commands/csv_writer.hpp"
+#include "commands/live_mechanism.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
 #include "mechanism/source.hpp"
@@ -115,7 +116,9 @@ class Simulation {
     std::vector<FunctionKind> functions = trajectory_functions(method());
     if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
       functions.push_back(FunctionKind("body_poses"));
-    const CompiledMechanism compiled = compile(common, functions, Inapplicable::refuse_singular);
+    const std::shared_ptr<const SourceText> source = read_source(file);
+    if (!options_.html.empty()) add_live_functions(source, functions);
+    const CompiledMechanism compiled = compile(common, source, functions, Inapplicable::refuse_singular);
     const Mechanism& mechanism = *compiled.mechanism;
     check_outputs(options_, mechanism.where);
     TrajectoryOptions trajectory = trajectory_options(mechanism);
@@ -137,8 +140,10 @@ class Simulation {
     if (trajectory.progress) tell("\r");
     for (const std::string& event : events) trajectory.note(event);
     if (csv) csv->finish();
-    if (!recorder.motion().times.empty())
+    if (!recorder.motion().times.empty()) {
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
+      if (!options_.html.empty()) scene_.mechanisms.back().live = live_mechanism(compiled, start);
+    }
     return stopped;
   }
 

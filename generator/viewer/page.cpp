@@ -102,6 +102,7 @@ Json body_json(const SceneBody& body) {
   for (const Eigen::Quaterniond& r : body.rotations)
     rotations.insert(rotations.end(), {r.x(), r.y(), r.z(), r.w()});
   return {{"name", body.name},
+          {"mass", body.mass},
           {"center", vector_json(body.center_of_mass)},
           {"parts", parts_json(body.parts)},
           {"origins", points_words(body.origins)},
@@ -124,6 +125,22 @@ void add_acting(Json& json, const Acting& acting) {
   }
   for (const SceneContact& contact : acting.contacts)
     json["contacts"].push_back({{"force", contact.force}, {"points", points_words(contact.points)}});
+}
+
+Json live_json(const LiveMechanism& live) {
+  Json sliders = Json::array();
+  for (const Slider& slider : live.sliders)
+    sliders.push_back({{"name", slider.name},
+                       {"place", slider.place},
+                       {"low", slider.low},
+                       {"high", slider.high},
+                       {"input", slider.input}});
+  return {{"module", live.module},
+          {"t", live.t},
+          {"q", live.q},
+          {"qd", live.qd},
+          {"parameters", live.parameters},
+          {"sliders", std::move(sliders)}};
 }
 
 Json box_json(const Eigen::AlignedBox3d& box) {
@@ -166,6 +183,7 @@ std::string scene_json(const Scene& scene) {
              {"energies", series_json(mechanism.energies)},
              {"energy_change", energy_change(mechanism.energies)}};
     add_acting(one, mechanism.acting);
+    if (mechanism.live) one["live"] = live_json(*mechanism.live);
     json["mechanisms"].push_back(std::move(one));
   }
   std::string out;

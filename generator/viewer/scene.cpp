@@ -105,6 +105,9 @@ void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, c
     SceneBody body;
     body.name = mechanism.bodies[b].name;
     body.center_of_mass = values(mechanism.bodies[b].mass_properties.com);
+    Vec3 mass = mechanism.bodies[b].mass_properties.com;
+    mass[0] = mechanism.bodies[b].mass_properties.mass;
+    body.mass = values(mass)[0];
     body.parts = std::move(looks.bodies[b]);
     for (const BodyPoses& frame : frames) {
       body.origins.push_back(frame[b].translation());

@@ -28,6 +28,7 @@ struct ScenePart {
 
 struct SceneBody {
   std::string name;
+  double mass = 0;                                           ///< kg
   Eigen::Vector3d center_of_mass = Eigen::Vector3d::Zero();  ///< body frame
   std::vector<ScenePart> parts;
   std::vector<Eigen::Vector3d> origins;  ///< one for each frame, world axes
@@ -62,6 +63,22 @@ struct Acting {
   std::vector<SceneContact> contacts;
 };
 
+/// A number of a mechanism's parameters that a page lets the hand change.
+struct Slider {
+  std::string name;
+  std::size_t place = 0;  ///< in the array of parameters
+  double low = 0, high = 1;
+  bool input = false;
+};
+
+/// What a page needs to go on by itself: functions, and the state that it starts from.
+struct LiveMechanism {
+  std::string module;  ///< JavaScript, an ES module
+  std::vector<double> q, qd, parameters;
+  double t = 0;
+  std::vector<Slider> sliders;
+};
+
 struct SceneMechanism {
   std::string name;
   std::string description;
@@ -72,6 +89,7 @@ struct SceneMechanism {
   std::vector<Series> coordinates;
   std::vector<Series> energies;  ///< kinetic, potential, total
   Acting acting;
+  std::optional<LiveMechanism> live;
 };
 
 struct Scene {

@@ -73,7 +73,7 @@ a:hover { outline: 2px solid #2f6fb0; }
 img { aspect-ratio: ${kWidth} / ${kHeight}; display: block; height: auto; margin: 0 0 8px -14px; width: calc(100% + 14px); max-width: none; }
 small { display: block; font-weight: 400; opacity: 0.7; padding-right: 14px; }
 </style></head><body>
-<h1>Mechanisms in motion</h1><p>Each picture leads to a page: drag to turn, space to play.</p>
+<h1>Mechanisms in motion</h1><p>Each picture leads to a page: pull the mechanism, drag beside it to turn, space to pause.</p>
 <div>
 ${body}</div>
 </body></html>

@@ -163,6 +163,10 @@ bodies:
   for (const matrix of both) assert.ok(difference(matrix, states[50].poses[0]) < 1e-6);
   const buttons = await page.$$("#mechanisms button");
   assert.equal(buttons.length, 3);
+  await page.evaluate(() => window.viewer.setMode("live"));
+  assert.equal(await page.evaluate(() => window.viewer.live.motions.every((motion) => motion.step(0.001))), true);
+  assert.equal(await page.evaluate(() => window.evil), undefined);
+  await page.evaluate(() => window.viewer.setMode("recorded"));
   await buttons[2].click();
   assert.notEqual(await page.$eval("#heading h1", (h) => h.textContent), "evil");
   await page.evaluate(() => window.viewer.showAll());

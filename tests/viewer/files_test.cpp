@@ -245,9 +245,28 @@ TEST(Glb, HoldsForcesAsTubesAndBalls) {
   EXPECT_GT(ball_scale.at(6), 1e3F * ball_scale.at(9));
 }
 
+TEST(Page, HoldsWhatMovesByItself) {
+  SmallScene small(kHangingPendulum, {0.1, 0.2});
+  EXPECT_FALSE(Json::parse(scene_json(small.scene))["mechanisms"].at(0).contains("live"));
+  LiveMechanism live;
+  live.module = "export { q };";
+  live.q = {0.1};
+  live.parameters = {0.1 + 0.2};
+  live.sliders = {{"length", 0, 0.2, 3, false}};
+  small.scene.mechanisms[0].live = live;
+  const Json mechanism = Json::parse(scene_json(small.scene))["mechanisms"].at(0);
+  EXPECT_EQ(mechanism["live"]["module"], live.module);
+  EXPECT_EQ(mechanism["live"]["parameters"].at(0), 0.1 + 0.2) << "to the last digit";
+  EXPECT_EQ(mechanism["live"]["sliders"].at(0)["low"], 0.2);
+  EXPECT_GT(mechanism["bodies"].at(0)["mass"], 0);
+}
+
 TEST(Page, LetsNoTextEndItsElement) {
   const std::string evil = "</script><script>alert(1)</script>";
-  const SmallScene small(kHangingPendulum, {0.1, 0.2, 0.3, 0.4}, some_acting(evil));
+  SmallScene small(kHangingPendulum, {0.1, 0.2, 0.3, 0.4}, some_acting(evil));
+  LiveMechanism& live = small.scene.mechanisms[0].live.emplace();
+  live.module = evil;
+  live.sliders = {{evil, 0, 0, 1, true}};
   EXPECT_EQ(Json::parse(scene_json(small.scene))["mechanisms"].at(0)["outputs"].at(0)["name"], "out" + evil);
   EXPECT_EQ(scene_json(small.scene).find('<'), std::string::npos);
   EXPECT_EQ(html_escaped("</title><b a=\"x\">&"), "&lt;/title&gt;&lt;b a=&quot;x&quot;&gt;&amp;");

@@ -81,6 +81,7 @@ class Writer {
       : program_(program),
         signature_(signature),
         syntax_(syntax),
+        longest_(sizes.longest),
         layout_(program, sizes, grain_of(program, registers)) {
     if (grain_of(program, registers) == Grain::operations) plan_.emplace(program_, layout_);
   }
@@ -107,7 +108,7 @@ class Writer {
       }
     }
     const std::uint32_t last = layout_.blocks() - 1;
-    layout_.loops() ? write_late(last) : write_leaves(last);
+    layout_.loops() ? write_late(last) : write_leaves(cuts_leaves() ? add_block() : last);
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
     if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_ &&
@@ -209,6 +210,14 @@ class Writer {
     }
   }
 
+  /// Whether there are blocks, and what they may hold is a matter of speed.
+  bool cuts_leaves() const { return syntax_.dialect == Dialect::javascript && layout_.blocks() > 1; }
+  std::uint32_t add_block() {
+    body_.blocks.emplace_back();
+    states_.emplace_back();
+    return static_cast<std::uint32_t>(body_.blocks.size() - 1);
+  }
+
   /// Results and entries of tables that are inputs or constants.
   void write_leaves(std::uint32_t block) {
     for (std::uint32_t v = 0; v < program_.code.size(); ++v)
@@ -216,8 +225,13 @@ class Writer {
           !(layout_.results(v).empty() && layout_.table_places(v).empty())) {
         const bool again = plan_ && program_.code[v].op == Operation::input;
         if (again) read_again(block, {element_of(v, block)});
+        std::span<const std::pair<std::uint32_t, std::uint32_t>> results = layout_.results(v);
+        for (; cuts_leaves() && !layout_.loops() && results.size() > longest_; block = add_block()) {
+          store_all(block, results.first(longest_), operand(v, block, Binding::sum));
+          results = results.subspan(longest_);
+        }
         const std::string value = again ? element_of(v, block) : operand(v, block, Binding::sum);
-        store_all(block, layout_.results(v), value);
+        store_all(block, results, value);
         for (const std::uint32_t place : layout_.table_places(v)) keep(block, place, value);
       }
   }
@@ -568,6 +582,7 @@ class Writer {
   const Program& program_;
   const OutputFunction& signature_;
   const Syntax& syntax_;
+  std::size_t longest_;
   StatementLayout layout_;
   std::optional<RegisterPlan> plan_;
   std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place

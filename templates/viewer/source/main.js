@@ -1,7 +1,9 @@
 // The page: reads the scene, connects picture, plots and playback, and offers `window.viewer` to scripts.
 import "./page.css";
+import { LiveMode } from "./live_mode.js";
 import { Plots } from "./plots.js";
 import { readScene } from "./scene_data.js";
+import { Sliders } from "./sliders.js";
 import { Stage } from "./stage.js";
 
 const element = (id) => document.getElementById(id);
@@ -15,15 +17,52 @@ const duration = end - start;
 const stage = new Stage(element("stage"), data);
 const state = { time: start, playing: false, shown: 0, theme: "light", last: 0 };
 let plots = null;
+const live = data.mechanisms.some((mechanism) => mechanism.live) ? new LiveMode(stage, data, () => play()) : null;
+const speed = () => Number(element("speed").value);
 
 function show() {
+  if (live?.on) {
+    live.show();
+    showClock(live.time);
+    return;
+  }
   stage.seek(state.time);
   plots.seek(state.time, state.theme);
   element("time").value = String(duration > 0 ? (state.time - start) / duration : 0);
-  element("clock").textContent = `${(state.time).toFixed(2)} s`;
+  showClock(state.time);
+}
+
+function showClock(t) {
+  element("clock").textContent = `${t.toFixed(2)} s`;
+}
+
+/// Live, or the motion as it was recorded.
+function setMode(on) {
+  if (!live || live.on === on) return;
+  pause();
+  live.set(on);
+  document.body.dataset.mode = on ? "live" : "recorded";
+  element("live").setAttribute("aria-pressed", String(on));
+  element("recorded").setAttribute("aria-pressed", String(!on));
+  select(state.shown, false);
+  show();
+}
+
+function reset() {
+  setMode(true);
+  live.reset();
+  note("");
+  show();
+  plots.resize(state.theme);
+}
+
+function note(text) {
+  element("hint").textContent = text === "" ? "Drag a body to pull it, elsewhere to turn the picture" : `It stops: ${text}. Reset starts anew`;
+  element("hint").classList.toggle("problem", text !== "");
 }
 
 function seek(t) {
+  setMode(false);
   pause();
   state.time = Math.min(Math.max(t, start), end);
   show();
@@ -33,16 +72,27 @@ function step(now) {
   if (!state.playing) return;
   const elapsed = Math.min(Math.max(now - state.last, 0) / 1000, 0.1);  // the first frame may lie before play()
   state.last = now;
-  state.time += elapsed * Number(element("speed").value);
+  if (live?.on) {
+    const problem = live.advance(elapsed * speed());
+    showClock(live.time);
+    plots.grow(state.theme);
+    if (problem) {
+      note(problem);
+      pause();
+    }
+    requestAnimationFrame(step);
+    return;
+  }
+  state.time += elapsed * speed();
   if (state.time > end) state.time = start;
   show();
   requestAnimationFrame(step);
 }
 
 function play() {
-  if (state.playing || !(duration > 0)) return;
+  if (state.playing || !(duration > 0 || live?.on)) return;
   state.playing = true;
-  if (state.time >= end) state.time = start;
+  if (!live?.on && state.time >= end) state.time = start;
   state.last = performance.now();
   showPlaying();
   requestAnimationFrame(step);
@@ -62,7 +112,7 @@ function setTheme(theme) {
   state.theme = theme;
   document.documentElement.dataset.theme = theme;
   stage.setTheme(theme);
-  plots.resize(theme);
+  showPlots();
   show();
 }
 
@@ -74,10 +124,18 @@ function select(index, look) {
   element("heading").querySelector("p").textContent = mechanism.description;
   for (const [i, button] of [...element("mechanisms").children].entries())
     button.setAttribute("aria-pressed", String(i === index));
-  plots = new Plots(element("plots"), mechanism, seek);
-  plots.resize(state.theme);
-  plots.seek(state.time, state.theme);
+  const record = live?.on && live.records[index];
+  plots = record ? new Plots(element("plots"), record.data, () => {}) : new Plots(element("plots"), mechanism, seek);
+  showPlots();
+  const motion = record && live.motions[index];
+  if (motion) new Sliders(element("sliders"), mechanism.live, motion.inputs.parameters, (place, value) => motion.setParameter(place, value));
+  else element("sliders").replaceChildren();
   if (look) stage.frame(index);
+}
+
+function showPlots() {
+  plots.resize(state.theme);
+  plots.seek(live?.on ? Infinity : state.time, state.theme);
 }
 
 if (data.mechanisms.length > 1) {
@@ -94,10 +152,7 @@ select(0, false);
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 setTheme(dark.matches ? "dark" : "light");
 dark.addEventListener("change", () => setTheme(dark.matches ? "dark" : "light"));
-new ResizeObserver(() => {
-  plots.resize(state.theme);
-  plots.seek(state.time, state.theme);
-}).observe(element("plots"));
+new ResizeObserver(showPlots).observe(element("plots"));
 
 element("theme").addEventListener("click", () => setTheme(state.theme === "dark" ? "light" : "dark"));
 element("home").addEventListener("click", () => stage.frame());
@@ -106,6 +161,12 @@ element("trails").addEventListener("click", () => {
   element("trails").setAttribute("aria-pressed", String(on));
   stage.showTrails(on);
 });
+element("live").addEventListener("click", () => {
+  setMode(true);
+  play();
+});
+element("recorded").addEventListener("click", () => setMode(false));
+element("reset").addEventListener("click", reset);
 element("play").addEventListener("click", () => (state.playing ? pause() : play()));
 element("time").addEventListener("input", () => seek(start + Number(element("time").value) * duration));
 window.addEventListener("keydown", (event) => {
@@ -114,6 +175,8 @@ window.addEventListener("keydown", (event) => {
     event.preventDefault();
     if (state.playing) pause();
     else play();
+  } else if (event.key === "r" && live) {
+    reset();
   } else if (event.key === "ArrowRight" || event.key === "ArrowLeft") {
     seek(state.time + (event.key === "ArrowRight" ? 1 : -1) / 60);
   }
@@ -137,8 +200,13 @@ window.viewer = {
   contact: (name, mechanismName) => stage.forces(mechanismName)?.contact(name) ?? null,
   onScreen: (bodyName, mechanismName) => stage.onScreen(bodyName, mechanismName),
   get time() {
-    return state.time;
+    return live?.on ? live.time : state.time;
   },
+  /// The live mode: `motions`, by mechanism, have the generated `module`, q, u, t, `inputs`, `energy()`, `work` of the hand, `grab(body,
+  /// point)`, `moveTarget(point)`, `release()` and `step(h)`; null where there is none.
+  live,
+  setMode: (mode) => setMode(mode === "live"),
+  reset,
   get drawn() {
     return stage.renderer !== null;
   },
@@ -150,6 +218,9 @@ window.viewer = {
   },
 };
 
+note("");
+element("modes").hidden = !live;
 show();
 showPlaying();
+if (live && location.hash !== "#paused") setMode(true);
 if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches && location.hash !== "#paused") play();

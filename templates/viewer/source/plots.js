@@ -69,11 +69,16 @@ class Plot {
     this.canvas.addEventListener("pointermove", (event) => {
       if (event.buttons & 1) seek(event);
     });
-    this.start = times[0];
-    this.end = Math.max(times[times.length - 1], times[0] + 1e-9);
+    this.fit();
+  }
+
+  /// Axes that hold what there is.
+  fit() {
+    this.start = this.times[0];
+    this.end = Math.max(this.times[this.times.length - 1], this.times[0] + 1e-9);
     this.low = Infinity;
     this.high = -Infinity;
-    for (const { values } of series) {
+    for (const { values } of this.series) {
       for (const value of values) {
         if (!Number.isFinite(value)) continue;  // an output may have no value at times
         this.low = Math.min(this.low, value);
@@ -81,7 +86,7 @@ class Plot {
       }
     }
     if (this.low > this.high) this.low = this.high = 0;
-    const limits = series.flatMap((one) => one.limits ?? []).filter((limit) => limit !== null);
+    const limits = this.series.flatMap((one) => one.limits ?? []).filter((limit) => limit !== null);
     const [low, high] = [Math.min(this.low, ...limits), Math.max(this.high, ...limits)];
     if (this.high - this.low >= kLeastShare * (high - low)) [this.low, this.high] = [low, high];
     // A constant is drawn in the middle, not its last digits across the height.
@@ -217,8 +222,12 @@ function groups(all) {
 export class Plots {
   constructor(element, mechanism, onSeek) {
     element.replaceChildren();
-    const note = `J, potential from its lowest; total changes by ${mechanism.energy_change.toPrecision(2)} at most`;
-    this.plots = [new Plot("Energy", note, mechanism.times, fromLowestPotential(mechanism.energies), onSeek)];
+    // Of a live motion they are from the lowest already, and change as they are pulled.
+    const live = mechanism.energy_change === undefined;
+    const note = `J, potential from its lowest${live ? "" : `; total changes by ${mechanism.energy_change.toPrecision(2)} at most`}`;
+    const energies = live ? mechanism.energies : fromLowestPotential(mechanism.energies);
+    this.plots = [new Plot("Energy", note, mechanism.times, energies, onSeek)];
+    this.next = 0;
     for (const [all, kind] of [[mechanism.coordinates, ""], [mechanism.forces, "force"], [mechanism.inputs, "input"], [mechanism.states, "state"], [mechanism.outputs, "output"]])
       for (const group of groups(all)) {
         const part = stem(group[0].name);
@@ -237,5 +246,12 @@ export class Plots {
   }
   seek(t, theme) {
     for (const plot of this.plots) plot.seek(t, theme);
+  }
+  /// Draws one of them anew as it has grown, each in turn, and the values of all at the end.
+  grow(theme) {
+    const plot = this.plots[this.next++ % this.plots.length];
+    plot.fit();
+    plot.resize(theme);
+    plot.seek(plot.end, theme);
   }
 }

@@ -140,7 +140,18 @@ class MechanismView {
       }
       node.quaternion.normalize();
     });
+    this.forces.group.visible = true;
     this.forces.seek(frame, share);
+  }
+
+  /// Bodies at poses [R p], row by row; forces are those of the recorded motion, and not shown.
+  place(W) {
+    const matrix = new Matrix4();
+    const size = new Vector3();
+    this.bodies.forEach((node, i) => {
+      matrix.set(...W.subarray(12 * i, 12 * i + 12), 0, 0, 0, 1).decompose(node.position, node.quaternion, size);
+    });
+    this.forces.group.visible = false;
   }
 
   showTrails(visible) {
@@ -345,6 +356,13 @@ export class Stage {
 
   seek(t) {
     for (const mechanism of this.mechanisms) mechanism.seek(t);
+    if (this.follows) this.follow();
+    this.draw();
+  }
+
+  /// The same with bodies at these poses, by mechanism.
+  showLive(poses) {
+    this.mechanisms.forEach((mechanism, i) => poses[i] && mechanism.place(poses[i]));
     if (this.follows) this.follow();
     this.draw();
   }

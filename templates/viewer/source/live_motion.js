@@ -1,0 +1,352 @@
+// A mechanism that moves in the browser, by the functions that were generated for it. In: the live part of a mechanism
+// (scene_data.js), time that passes, a point that is pulled. Out: coordinates, speeds, poses, energy.
+//
+// Without forces in the description, steps are RK4, by forward_dynamics where there are no constraints; with forces, which may
+// be stiff, they are linearly implicit as linearly_implicit_euler_step of the runtime. Constraints are kept by projecting the state after each step.
+import { ConstrainedEquations } from "./linear_equations.js";
+
+const kSteps = [1 / 960, 1 / 480, 1 / 240, 1 / 120, 1 / 60];  // s
+const kShare = 0.5;       // of the time that passes may be taken by computing
+const kMostTime = 14;     // ms of computing at once: then time passes more slowly
+const kPull = 16;         // rad/s, of the spring from the pointer
+const kDamping = 0.7;     // of it, of the critical one
+const kHeaviest = 8;      // times the mass that is felt at the point is what the pull is strong enough for
+const kLeastMobility = 1e-6;  // of that without constraints: what has less is held fast
+const kProjections = 6;
+const kHalvings = 5;      // of a step
+const kExact = 1e-4;      // of the kinetic energy may be lost in a step
+const kKept = 1e-9;       // a constraint is kept to
+
+/// The exports of an ES module that imports nothing.
+function moduleOf(text) {
+  const at = text.lastIndexOf("\nexport {");
+  return new Function(`"use strict";${text.slice(0, at)}\nreturn {${text.slice(at + "\nexport {".length)}`)();
+}
+
+export class LiveMotion {
+  /// `bodies`: with `mass` and `center`.
+  constructor(live, bodies) {
+    const m = moduleOf(live.module);
+    this.module = m;
+    this.start = live;
+    this.bodies = bodies;
+    const { nq, nv } = m;
+    const nc = m.constraint_names.length;
+    this.nc = nc;
+    this.direct = m.forward_dynamics !== undefined;
+    this.stiff = m.inverse_dynamics_derivatives !== undefined;
+    this.statePlaces = m.state_names.map((name) => m.parameter_names.indexOf(name));
+    const numbers = (n) => new Float64Array(n);
+    Object.assign(this, { q: numbers(nq), u: numbers(nv), states: numbers(this.statePlaces.length) });
+    this.inputs = { t: live.t, parameters: Float64Array.from(live.parameters) };
+    this.equations = new ConstrainedEquations(nv, nc);
+    this.dynamics = { M: numbers(nv * nv), c: numbers(nv) };
+    this.rows = { P: numbers(nc * nv), gamma: numbers(nc), velocity: numbers(nc), position: numbers(nc) };
+    this.derivatives = { tau_q: numbers(nv * nv), tau_qd: numbers(nv * nv) };
+    this.jacobians = numbers(6 * nv * bodies.length);
+    this.W = numbers(12 * bodies.length);
+    this.J = numbers(3 * nv);
+    this.side = numbers(nc);
+    this.A = numbers(nv * nv);
+    this.tau = numbers(nv);
+    this.cost = 0;  // ms of a step, of late
+    this.reset();
+  }
+
+  /// Back to the state it started from; parameters and inputs stay as they were set.
+  reset() {
+    this.q.set(this.start.q);
+    this.u.set(this.start.qd);
+    this.states.set(this.statePlaces.map((place) => this.start.parameters[place]));
+    this.t = this.start.t;
+    this.waiting = 0;
+    this.work = 0;  // of the pull, J
+    this.problem = "";
+    this.pull = null;
+    this.settle();
+  }
+
+  /// Sets time and states; what functions take besides q and u.
+  inputsAt(t, states) {
+    this.inputs.t = t;
+    this.statePlaces.forEach((place, i) => (this.inputs.parameters[place] = states[i]));
+    return this.inputs;
+  }
+  here() {
+    return this.inputsAt(this.t, this.states);
+  }
+  poses() {
+    return this.module.body_poses(this.q, this.here(), this.W);
+  }
+  /// Kinetic and potential, J.
+  energy() {
+    return this.module.energy(this.q, this.u, this.here());
+  }
+  setParameter(place, value) {
+    this.inputs.parameters[place] = value;
+  }
+
+  /// Pulls a point of a body, given in the body's frame, towards a target in the world, until release(). A body that
+  /// cannot move is not pulled.
+  grab(body, point) {
+    this.pull = { body, point, target: null, at: [0, 0, 0], force: [0, 0, 0], stiffness: 0, damping: 0 };
+    this.movePoint(this.q, this.here());
+    this.pull.target = [...this.pull.at];
+    const { nv } = this.module;
+    const response = this.responses();
+    let [mobility, free] = [0, 0];  // 1/kg, with the constraints and without
+    for (let a = 0; a < 3; ++a) {
+      const row = this.J.subarray(a * nv, (a + 1) * nv);
+      const { x, y } = response(row);
+      for (let i = 0; i < nv; ++i) {
+        mobility += row[i] * x[i];
+        free += row[i] * y[i];
+      }
+    }
+    if (!(mobility > kLeastMobility * free) || !(free > 0)) return this.release();
+    const all = this.bodies.reduce((sum, { mass }) => sum + mass, 0);
+    const mass = Math.min(Math.sqrt(Math.max(all, 1 / mobility) / mobility), kHeaviest / mobility);
+    this.pull.stiffness = kPull * kPull * mass;
+    this.pull.damping = 2 * kDamping * Math.sqrt(this.pull.stiffness / mobility);
+    return true;
+  }
+  /// What generalized forces add to the rates of the speeds here: x, and without constraints y.
+  responses() {
+    const inputs = this.evaluate(this.q, this.u, this.t, this.states);
+    const { module: m, q, u, equations, dynamics, rows, side } = this;
+    if (this.direct) {
+      const none = m.forward_dynamics(q, u, new Float64Array(m.nv), inputs);
+      return (force) => {
+        const x = m.forward_dynamics(q, u, force, inputs).map((rate, i) => rate - none[i]);
+        return { x, y: x };
+      };
+    }
+    return (force) => {
+      const x = Float64Array.from(force);
+      equations.solve(dynamics.M, x, rows.P, side.fill(0));
+      return { x, y: equations.factor.solve(Float64Array.from(force)) };
+    };
+  }
+  moveTarget(target) {
+    if (this.pull) this.pull.target = [...target];
+  }
+  release() {
+    this.pull = null;
+    return false;
+  }
+
+  /// Where the point is, and its Jacobian J.
+  movePoint(q, inputs) {
+    const { body, point, at } = this.pull;
+    const { nv } = this.module;
+    const W = this.module.body_poses(q, inputs, this.W).subarray(12 * body);
+    const jacobian = this.module.body_jacobians(q, inputs, this.jacobians).subarray(6 * nv * body);
+    const { center } = this.bodies[body];
+    const turned = (x, row) => W[4 * row] * x[0] + W[4 * row + 1] * x[1] + W[4 * row + 2] * x[2];
+    const arm = [0, 1, 2].map((row) => turned(point, row) - turned(center, row));
+    for (let a = 0; a < 3; ++a) {
+      at[a] = turned(point, a) + W[4 * a + 3];
+      const [b, c] = [(a + 1) % 3, (a + 2) % 3];
+      for (let i = 0; i < nv; ++i)
+        this.J[a * nv + i] = jacobian[(3 + a) * nv + i] + jacobian[b * nv + i] * arm[c] - jacobian[c * nv + i] * arm[b];
+    }
+  }
+  /// Velocity of the point, for speeds u.
+  pointVelocity(u, a) {
+    const { nv } = this.module;
+    let sum = 0;
+    for (let i = 0; i < nv; ++i) sum += this.J[a * nv + i] * u[i];
+    return sum;
+  }
+
+  evaluate(q, u, t, states) {
+    const inputs = this.inputsAt(t, states);
+    if (!this.direct) this.module.mass_matrix_and_bias(q, u, inputs, this.dynamics);
+    if (this.nc > 0) this.module.constraints(q, u, inputs, this.rows);
+    return inputs;
+  }
+
+  /// Rates of the speeds into `rate`; the power of the pull.
+  accelerate(q, u, t, states, rate) {
+    const inputs = this.evaluate(q, u, t, states);
+    const { nv } = this.module;
+    const { tau } = this;
+    tau.fill(0);
+    let power = 0;
+    if (this.pull) {
+      this.movePoint(q, inputs);
+      for (let a = 0; a < 3; ++a) {
+        const velocity = this.pointVelocity(u, a);
+        const force = this.pull.stiffness * (this.pull.target[a] - this.pull.at[a]) - this.pull.damping * velocity;
+        this.pull.force[a] = force;
+        power += force * velocity;
+        for (let i = 0; i < nv; ++i) tau[i] += this.J[a * nv + i] * force;
+      }
+    }
+    if (this.direct) {
+      this.module.forward_dynamics(q, u, tau, inputs, rate);
+      return power;
+    }
+    for (let i = 0; i < nv; ++i) rate[i] = tau[i] - this.dynamics.c[i];
+    for (let r = 0; r < this.nc; ++r) this.side[r] = -this.rows.gamma[r];
+    if (!this.equations.solve(this.dynamics.M, rate, this.rows.P, this.side)) this.problem = "the mass matrix is singular here";
+    return power;
+  }
+
+  stepByRk4(h) {
+    const { nq, nv } = this.module;
+    const sizes = [nq, nv, this.states.length];
+    const start = [this.q, this.u, this.states].map((x) => Float64Array.from(x));
+    const sum = sizes.map((n) => new Float64Array(n));
+    const rates = sizes.map((n) => new Float64Array(n));
+    let work = 0;
+    for (const [share, weight] of [[0, 1], [0.5, 2], [0.5, 2], [1, 1]]) {
+      const [q, u, s] = start.map((x, k) => x.map((value, i) => value + share * h * rates[k][i]));
+      const t = this.t + share * h;
+      const power = this.accelerate(q, u, t, s, rates[1]);
+      this.module.coordinate_rates(q, u, rates[0]);
+      if (s.length > 0) this.module.state_rates(q, u, this.inputsAt(t, s), rates[2]);
+      sum.forEach((x, k) => x.forEach((_, i) => (x[i] += (weight / 6) * rates[k][i])));
+      work += (weight / 6) * h * power;
+    }
+    [this.q, this.u, this.states].forEach((x, k) => x.forEach((_, i) => (x[i] = start[k][i] + h * sum[k][i])));
+    this.t += h;
+    this.work += work;
+  }
+
+  stepImplicitly(h) {
+    const { nv } = this.module;
+    const { A, J, pull } = this;
+    const rate = new Float64Array(nv);
+    this.accelerate(this.q, this.u, this.t + h, this.states, rate);
+    const { M, c } = this.dynamics;
+    const { tau_q, tau_qd } = this.module.inverse_dynamics_derivatives(this.q, this.u, rate, this.inputs, this.derivatives);
+    for (let k = 0; k < A.length; ++k) A[k] = M[k] + h * (tau_qd[k] + h * tau_q[k]);
+    const change = new Float64Array(nv);
+    for (let i = 0; i < nv; ++i) {
+      let sum = -c[i];
+      for (let j = 0; j < nv; ++j) sum -= h * tau_q[i * nv + j] * this.u[j];
+      change[i] = h * sum;
+    }
+    if (pull) {
+      // Its force is that at the step's end.
+      const stiffer = h * pull.damping + h * h * pull.stiffness;
+      for (let a = 0; a < 3; ++a) {
+        const velocity = this.pointVelocity(this.u, a);
+        const force = pull.stiffness * (pull.target[a] - pull.at[a]) - (pull.damping + h * pull.stiffness) * velocity;
+        for (let i = 0; i < nv; ++i) {
+          const entry = J[a * nv + i];
+          if (entry === 0) continue;
+          change[i] += h * entry * force;
+          for (let j = 0; j < nv; ++j) A[i * nv + j] += stiffer * entry * J[a * nv + j];
+        }
+      }
+    }
+    for (let r = 0; r < this.nc; ++r) this.side[r] = -h * this.rows.gamma[r];
+    if (!this.equations.solve(A, change, this.rows.P, this.side)) this.problem = "the equations of a step are singular here";
+    for (let i = 0; i < nv; ++i) this.u[i] += change[i];
+    if (pull)
+      for (let a = 0; a < 3; ++a) {
+        const after = this.pointVelocity(this.u, a);
+        const before = after - this.pointVelocity(change, a);
+        pull.force[a] = pull.stiffness * (pull.target[a] - pull.at[a] - h * after) - pull.damping * after;
+        this.work += (h * pull.force[a] * (before + after)) / 2;
+      }
+    this.addRates(this.q, this.u, h);
+    this.t += h;
+    this.stepStates(h);
+  }
+  /// q goes on at speeds u for a time.
+  addRates(q, u, h) {
+    const rates = this.module.coordinate_rates(q, u);
+    for (let i = 0; i < q.length; ++i) q[i] += h * rates[i];
+  }
+  stepStates(h) {
+    const n = this.states.length;
+    if (n === 0) return;
+    const inputs = this.here();
+    const rates = this.module.state_rates(this.q, this.u, inputs);
+    const { r_s } = this.module.state_rates_derivatives(this.q, this.u, inputs);
+    const equations = new ConstrainedEquations(n, 0);
+    const change = rates.map((rate) => h * rate);
+    if (equations.solve(r_s.map((x, k) => (k % (n + 1) === 0 ? 1 : 0) - h * x), change))
+      this.states.forEach((_, i) => (this.states[i] += change[i]));
+  }
+
+  /// Quaternions of unit length, and the nearest state that keeps the constraints.
+  settle() {
+    const { module: m, q, u, nc } = this;
+    const normalise = () => {
+      for (const first of m.quaternion_offsets) {
+        const size = Math.hypot(q[first], q[first + 1], q[first + 2], q[first + 3]);
+        for (let i = first; i < first + 4; ++i) q[i] /= size;
+      }
+    };
+    normalise();
+    if (nc === 0) return;
+    const { P, position, velocity } = this.rows;
+    const change = new Float64Array(m.nv);
+    for (let k = 0; k < kProjections; ++k) {
+      this.evaluate(q, u, this.t, this.states);
+      if (position.every((x) => Math.abs(x) <= kKept)) break;
+      m.holonomic.forEach((is, r) => {
+        this.side[r] = -position[r];
+        if (!is) P.fill(0, r * m.nv, (r + 1) * m.nv);
+      });
+      if (!this.equations.solve(this.dynamics.M, change.fill(0), P, this.side)) break;
+      this.addRates(q, change, 1);
+      normalise();
+    }
+    this.evaluate(q, u, this.t, this.states);
+    for (let r = 0; r < nc; ++r) this.side[r] = -velocity[r];
+    if (this.equations.solve(this.dynamics.M, change.fill(0), P, this.side)) for (let i = 0; i < m.nv; ++i) u[i] += change[i];
+  }
+
+  /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Steps of RK4 after which the energy has
+  /// not changed by the work of the hand are made again, in halves.
+  step(h, halvings = kHalvings) {
+    const state = [this.q, this.u, this.states];
+    const before = state.map((x) => Float64Array.from(x));
+    const { t, work } = this;
+    const energy = this.energy();
+    if (this.stiff) this.stepImplicitly(h);
+    else this.stepByRk4(h);
+    this.settle();
+    const finite = state.every((x) => x.every(Number.isFinite));
+    if (finite && this.problem === "" && (halvings === 0 || !this.isInexact(energy, work))) return true;
+    const problem = this.problem || "the motion has no finite state from here";
+    state.forEach((x, k) => x.set(before[k]));
+    Object.assign(this, { t, work, problem: "" });
+    if (halvings > 0 && !this.stiff) return this.step(h / 2, halvings - 1) && this.step(h / 2, halvings - 1);
+    this.problem = problem;
+    return false;
+  }
+  /// Not where reactions may do work: rows may prescribe a motion in time.
+  isInexact([kinetic, potential], work) {
+    if (this.stiff || this.nc > 0) return false;
+    const [after, place] = this.energy();
+    const gained = after + place - kinetic - potential;
+    return Math.abs(gained - (this.work - work)) > kExact * Math.max(kinetic, after);
+  }
+
+  /// Length of a step: as short as there is time to compute.
+  stepLength() {
+    const lengths = this.stiff ? kSteps : kSteps.slice(1);
+    return lengths.find((h) => this.cost < 1000 * kShare * h) ?? lengths[lengths.length - 1];
+  }
+
+  /// Time passes. Returns false where the motion cannot go on.
+  advance(seconds) {
+    const h = this.stepLength();
+    this.waiting += seconds;
+    const begin = performance.now();
+    let steps = 0;
+    for (; this.waiting >= h; this.waiting -= h, ++steps) {
+      if (this.problem || !this.step(h)) return false;
+      if (performance.now() - begin > kMostTime) this.waiting = 0;
+    }
+    if (steps > 0) this.cost += 0.2 * ((performance.now() - begin) / steps - this.cost);
+    this.waiting = Math.max(this.waiting, 0);
+    return true;
+  }
+}

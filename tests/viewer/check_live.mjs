@@ -1,0 +1,234 @@
+// Live pages in Chromium: the page's functions against `evaluate`, what the hand does against the energy, and controls.
+//   node check_live.mjs ALEMBERT FOLDER MECHANISMS
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { basename } from "node:path";
+import { drawn, openPage, startBrowser } from "./browser.mjs";
+
+const [alembert, folder, mechanisms] = process.argv.slice(2);
+mkdirSync(folder, { recursive: true });
+const run = (args, input = "") => execFileSync(alembert, args, { input, encoding: "utf8", maxBuffer: 1 << 28 });
+
+async function livePage(browser, description, more = []) {
+  const path = `${folder}/${basename(description, ".yaml")}.html`;
+  run(["simulate", description, "--duration", "0.1", "--step", "0.01", "--html", path, ...more]);
+  const opened = await openPage(browser, path, { width: 640, height: 360 });
+  await opened.page.evaluate(() => window.viewer.setMode("live"));
+  return opened;
+}
+
+/// Every function of the page's module at random states against `evaluate`.
+async function checkValues(browser, description) {
+  const { page, wrong } = await livePage(browser, description);
+  const { states, values } = await page.evaluate(() => {
+    const { module: m, start, inputs } = window.viewer.live.motions[0];
+    let seed = 1;
+    const random = () => ((seed = (seed * 48271) % 2147483647) / 2147483647) * 2 - 1;
+    const states = [];
+    const values = [];
+    for (let k = 0; k < 4; ++k) {
+      const q = start.q.map((x) => x + 0.3 * random());
+      for (const first of m.quaternion_offsets) {
+        const size = Math.hypot(...q.slice(first, first + 4));
+        for (let i = first; i < first + 4; ++i) q[i] /= size;
+      }
+      const [qd, qdd] = [0, 1].map(() => Array.from({ length: m.nv }, random));
+      states.push({ t: 0.25 * k, q, qd, qdd, tau: qdd });
+      values.push(Object.fromEntries(m.function_names.map((name) => {
+        const given = { t: 0.25 * k, parameters: inputs.parameters };
+        const args = name === "coordinate_rates" ? [q, qd] : [...[q, qd, qdd].slice(0, m[name].length - 2), given];
+        const found = m[name](...args);
+        return [name, (found instanceof Float64Array ? [found] : Object.values(found)).map((array) => [...array])];
+      })));
+    }
+    return { states, values };
+  });
+  const names = Object.keys(values[0]);
+  const expected = run(["evaluate", description, "--json", "--functions", names.join(",")], states.map((s) => JSON.stringify(s)).join("\n"))
+    .trim().split("\n").map((line) => JSON.parse(line));
+  let worst = 0;
+  let compared = 0;
+  values.forEach((found, k) => {
+    for (const name of names)
+      Object.values(expected[k][name]).forEach((array, r) => {
+        const wanted = array.flat(Infinity);
+        assert.equal(found[name][r].length, wanted.length, `${name} of ${description}`);
+        const largest = Math.max(...wanted.map(Math.abs), 1e-300);
+        wanted.forEach((x, i) => (worst = Math.max(worst, Math.abs(x - found[name][r][i]) / largest)));
+        compared += wanted.length;
+      });
+  });
+  console.log(`${basename(description)}: ${names.length} functions, ${compared} numbers, off by ${worst.toExponential(1)} at most`);
+  assert.ok(worst < 1e-12);
+  assert.deepEqual(wrong, []);
+  return page;
+}
+
+/// Steps without pictures: energy stays, or changes by the work of the hand; constraints are kept.
+async function checkMotion(page, { conserves, body, by }) {
+  const result = await page.evaluate((body, by) => {
+    const motion = window.viewer.live.motions[0];
+    const total = () => motion.energy().reduce((a, b) => a + b);
+    const residual = () => Math.max(0, ...(motion.nc ? motion.module.constraints(motion.q, motion.u, motion.inputs).position.map(Math.abs) : []));
+    motion.reset();
+    const before = total();
+    let most = 0;
+    for (let k = 0; k < 480; ++k) motion.step(1 / 480);
+    const free = total() - before;
+    const index = window.viewer.mechanisms[0].bodies.indexOf(body);
+    const grabbed = motion.grab(index, [0.01, 0.02, 0.03]);
+    const { at } = motion.pull;
+    const place = [...at];
+    motion.moveTarget(place.map((x, a) => x + by[a]));
+    for (let k = 0; k < 480; ++k) {
+      motion.step(1 / 480);
+      most = Math.max(most, residual());
+    }
+    const gained = total() - before - free;
+    const target = motion.pull.target;
+    const left = Math.hypot(...motion.pull.at.map((x, a) => x - target[a]));
+    motion.release();
+    return { free, before, gained, work: motion.work, left, residual: most, problem: motion.problem, grabbed, size: Math.hypot(...by) };
+  }, body, by);
+  console.log(JSON.stringify(result));
+  assert.ok(result.grabbed && result.problem === "" && result.residual < 1e-8);
+  assert.ok(result.left < 0.8 * result.size, "the body comes near to where it is pulled");
+  if (!conserves) return;
+  const size = Math.max(1, Math.abs(result.work));
+  assert.ok(Math.abs(result.free) < 1e-6 * Math.max(1, Math.abs(result.before)), "without forces the energy stays");
+  assert.ok(Math.abs(result.work) > 1e-3 && Math.abs(result.gained - result.work) < 1e-5 * size, "the energy changes by the work of the hand");
+}
+
+const motionOf = (page) =>
+  page.evaluate(() => {
+    const motion = window.viewer.live.motions[0];
+    return { t: motion.t, q: [...motion.q], work: motion.work, energy: motion.energy()[0] + motion.energy()[1], pulled: motion.pull !== null };
+  });
+
+/// The pointer on a pendulum, by mouse and by finger, the camera beside it, and the buttons.
+async function checkHand(browser) {
+  const { page, wrong } = await livePage(browser, `${mechanisms}/double_pendulum.yaml`);
+  const box = await (await page.$("#stage canvas")).boundingBox();
+  const seen = () => page.evaluate(() => {
+    const { stage } = window.viewer.live;
+    const lower = stage.mechanisms[0].bodies[1];
+    lower.updateMatrixWorld(true);
+    const point = lower.position.clone().set(...stage.mechanisms[0].data.bodies[1].center).applyMatrix4(lower.matrixWorld).project(stage.camera);
+    return [point.x, point.y];
+  });
+  const place = async () => {
+    const [x, y] = await seen();
+    return [box.x + ((1 + x) / 2) * box.width, box.y + ((1 - y) / 2) * box.height];
+  };
+  await page.evaluate(() => window.viewer.pause());
+  const start = await motionOf(page);
+  let [x, y] = await place();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  assert.equal((await motionOf(page)).pulled, true, "a press on a body takes it");
+  for (let k = 1; k <= 5; ++k) await page.mouse.move(x + 30 * k, y - 12 * k);
+  await page.waitForFunction(() => window.viewer.live.motions[0].t > 0.4);
+  await page.screenshot({ path: `${folder}/hand.png` });
+  await page.mouse.up();
+  await page.evaluate(() => window.viewer.pause());
+  const pulled = await motionOf(page);
+  assert.equal(pulled.pulled, false);
+  assert.ok(pulled.work > 0.1, `the hand lifts it: ${pulled.work} J`);
+  assert.ok(Math.abs(pulled.energy - start.energy - pulled.work) < 1e-4 * pulled.work, `${pulled.energy - start.energy} J, and ${pulled.work} J of work`);
+  assert.ok(Math.hypot(...pulled.q) > 0.05);
+
+  // Paused, it stays.
+  await drawn(page);
+  assert.equal((await motionOf(page)).t, pulled.t);
+  // Slow motion.
+  await page.select("#speed", "0.1");
+  await page.click("#play");
+  await page.waitForFunction((t) => window.viewer.live.motions[0].t > t, {}, pulled.t);
+  await page.click("#play");
+  // Beside the bodies the camera turns.
+  const camera = () => page.evaluate(() => window.viewer.live.stage.camera.position.toArray());
+  const before = await camera();
+  await page.mouse.move(box.x + 40, box.y + box.height - 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 140, box.y + box.height - 60, { steps: 4 });
+  await page.mouse.up();
+  assert.notDeepEqual(await camera(), before);
+  await page.click("#reset");
+  const anew = await motionOf(page);
+  assert.deepEqual([anew.t, anew.q, anew.work], [0, start.q, 0]);
+
+  // The recorded motion, and back.
+  await page.click("#recorded");
+  assert.equal(await page.evaluate(() => document.body.dataset.mode), "recorded");
+  await page.evaluate(() => window.viewer.seek(0.05));
+  assert.ok(Math.abs((await page.evaluate(() => window.viewer.time)) - 0.05) < 1e-6);
+  await page.click("#live");
+  await page.waitForFunction(() => window.viewer.time > 0.02);
+  await page.click("#play");
+
+  // A finger.
+  [x, y] = await place();
+  await page.touchscreen.touchStart(x, y);
+  await page.touchscreen.touchMove(x + 40, y);
+  assert.equal((await motionOf(page)).pulled, true, "a finger takes it");
+  await page.touchscreen.touchEnd();
+  assert.equal((await motionOf(page)).pulled, false);
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+/// A slider changes what the functions take.
+async function checkSliders(browser) {
+  const description = `${folder}/sliders.yaml`;
+  writeFileSync(description, `alembert: 1
+name: sliders
+parameters: {l: {value: 0.5, runtime: true}}
+inputs: [{name: push, limits: [-4, 4]}]
+coordinates: [{name: q, initial: 0.4}]
+bodies:
+  - {name: bob, transform: [{rotate: {axis: y, angle: q}}, {translate: [0, 0, -l]}], mass: 2}
+forces:
+  - {name: motor, on: q, value: push}
+`);
+  const { page, wrong } = await livePage(browser, description);
+  const slide = (name, value) => page.evaluate((name, value) => {
+    const slider = document.querySelector(`#sliders input[data-name=${name}]`);
+    slider.value = String(value);
+    slider.dispatchEvent(new Event("input"));
+    return [Number(slider.min), Number(slider.max)];
+  }, name, value);
+  assert.deepEqual(await slide("push", 1.5), [-4, 4]);
+  assert.deepEqual(await slide("l", 0.75), [0.1, 1.5]);
+  const { c, push } = await page.evaluate(() => {
+    const motion = window.viewer.live.motions[0];
+    return { c: motion.module.mass_matrix_and_bias([0.3], [0], motion.here()).c[0], push: motion.inputs.parameters };
+  });
+  assert.ok(Math.abs(c - (2 * 9.81 * 0.75 * Math.sin(0.3) - 1.5)) < 1e-12, `bias ${c}, parameters ${JSON.stringify(push)}`);
+  await page.evaluate(() => document.querySelector("#sliders input[data-name=push]").dispatchEvent(new Event("dblclick")));
+  assert.equal(await page.evaluate(() => window.viewer.live.motions[0].inputs.parameters[1]), 0);
+  await page.screenshot({ path: `${folder}/sliders.png` });
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+const browser = await startBrowser();
+try {
+  const swings = await checkValues(browser, `${mechanisms}/double_pendulum.yaml`);
+  await checkMotion(swings, { conserves: true, body: "lower", by: [0.3, 0, 0.2] });
+  await swings.close();
+  const floats = await checkValues(browser, `${mechanisms}/free_body.yaml`);
+  await checkMotion(floats, { conserves: true, body: "body", by: [0.8, 0.4, 0.4] });
+  await floats.close();
+  const closed = await checkValues(browser, `${mechanisms}/paper/five_bar.yaml`);
+  await checkMotion(closed, { conserves: true, body: "left_lower", by: [0.4, 0, 0.3] });
+  await closed.close();
+  const hops = await checkValues(browser, `${mechanisms}/forces/hopping_leg.yaml`);
+  await checkMotion(hops, { conserves: false, body: "trunk", by: [0, 0, 0.2] });
+  await hops.close();
+  await (await checkValues(browser, `${mechanisms}/forces/elbow_elastic_tendons.yaml`)).close();
+  await checkHand(browser);
+  await checkSliders(browser);
+} finally {
+  await browser.close();
+}
