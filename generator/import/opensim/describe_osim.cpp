@@ -5,6 +5,7 @@
 
 #include "import/common/snapped_angle.hpp"
 #include "import/opensim/osim_coordinates.hpp"
+#include "import/opensim/osim_forces.hpp"
 #include "import/opensim/osim_sockets.hpp"
 
 namespace alembert {
@@ -76,6 +77,7 @@ DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, co
     if (model.frames[frame].own) out.frame_of(frame, model.frames[frame].where);
   for (const pugi::xml_node marker : OsimXml::elements(model.element.child("MarkerSet").child("objects")))
     add_marker(out, marker);
+  add_osim_forces(out);
   YamlNode& root = out.finish();
   return {Document(source, out.nodes.take(), root), std::move(out.warnings)};
 }

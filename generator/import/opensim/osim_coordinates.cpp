@@ -84,9 +84,9 @@ class CoordinateRoles {
       if (!function.smooth)
         throw InputError(out_.xml.where(element),
                          "a coordinate follows by a function that is not twice differentiable");
-      out_.definitions.push_back({name,
-                                  scaled_text(out_.xml.number(coupler.element, "scale_factor", 1), function),
-                                  out_.xml.where(coupler.element)});
+      const double scale = out_.xml.number(coupler.element, "scale_factor", 1);
+      if (function.linear) out_.follows[i] = {coupler.of[0], scale * (*function.linear)[0]};
+      out_.definitions.push_back({name, scaled_text(scale, function), out_.xml.where(coupler.element)});
       out_.took(kCoupler);
     } else if (coordinate.locked) {
       out_.parameters.push_back({name, number_text(coordinate.value), coordinate.where});

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "import/common/snapped_angle.hpp"
@@ -52,6 +53,14 @@ OsimDescription::OsimDescription(const OsimModel& of, const OsimXml& from, const
   for (const OsimCoordinate& coordinate : model.coordinates) names.reserve(coordinate.name);
 }
 
+std::optional<std::pair<std::size_t, double>> OsimDescription::driver(std::size_t coordinate) const {
+  std::pair<std::size_t, double> out{coordinate, 1};
+  for (auto found = follows.find(out.first); found != follows.end(); found = follows.find(out.first))
+    out = {found->second.first, out.second * found->second.second};
+  if (!independent[out.first]) return {};
+  return out;
+}
+
 std::string OsimDescription::define(const std::string& name, const std::string& text,
                                     const SourceLocation& at) {
   const std::string fit = names.add(name, at);
@@ -89,7 +98,8 @@ std::string OsimDescription::add_input(const std::string& name, double initial,
   YamlNode& node = nodes.mapping(at);
   put(node, "name", fit, at);
   if (initial != 0) put(node, "initial", number_text(initial), at);
-  if (limits[0] < limits[1] && limits[0] <= initial && initial <= limits[1])
+  if (std::isfinite(limits[1] - limits[0]) && limits[0] < limits[1] && limits[0] <= initial &&
+      initial <= limits[1])
     nodes.put(node, "limits", nodes.list({number_text(limits[0]), number_text(limits[1])}, at));
   sections["inputs"]->items.push_back(&node);
   return fit;

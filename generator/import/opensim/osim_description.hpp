@@ -4,7 +4,9 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "import/common/described.hpp"
@@ -24,6 +26,10 @@ struct OsimDescription {
   /// Whether it is a coordinate of the description too.
   bool moves(std::size_t coordinate) const { return independent[coordinate]; }
 
+  /// The coordinate of the description that moves this one, and how far this one goes for it: itself and 1, or what
+  /// it follows in proportion. None if it stands still, is prescribed, or follows along a curve.
+  std::optional<std::pair<std::size_t, double>> driver(std::size_t coordinate) const;
+
   /// A definition, and the name that it gets.
   std::string define(const std::string& name, const std::string& text, const SourceLocation& at);
   /// A frame at a point of another, and the name that it gets; a frame of the same name and place only once.
@@ -38,11 +44,11 @@ struct OsimDescription {
                         const std::string& rate, const SourceLocation& at);
   /// A force of this name; what it does is to be put into it.
   YamlNode& add_force(const std::string& name, const SourceLocation& at);
-  /// force `value` along a coordinate of the description, or that which moves it.
+  static const std::string& name_of(const YamlNode& force) { return force.items[1]->text; }
   void put(YamlNode& mapping, const char* key, const std::string& text, const SourceLocation& at);
 
   void took(const std::string& what) { ++taken[what]; }
-  /// With a warning.
+  /// Left out, with a warning.
   void left(pugi::xml_node element, const std::string& why, const std::string& note = {});
   void approximated(pugi::xml_node element, const std::string& how, const std::string& note = {});
   std::string summary() const;
@@ -58,9 +64,10 @@ struct OsimDescription {
   FitNames names{"coordinate", warnings}, body_names{"body", warnings}, frame_names{"frame", warnings},
       force_names{"force", warnings};
   OsimFactors factors;
-  std::vector<std::string> bodies;            ///< names by body; the ground is the world
-  std::vector<std::string> coordinate_names;  ///< by coordinate
-  std::vector<bool> independent;              ///< by coordinate
+  std::vector<std::string> bodies;                                ///< names by body; the ground is the world
+  std::vector<std::string> coordinate_names;                      ///< by coordinate
+  std::vector<bool> independent;                                  ///< by coordinate
+  std::map<std::size_t, std::pair<std::size_t, double>> follows;  ///< of those coupled in proportion
   /// Sections that are lists, and the names and texts of the others.
   std::map<std::string, YamlNode*> sections;
   struct Named {

@@ -94,6 +94,8 @@ class SkeletonReader {
       collect_frames(joint.child("frames"), path, false);
       collect_frames(joint.child("components"), path, false);
     }
+    for (const pugi::xml_node force : xml_.objects(model_.element, "ForceSet"))
+      collect_frames(force.child("frames"), "/forceset/" + OsimXml::name_of(force), false);
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);

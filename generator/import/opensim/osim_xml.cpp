@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace alembert {
 namespace {
@@ -22,6 +23,22 @@ std::vector<std::string> split(std::string_view text) {
 }
 
 }  // namespace
+
+OsimXml::OsimXml(const XmlText& xml) : xml_(xml) {
+  const auto add = [&](pugi::xml_node owner) {
+    for (const pugi::xml_node object : elements(owner.child("defaults")))
+      defaults_.try_emplace(object.name(), object);
+  };
+  const pugi::xml_node model = xml.root().child("Model");
+  add(model);
+  for (const pugi::xml_node set : elements(model)) add(set);
+}
+
+pugi::xml_node OsimXml::property(pugi::xml_node element, const char* name) const {
+  if (const pugi::xml_node own = element.child(name)) return own;
+  const auto found = defaults_.find(element.name());
+  return found == defaults_.end() ? pugi::xml_node() : found->second.child(name);
+}
 
 std::string OsimXml::title(pugi::xml_node element) {
   const std::string name = name_of(element);
@@ -65,8 +82,16 @@ double OsimXml::number(pugi::xml_node element, const char* property, double othe
   return vector<1>(element, property, {otherwise})[0];
 }
 
+double OsimXml::number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const {
+  const std::string_view value = this->property(element, property).child_value();
+  const std::size_t letter = value.find_first_of("iI");
+  if (letter == std::string_view::npos) return number(element, property, otherwise);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return value.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
+}
+
 double OsimXml::required_number(pugi::xml_node element, const char* property) const {
-  const pugi::xml_node found = element.child(property);
+  const pugi::xml_node found = this->property(element, property);
   if (!found) throw InputError(where(element), fmt::format("no <{}> in {}", property, title(element)));
   return numbers(found, 1)[0];
 }

@@ -338,4 +338,9 @@ Vec3 OsimSkeleton::point(const std::string& frame, const Vec3& at) const {
   return bodies_.at(place.body).findStationLocationInGround(state_, place.in_body * at);
 }
 
+Transform OsimSkeleton::pose(const std::string& frame, const std::string& owner) const {
+  const Place place = find(frame, owner);
+  return bodies_.at(place.body).getBodyTransform(state_) * place.in_body;
+}
+
 }  // namespace alembert::oracles

@@ -30,6 +30,8 @@ class OsimSkeleton {
   SkeletonDynamics dynamics(const std::vector<std::string>& order);
   /// World position of a point in a frame, given as the file names frames.
   SimTK::Vec3 point(const std::string& frame, const SimTK::Vec3& at) const;
+  /// Pose of a frame that an element owns, or of any other.
+  SimTK::Transform pose(const std::string& frame, const std::string& owner) const;
   double coordinate(const std::string& name) const { return values_.at(name).q; }
   double speed(const std::string& name) const { return values_.at(name).u; }
   pugi::xml_node model() const { return model_; }
