@@ -15,7 +15,7 @@ constexpr double kDifferences = 1e-7;
 
 struct Rig {
   explicit Rig(const std::string& name)
-      : file(ALEMBERT_SOURCE_DIR "/tests/oracles/osim/" + name), imported(file), skeleton(file) {
+      : file(ALEMBERT_SOURCE_DIR "/tests/osim/models/" + name), imported(file), skeleton(file) {
     std::mt19937_64 random(3);
     for (int i = 0; i < kStates; ++i) states.push_back(random_state(imported.description(), random));
     const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(imported.description().nv));

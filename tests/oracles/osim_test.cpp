@@ -51,7 +51,7 @@ class Possible {
 std::vector<fs::path> models() {
   std::vector<fs::path> out;
   for (const fs::path& folder :
-       {fs::path(ALEMBERT_SOURCE_DIR) / "tests/oracles/osim", fs::path(ALEMBERT_OSIM_MODELS)})
+       {fs::path(ALEMBERT_SOURCE_DIR) / "tests/osim/models", fs::path(ALEMBERT_OSIM_MODELS)})
     if (fs::exists(folder))
       for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".osim") out.push_back(entry.path());

@@ -7,6 +7,7 @@
 #include "import/opensim/osim_coordinates.hpp"
 #include "import/opensim/osim_forces.hpp"
 #include "import/opensim/osim_sockets.hpp"
+#include "import/opensim/osim_spelling.hpp"
 
 namespace alembert {
 namespace {
@@ -71,6 +72,7 @@ DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, co
   const OsimXml xml(text);
   const OsimModel model = read_osim_model(xml, text.root());
   OsimDescription out(model, xml, options);
+  check_osim_spelling(text, model, osim_known_forces(out));
   add_osim_coordinates(out);
   for (std::size_t body = 1; body < model.bodies.size(); ++body) add_body(out, body);
   for (std::size_t frame = 0; frame < model.frames.size(); ++frame)

@@ -32,7 +32,7 @@ void collect_words(const YamlNode& node, std::set<std::string>& out) {
 
 std::string counts(const std::map<std::string, std::size_t>& of) {
   std::vector<std::string> parts;
-  for (const auto& [what, count] : of) parts.push_back(count == 1 ? what : fmt::format("{} {}", count, what));
+  for (const auto& [what, count] : of) parts.push_back(fmt::format("{} {}", count, what));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

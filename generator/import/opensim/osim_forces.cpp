@@ -155,14 +155,14 @@ bool add_bushing(OsimDescription& out, pugi::xml_node element) {
                                 fmt::format("atan2(-{}, {})", entry('x', 'y'), entry('x', 'x'))};
   std::vector<std::string> terms;
   for (std::size_t i = 0; i < 3; ++i)
-    if (turn[i] != 0) terms.push_back(fmt::format("{}*{}^2", number_text(turn[i] / 2), angles[i]));
+    if (turn[i] != 0) terms.push_back(times(turn[i] / 2, angles[i] + "^2"));
   for (std::size_t i = 0; i < 3; ++i) {
     if (shift[i] == 0) continue;
     std::vector<std::string> along_axis;
     for (const char k : {'x', 'y', 'z'})
       along_axis.push_back(fmt::format("rotation({0}).{1}{2}*(position({3}).{1} - position({0}).{1})", a, k,
                                        static_cast<char>('x' + i), b));
-    terms.push_back(fmt::format("{}*({})^2", number_text(shift[i] / 2), sum_text(along_axis)));
+    terms.push_back(times(shift[i] / 2, fmt::format("({})^2", sum_text(along_axis))));
   }
   if (out.xml.vector<3>(element, "rotational_damping", none) != none ||
       out.xml.vector<3>(element, "translational_damping", none) != none)
@@ -212,6 +212,22 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle}};
 
+const ForceType* force_type(pugi::xml_node element) {
+  const auto type = std::ranges::find(kForceTypes, std::string_view(element.name()), &ForceType::name);
+  return type == std::end(kForceTypes) ? nullptr : type;
+}
+
+/// Of the ForceSet, and of the model's components those that are known.
+std::vector<pugi::xml_node> acting_elements(const OsimDescription& of) {
+  std::vector<pugi::xml_node> all = of.xml.objects(of.model.element, "ForceSet"), out;
+  for (const pugi::xml_node element : OsimXml::elements(of.model.element.child("components")))
+    if (force_type(element) != nullptr) all.push_back(element);
+  for (const pugi::xml_node force : all)
+    if (of.xml.flag(force, "appliesForce", true) && !of.xml.flag(force, "isDisabled", false))
+      out.push_back(force);
+  return out;
+}
+
 /// Sets of what is no part of the equations here.
 constexpr std::pair<const char*, const char*> kOthers[] = {
     {"ControllerSet", "inputs are set by whoever calls"},
@@ -226,17 +242,18 @@ std::array<double, 2> osim_control_limits(const OsimXml& xml, pugi::xml_node act
           xml.number_or_infinite(actuator, "max_control", kInfinity)};
 }
 
+std::vector<pugi::xml_node> osim_known_forces(const OsimDescription& of) {
+  std::vector<pugi::xml_node> out;
+  for (const pugi::xml_node element : acting_elements(of))
+    if (force_type(element) != nullptr) out.push_back(element);
+  return out;
+}
+
 void add_osim_forces(OsimDescription& out) {
-  std::vector<pugi::xml_node> forces = out.xml.objects(out.model.element, "ForceSet");
-  for (const pugi::xml_node element : OsimXml::elements(out.model.element.child("components")))
-    if (std::ranges::find(kForceTypes, std::string_view(element.name()), &ForceType::name) !=
-        std::end(kForceTypes))
-      forces.push_back(element);
-  for (const pugi::xml_node force : forces) {
-    if (!out.xml.flag(force, "appliesForce", true) || out.xml.flag(force, "isDisabled", false)) continue;
-    const auto type = std::ranges::find(kForceTypes, std::string_view(force.name()), &ForceType::name);
+  for (const pugi::xml_node force : acting_elements(out)) {
+    const ForceType* const type = force_type(force);
     const std::size_t before = out.warnings.size();
-    if (type == std::end(kForceTypes))
+    if (type == nullptr)
       out.left(force, "the language has no words for this force");
     else if (type->add(out, force))
       out.took(force.name());

@@ -33,6 +33,7 @@ std::string last_part(const std::string& path) {
 
 std::size_t resolve_osim_frame(const OsimModel& model, const std::string& socket, const std::string& owner,
                                const SourceLocation& where, const std::string& what) {
+  if (socket.empty()) throw InputError(where, what + " names no frame");
   const auto& frames = model.frames;
   const auto by_path = [&](const std::string& path) {
     return std::ranges::find(frames, path, &OsimFrame::path);
