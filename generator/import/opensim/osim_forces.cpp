@@ -65,8 +65,8 @@ bool add_generalized_spring(OsimDescription& out, pugi::xml_node element) {
   if (!where) return false;
   const double stiffness = out.xml.number(element, "stiffness", 0),
                viscosity = out.xml.number(element, "viscosity", 0);
-  const std::string stretch =
-      sum_text({where->position, number_text(-out.xml.number(element, "rest_length", 0))});
+  const double rest = out.xml.number(element, "rest_length", 0);
+  const std::string stretch = sum_text({where->position, number_text(-rest)});
   put_along(
       out, element, *where,
       fmt::format("{}*({}) - {}*{}", number_text(-stiffness), stretch, number_text(viscosity), where->speed));
@@ -118,12 +118,12 @@ bool add_point_spring(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string first = point_frame(out, element, {"socket_body1", "body1"}, "point1", "_1"),
                     second = point_frame(out, element, {"socket_body2", "body2"}, "point2", "_2");
+  const double stiffness = out.xml.number(element, "stiffness", 1),
+               rest = out.xml.number(element, "rest_length", 0);
   YamlNode& force = out.add_force(OsimXml::name_of(element), at);
   out.nodes.put(force, "between", out.nodes.list({first, second}, at));
   out.put(force, "tension",
-          fmt::format("{}*({})", number_text(out.xml.number(element, "stiffness", 1)),
-                      sum_text({"length", number_text(-out.xml.number(element, "rest_length", 0))})),
-          at);
+          fmt::format("{}*({})", number_text(stiffness), sum_text({"length", number_text(-rest)})), at);
   return true;
 }
 

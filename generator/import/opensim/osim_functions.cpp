@@ -141,7 +141,8 @@ class FunctionReader {
   OsimFunction sine(pugi::xml_node element) const {
     const double amplitude = xml_.number(element, "amplitude", 1), phase = xml_.number(element, "phase", 0),
                  offset = xml_.number(element, "offset", 0);
-    std::vector<std::string> angle{product_text(xml_.number(element, "omega", 1), only_argument(element))};
+    const double omega = xml_.number(element, "omega", 1);
+    std::vector<std::string> angle{product_text(omega, only_argument(element))};
     if (phase != 0) angle.push_back(number_text(phase));
     std::vector<std::string> terms{product_text(amplitude, fmt::format("sin({})", sum_text(angle)))};
     if (offset != 0) terms.push_back(number_text(offset));

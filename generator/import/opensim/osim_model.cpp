@@ -63,12 +63,12 @@ class SkeletonReader {
         model_.bodies[0].element = element;
         continue;
       }
-      OsimBody body{name,
-                    xml_.number(element, "mass", 0),
-                    xml_.vector<3>(element, "mass_center", {}),
-                    {},
-                    element,
-                    xml_.where(element)};
+      OsimBody body;
+      body.name = name;
+      body.mass = xml_.number(element, "mass", 0);
+      body.mass_center = xml_.vector<3>(element, "mass_center", {});
+      body.element = element;
+      body.where = xml_.where(element);
       constexpr const char* kEntries[] = {"inertia_xx", "inertia_yy", "inertia_zz",
                                           "inertia_xy", "inertia_xz", "inertia_yz"};
       for (std::size_t i = 0; i < 6; ++i) body.inertia[i] = xml_.number(element, kEntries[i], 0);
@@ -120,10 +120,16 @@ class SkeletonReader {
     for (const char* type : kFrameElements)
       for (const pugi::xml_node element : parent.children(type)) {
         const std::string name = OsimXml::name_of(element);
-        pending_.push_back(
-            {{name, path + "/" + name, 0, {}, own, xml_.where(element)},
-             socket_text(element, "socket_parent", "parent", "parent"),
-             {xml_.vector<3>(element, "translation", {}), xml_.vector<3>(element, "orientation", {})}});
+        // Step by step: GCC 12 destroys an aggregate twice when a part of it throws.
+        Pending frame;
+        frame.frame.name = name;
+        frame.frame.path = path + "/" + name;
+        frame.frame.own = own;
+        frame.frame.where = xml_.where(element);
+        frame.parent = socket_text(element, "socket_parent", "parent", "parent");
+        frame.offset.translation = xml_.vector<3>(element, "translation", {});
+        frame.offset.orientation = xml_.vector<3>(element, "orientation", {});
+        pending_.push_back(frame);
         collect_frames(element.child("components"), path + "/" + name, own);
       }
   }
