@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "import/opensim/describe_osim.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
 
@@ -14,6 +15,9 @@ constexpr Importer kImporters[] = {
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
      }},
+    {"OpenSim", ".osim",
+     [](std::string_view text) { return text.find("<OpenSimDocument") != std::string_view::npos; },
+     describe_osim},
 };
 
 const Importer* importer_by_name(const SourceText& source) {

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes in; the loader, or the reader of URDF if they begin as XML does, must give a
+// libFuzzer target: any bytes in; the loader, or the reader of URDF or OpenSim if they begin as XML does, must give a
 // mechanism or an InputError with a place inside the text, and never crash, hang, leak or throw anything
 // else.
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "import/common/yaml.hpp"
+#include "import/opensim/describe_osim.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
 #include "mechanism/load.hpp"
@@ -19,6 +20,8 @@ alembert::Mechanism load(const std::shared_ptr<const alembert::SourceText>& sour
                          alembert::ExprGraph& graph) {
   if (!source->text.starts_with('<')) return alembert::load_mechanism(source, graph);
   alembert::Warnings warnings;
+  if (source->text.find("<OpenSimDocument") != std::string::npos)
+    return alembert::load_mechanism(alembert::describe_osim(source, {}, warnings).document, graph);
   const alembert::UrdfRobot robot = alembert::read_urdf(source, warnings);
   // All options, by the length of the text.
   const std::size_t length = source->text.size();

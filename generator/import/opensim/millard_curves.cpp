@@ -1,0 +1,153 @@
+#include "import/opensim/millard_curves.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/common/snapped_angle.hpp"
+
+namespace alembert {
+namespace {
+
+struct CurvePoint {
+  double x, y;
+};
+
+/// Value of the natural cubic spline through the points at x within them, from its second derivatives.
+double natural_spline(const std::vector<CurvePoint>& p, const std::vector<double>& bend, double x) {
+  std::size_t i = 0;
+  while (i + 2 < p.size() && x > p[i + 1].x) ++i;
+  const double h = p[i + 1].x - p[i].x, a = (p[i + 1].x - x) / h, b = 1 - a;
+  return a * p[i].y + b * p[i + 1].y +
+         ((a * a * a - a) * bend[i] + (b * b * b - b) * bend[i + 1]) * h * h / 6;
+}
+
+std::vector<double> natural_bends(const std::vector<CurvePoint>& p) {
+  std::vector<double> bend(p.size(), 0), rest(p.size(), 0);
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    const double before = p[i].x - p[i - 1].x, after = p[i + 1].x - p[i].x, share = before / (before + after);
+    const double pivot = share * bend[i - 1] + 2;
+    const double turn = (p[i + 1].y - p[i].y) / after - (p[i].y - p[i - 1].y) / before;
+    bend[i] = (share - 1) / pivot;
+    rest[i] = (6 * turn / (before + after) - share * rest[i - 1]) / pivot;
+  }
+  bend.back() = 0;
+  for (std::size_t i = p.size() - 1; i-- > 1;) bend[i] = bend[i] * bend[i + 1] + rest[i];
+  bend.front() = 0;
+  return bend;
+}
+
+double rounded(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+}  // namespace
+
+std::string MillardCurves::Spline::text(const std::string& argument) const {
+  const std::string within =
+      flat ? fmt::format("clamp({}, {}, {})", argument, number_text(first), number_text(last))
+           : fmt::format("max({}, {})", argument, number_text(first));
+  return fmt::format("spline({}; {})", within, points);
+}
+
+MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, bool flat) {
+  // The control points of a corner lie on the tangents at its ends.
+  constexpr int kSteps = 200;
+  std::vector<CurvePoint> curve, knots;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const Corner &a = corners[i], &b = corners[i + 1];
+    const double meet = std::abs(a.slope - b.slope) < 1e-8
+                            ? (a.x + b.x) / 2
+                            : (b.y - a.y - b.x * b.slope + a.x * a.slope) / (a.slope - b.slope);
+    const double c = 0.1 + 0.8 * a.curviness, up = a.x + c * (meet - a.x), down = b.x + c * (meet - b.x);
+    const double xs[] = {a.x, up, up, down, down, b.x};
+    const double first = a.y + a.slope * (up - a.x), second = b.y + b.slope * (down - b.x);
+    const double ys[] = {a.y, first, first, second, second, b.y};
+    for (int k = i == 0 ? 0 : 1; k <= kSteps; ++k) {
+      const double t = static_cast<double>(k) / kSteps, s = 1 - t;
+      const double weight[] = {s * s * s * s * s,      5 * s * s * s * s * t, 10 * s * s * s * t * t,
+                               10 * s * s * t * t * t, 5 * s * t * t * t * t, t * t * t * t * t};
+      CurvePoint point{0, 0};
+      for (std::size_t m = 0; m < 6; ++m) {
+        point.x += weight[m] * xs[m];
+        point.y += weight[m] * ys[m];
+      }
+      curve.push_back({rounded(point.x), rounded(point.y)});
+      if (k == 0 || k == kSteps) knots.push_back(curve.back());
+    }
+  }
+  // A knot more where the spline is farthest off, until it is near everywhere.
+  constexpr std::size_t kMost = 30;
+  while (knots.size() < kMost) {
+    const std::vector<double> bends = natural_bends(knots);
+    const auto off = [&](const CurvePoint& point) {
+      return std::abs(natural_spline(knots, bends, point.x) - point.y);
+    };
+    const auto worst = std::ranges::max_element(curve, {}, off);
+    if (off(*worst) <= kTolerance) break;
+    const auto next = std::ranges::find_if(knots, [&](const CurvePoint& knot) { return knot.x >= worst->x; });
+    if (next != knots.end() && next->x == worst->x) break;
+    knots.insert(next, *worst);
+  }
+  std::vector<std::string> xs, ys;
+  for (const CurvePoint& knot : knots) {
+    xs.push_back(number_text(knot.x));
+    ys.push_back(number_text(knot.y));
+  }
+  return {fmt::format("[{}]; [{}]", fmt::join(xs, ", "), fmt::join(ys, ", ")), knots.front().x,
+          knots.back().x, flat};
+}
+
+MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
+  const pugi::xml_node length = muscle.child("ActiveForceLengthCurve"),
+                       fibre = muscle.child("FiberForceLengthCurve"),
+                       speed = muscle.child("ForceVelocityCurve");
+  {  // Ascending, shallow, plateau at 1, descending.
+    const double x0 = xml.number(length, "min_norm_active_fiber_length", 0.4441),
+                 x1 = xml.number(length, "transition_norm_fiber_length", 0.73),
+                 x3 = xml.number(length, "max_norm_active_fiber_length", 1.8123),
+                 slope = xml.number(length, "shallow_ascending_slope", 0.8616),
+                 least = xml.number(length, "minimum_value", 0.1);
+    constexpr double kHalfPlateau = 0.05;
+    const double shoulder = 1 - kHalfPlateau, y1 = 1 - slope * (shoulder - x1);
+    const double down = (1 + kHalfPlateau + x3) / 2;
+    active_ = spline({{x0, least, 0, 1},
+                      {(x0 + x1) / 2, y1 / 2, 1.25 * y1 / (x1 - x0), 1},
+                      {(x1 + shoulder) / 2, (1 + y1) / 2, slope, 1},
+                      {1, 1, 0, 1},
+                      {down, 0.5, -1 / (x3 - kHalfPlateau - (1 + kHalfPlateau)), 1},
+                      {x3, least, 0, 1}},
+                     true);
+  }
+  {
+    const double none = 1 + xml.number(fibre, "strain_at_zero_force", 0),
+                 one = 1 + xml.number(fibre, "strain_at_one_norm_force", 0.7),
+                 low = xml.number(fibre, "stiffness_at_low_force", 0.2),
+                 high = xml.number(fibre, "stiffness_at_one_norm_force", 2 / (one - none)),
+                 curviness = xml.number(fibre, "curviness", 0.75),
+                 foot = std::min(0.1 / high, 0.1 * (one - none));
+    passive_ = spline(
+        {{none, 0, 0, curviness}, {none + foot, low * foot / 2, low, curviness}, {one, 1, high, curviness}},
+        false);
+  }
+  {
+    const double c = xml.number(speed, "concentric_slope_at_vmax", 0),
+                 near_c = xml.number(speed, "concentric_slope_near_vmax", 0.25),
+                 middle = xml.number(speed, "isometric_slope", 5),
+                 e = xml.number(speed, "eccentric_slope_at_vmax", 0),
+                 near_e = xml.number(speed, "eccentric_slope_near_vmax", 0.15),
+                 most = xml.number(speed, "max_eccentric_velocity_force_multiplier", 1.4),
+                 bend_c = xml.number(speed, "concentric_curviness", 0.6),
+                 bend_e = xml.number(speed, "eccentric_curviness", 0.9);
+    over_speed_ = spline({{-1, 0, c, bend_c},
+                          {-0.9, 0.05 * (near_c + c), near_c, bend_c},
+                          {0, 1, middle, bend_e},
+                          {0.9, most - 0.05 * (near_e + e), near_e, bend_e},
+                          {1, most, e, bend_e}},
+                         true);
+  }
+}
+
+}  // namespace alembert

@@ -1,0 +1,203 @@
+#include "import/opensim/osim_functions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "import/common/snapped_angle.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr int kMaximumNesting = 16;
+
+OsimFunction constant_function(double value) {
+  OsimFunction out;
+  out.text = number_text(value);
+  out.constant = value;
+  return out;
+}
+
+std::string product_text(double factor, const std::string& of) {
+  if (factor == 1) return of;
+  if (factor == -1) return "-" + of;
+  return fmt::format("{}*{}", number_text(factor), of);
+}
+
+class FunctionReader {
+ public:
+  FunctionReader(const OsimXml& xml, const std::vector<std::string>& arguments)
+      : xml_(xml), arguments_(arguments) {}
+
+  OsimFunction read(pugi::xml_node element, int nesting) const {
+    const std::string_view type = element.name();
+    if (type == "Constant") return constant_function(xml_.number(element, "value", 0));
+    if (type == "LinearFunction") return linear(element);
+    if (type == "PolynomialFunction") return polynomial(element);
+    if (type == "MultiplierFunction") return multiplier(element, nesting);
+    if (type == "SimmSpline" || type == "NaturalCubicSpline" || type == "natCubicSpline")
+      return curve(element, type == "SimmSpline" ? "simm_spline" : "spline", true);
+    if (type == "PiecewiseLinearFunction") return curve(element, "linear", false);
+    if (type == "Sine") return sine(element);
+    throw InputError(xml_.where(element),
+                     fmt::format("the function <{}> cannot be expressed", printable(type)),
+                     "Constant, LinearFunction, PolynomialFunction, SimmSpline, NaturalCubicSpline, "
+                     "PiecewiseLinearFunction, Sine and MultiplierFunction can");
+  }
+
+ private:
+  const std::string& only_argument(pugi::xml_node element) const {
+    if (arguments_.size() != 1)
+      throw InputError(xml_.where(element),
+                       fmt::format("<{}> is a function of one variable, and there are {}", element.name(),
+                                   arguments_.size()));
+    return arguments_[0];
+  }
+
+  OsimFunction linear(pugi::xml_node element) const {
+    const pugi::xml_node coefficients = element.child("coefficients");
+    if (!coefficients) throw InputError(xml_.where(element), "no <coefficients> in a LinearFunction");
+    const std::vector<double> c = xml_.numbers(coefficients, arguments_.size() + 1);
+    std::vector<std::string> terms;
+    for (std::size_t i = 0; i < arguments_.size(); ++i)
+      if (c[i] != 0) terms.push_back(product_text(c[i], arguments_[i]));
+    if (terms.empty()) return constant_function(c.back());
+    if (c.back() != 0) terms.push_back(number_text(c.back()));
+    OsimFunction out;
+    out.text = sum_text(terms);
+    if (arguments_.size() == 1) out.linear = {c[0], c[1]};
+    return out;
+  }
+
+  /// The coefficient of the highest power comes first.
+  OsimFunction polynomial(pugi::xml_node element) const {
+    const std::string& x = only_argument(element);
+    const pugi::xml_node coefficients = element.child("coefficients");
+    if (!coefficients) throw InputError(xml_.where(element), "no <coefficients> in a PolynomialFunction");
+    const std::vector<double> c = xml_.numbers(coefficients);
+    std::vector<std::string> terms;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const std::size_t power = c.size() - 1 - i;
+      if (c[i] == 0) continue;
+      if (power == 0)
+        terms.push_back(number_text(c[i]));
+      else
+        terms.push_back(product_text(c[i], power == 1 ? x : fmt::format("{}^{}", x, power)));
+    }
+    if (terms.empty() || (terms.size() == 1 && c.back() != 0))
+      return constant_function(c.empty() ? 0 : c.back());
+    OsimFunction out;
+    out.text = sum_text(terms);
+    return out;
+  }
+
+  OsimFunction multiplier(pugi::xml_node element, int nesting) const {
+    const pugi::xml_node inner = find_osim_function(element, "function");
+    if (!inner || nesting == kMaximumNesting)
+      throw InputError(xml_.where(element), inner ? "functions of functions are nested too deep"
+                                                  : "no <function> in a MultiplierFunction");
+    const double scale = xml_.number(element, "scale", 1);
+    OsimFunction out = read(inner, nesting + 1);
+    if (out.constant || scale == 0) return constant_function(scale == 0 ? 0 : scale * *out.constant);
+    if (scale == 1) return out;
+    if (out.linear) {
+      const auto [factor, offset] = *out.linear;
+      out.linear = {scale * factor, scale * offset};
+      std::vector<std::string> terms{product_text(scale * factor, only_argument(element))};
+      if (offset != 0) terms.push_back(number_text(scale * offset));
+      out.text = sum_text(terms);
+    } else {
+      out.text = scaled_text(scale, out);
+    }
+    return out;
+  }
+
+  OsimFunction curve(pugi::xml_node element, const char* name, bool smooth) const {
+    const std::string& argument = only_argument(element);
+    const pugi::xml_node x = element.child("x"), y = element.child("y");
+    if (!x || !y)
+      throw InputError(xml_.where(element), fmt::format("no <{}> in {}", x ? "y" : "x", element.name()));
+    const std::vector<double> knots = xml_.numbers(x), values = xml_.numbers(y, knots.size());
+    if (knots.size() == 1) return constant_function(values[0]);
+    if (knots.empty()) throw InputError(xml_.where(x), fmt::format("{} without points", element.name()));
+    const auto second = std::ranges::adjacent_find(knots, [](double a, double b) { return !(a < b); });
+    if (second != knots.end())
+      throw InputError(xml_.where(x), fmt::format("knots must increase, and {} is followed by {}",
+                                                  number_text(second[0]), number_text(second[1])));
+    if (std::ranges::all_of(values, [&](double value) { return value == values[0]; }))
+      return constant_function(values[0]);
+    const auto list = [](const std::vector<double>& numbers) {
+      std::vector<std::string> texts;
+      for (const double number : numbers) texts.push_back(number_text(number));
+      return fmt::format("[{}]", fmt::join(texts, ", "));
+    };
+    OsimFunction out;
+    out.text = fmt::format("{}({}; {}; {})", name, argument, list(knots), list(values));
+    out.smooth = smooth || knots.size() == 2;
+    return out;
+  }
+
+  OsimFunction sine(pugi::xml_node element) const {
+    const double amplitude = xml_.number(element, "amplitude", 1), phase = xml_.number(element, "phase", 0),
+                 offset = xml_.number(element, "offset", 0);
+    const double omega = xml_.number(element, "omega", 1);
+    std::vector<std::string> angle{product_text(omega, only_argument(element))};
+    if (phase != 0) angle.push_back(number_text(phase));
+    std::vector<std::string> terms{product_text(amplitude, fmt::format("sin({})", sum_text(angle)))};
+    if (offset != 0) terms.push_back(number_text(offset));
+    OsimFunction out;
+    out.text = sum_text(terms);
+    return out;
+  }
+
+  const OsimXml& xml_;
+  const std::vector<std::string>& arguments_;
+};
+
+}  // namespace
+
+OsimFunction read_osim_function(const OsimXml& xml, pugi::xml_node element,
+                                const std::vector<std::string>& arguments) {
+  return FunctionReader(xml, arguments).read(element, 0);
+}
+
+pugi::xml_node find_osim_function(pugi::xml_node owner, const char* property) {
+  for (const pugi::xml_node child : owner.children()) {
+    if (std::string_view(child.name()) == property) {
+      const std::vector<pugi::xml_node> inner = OsimXml::elements(child);
+      return inner.empty() ? pugi::xml_node() : inner[0];
+    }
+    if (child.attribute("name").value() == std::string_view(property)) return child;
+  }
+  return {};
+}
+
+std::string scaled_text(double factor, const OsimFunction& function) {
+  const std::string& text = function.text;
+  if (factor == 1) return text;
+  // Calls and names need no parentheses: what has no operator outside of brackets.
+  int depth = 0;
+  bool sum = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '(' || text[i] == '[' ? 1 : text[i] == ')' || text[i] == ']' ? -1 : 0;
+    sum = sum || (depth == 0 && (text[i] == '+' || text[i] == '-'));
+  }
+  const std::string of = sum ? "(" + text + ")" : text;
+  return factor == -1 ? "-" + of : fmt::format("{}*{}", number_text(factor), of);
+}
+
+std::string sum_text(const std::vector<std::string>& terms) {
+  std::string out;
+  for (const std::string& term : terms) {
+    if (out.empty())
+      out = term;
+    else if (term[0] == '-')
+      out += " - " + term.substr(1);
+    else
+      out += " + " + term;
+  }
+  return out.empty() ? "0" : out;
+}
+
+}  // namespace alembert

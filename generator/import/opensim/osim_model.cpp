@@ -1,0 +1,261 @@
+// XML in, a skeleton out: bodies, frames, joints and coordinates, then the tree that they make.
+#include "import/opensim/osim_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "import/opensim/osim_joints.hpp"
+#include "import/opensim/osim_sockets.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr const char* kFrameElements[] = {"PhysicalOffsetFrame", "OffsetFrame"};
+
+/// A socket of 4.0 and later, a connector of 3.3's successor, or a property of 3.0.
+std::string socket_text(pugi::xml_node element, const char* socket, const char* connector,
+                        const char* property) {
+  if (std::string text = OsimXml::text(element, {socket, property}); !text.empty()) return text;
+  for (const pugi::xml_node child : element.child("connectors").children())
+    if (child.attribute("name").value() == std::string_view(connector))
+      return OsimXml::text(child, "connectee_name");
+  return {};
+}
+
+class SkeletonReader {
+ public:
+  SkeletonReader(const OsimXml& xml, pugi::xml_node root) : xml_(xml), root_(root) {}
+
+  OsimModel read() {
+    if (std::string_view(root_.name()) != "OpenSimDocument")
+      throw InputError(xml_.where(root_),
+                       fmt::format("expected an <OpenSimDocument>, found <{}>", printable(root_.name())));
+    const pugi::xml_node element = root_.child("Model");
+    if (!element) throw InputError(xml_.where(root_), "no <Model> in the document");
+    model_.element = element;
+    model_.where = xml_.where(element);
+    model_.name = OsimXml::name_of(element);
+    model_.gravity = xml_.vector<3>(element, "gravity", {0, -9.80665, 0});
+    read_bodies();
+    read_frames();
+    read_joints();
+    check_tree();
+    return std::move(model_);
+  }
+
+ private:
+  void read_bodies() {
+    OsimBody& ground = model_.bodies.emplace_back();
+    ground.name = "ground";
+    ground.element = model_.element.child("Ground");
+    ground.where = ground.element ? xml_.where(ground.element) : model_.where;
+    std::vector<pugi::xml_node> elements = xml_.objects(model_.element, "BodySet");
+    for (const pugi::xml_node element : model_.element.child("components").children("Body"))
+      elements.push_back(element);
+    for (const pugi::xml_node element : elements) {
+      const std::string name = OsimXml::name_of(element);
+      if (std::string_view(element.name()) != "Body")
+        throw InputError(xml_.where(element),
+                         fmt::format("expected a <Body>, found <{}>", printable(element.name())));
+      if (name == "ground") {
+        model_.bodies[0].element = element;
+        continue;
+      }
+      OsimBody body;
+      body.name = name;
+      body.mass = xml_.number(element, "mass", 0);
+      body.mass_center = xml_.vector<3>(element, "mass_center", {});
+      body.element = element;
+      body.where = xml_.where(element);
+      constexpr const char* kEntries[] = {"inertia_xx", "inertia_yy", "inertia_zz",
+                                          "inertia_xy", "inertia_xz", "inertia_yz"};
+      for (std::size_t i = 0; i < 6; ++i) body.inertia[i] = xml_.number(element, kEntries[i], 0);
+      body.inertia = xml_.vector<6>(element, "inertia", body.inertia);
+      if (std::ranges::find(model_.bodies, name, &OsimBody::name) != model_.bodies.end())
+        throw InputError(body.where, fmt::format("a second body '{}'", printable(name)));
+      model_.bodies.push_back(body);
+    }
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+      const OsimBody& body = model_.bodies[i];
+      model_.frames.push_back(
+          {body.name, i == 0 ? "/ground" : "/bodyset/" + body.name, i, {}, false, body.where});
+    }
+  }
+
+  void read_frames() {
+    for (const OsimBody& body : model_.bodies) {
+      const std::string path = body.name == "ground" ? "/ground" : "/bodyset/" + body.name;
+      collect_frames(body.element.child("components"), path, true);
+    }
+    for (const pugi::xml_node joint : joint_elements()) {
+      const std::string path = "/jointset/" + OsimXml::name_of(joint);
+      collect_frames(joint.child("frames"), path, false);
+      collect_frames(joint.child("components"), path, false);
+    }
+    for (const pugi::xml_node force : xml_.objects(model_.element, "ForceSet"))
+      collect_frames(force.child("frames"), "/forceset/" + OsimXml::name_of(force), false);
+    collect_frames(model_.element.child("components"), "", true);
+    collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
+    collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);
+    // Frames on frames: as many rounds as they are deep.
+    std::vector<Pending> open = std::move(pending_);
+    while (!open.empty()) {
+      std::vector<Pending> left;
+      for (const Pending& frame : open)
+        if (!place(frame, frame_is_pending(frame, open))) left.push_back(frame);
+      if (left.size() == open.size())
+        throw InputError(left[0].frame.where,
+                         fmt::format("frame '{}' stands on itself", printable(left[0].frame.name)));
+      open = std::move(left);
+    }
+  }
+  struct Pending {
+    OsimFrame frame;
+    std::string parent;  ///< as the file says it
+    OsimOffset offset;
+  };
+  void collect_frames(pugi::xml_node parent, const std::string& path, bool own) {
+    for (const char* type : kFrameElements)
+      for (const pugi::xml_node element : parent.children(type)) {
+        const std::string name = OsimXml::name_of(element);
+        // Step by step: GCC 12 destroys an aggregate twice when a part of it throws.
+        Pending frame;
+        frame.frame.name = name;
+        frame.frame.path = path + "/" + name;
+        frame.frame.own = own;
+        frame.frame.where = xml_.where(element);
+        frame.parent = socket_text(element, "socket_parent", "parent", "parent");
+        frame.offset.translation = xml_.vector<3>(element, "translation", {});
+        frame.offset.orientation = xml_.vector<3>(element, "orientation", {});
+        pending_.push_back(frame);
+        collect_frames(element.child("components"), path + "/" + name, own);
+      }
+  }
+  static bool frame_is_pending(const Pending& frame, const std::vector<Pending>& open) {
+    const std::string name = frame.parent.substr(frame.parent.find_last_of('/') + 1);
+    return std::ranges::any_of(open, [&](const Pending& other) { return other.frame.name == name; });
+  }
+  bool place(const Pending& pending, bool parent_is_pending) {
+    std::size_t parent = 0;
+    try {
+      parent = resolve_osim_frame(model_, pending.parent, pending.frame.path, pending.frame.where,
+                                  fmt::format("frame '{}'", printable(pending.frame.name)));
+    } catch (const InputError&) {
+      if (parent_is_pending) return false;
+      throw;
+    }
+    OsimFrame frame = pending.frame;
+    frame.body = model_.frames[parent].body;
+    frame.offsets = model_.frames[parent].offsets;
+    if (!pending.offset.is_identity()) frame.offsets.push_back(pending.offset);
+    model_.frames.push_back(frame);
+    return true;
+  }
+
+  /// Joints of the set, and of 3.0 those within bodies.
+  std::vector<pugi::xml_node> joint_elements() const {
+    std::vector<pugi::xml_node> out;
+    for (const OsimBody& body : model_.bodies)
+      for (const pugi::xml_node joint : OsimXml::elements(body.element.child("Joint"))) out.push_back(joint);
+    for (const pugi::xml_node joint : xml_.objects(model_.element, "JointSet")) out.push_back(joint);
+    for (const pugi::xml_node joint : OsimXml::elements(model_.element.child("components")))
+      if (std::string_view(joint.name()).ends_with("Joint")) out.push_back(joint);
+    return out;
+  }
+
+  void read_joints() {
+    for (const pugi::xml_node element : joint_elements()) {
+      OsimJoint joint;
+      joint.name = OsimXml::name_of(element);
+      joint.type = element.name();
+      joint.element = element;
+      joint.where = xml_.where(element);
+      const std::string path = "/jointset/" + joint.name, what = OsimXml::title(element);
+      const pugi::xml_node outer = element.parent().parent();
+      std::string parent = socket_text(element, "socket_parent_frame", "parent_frame", "parent_body"),
+                  child = socket_text(element, "socket_child_frame", "child_frame", "child_body");
+      if (parent.empty()) parent = socket_text(element, "socket_parent_body", "parent_body", "parent_body");
+      if (child.empty() && std::string_view(outer.name()) == "Body") child = OsimXml::name_of(outer);
+      if (child.empty()) child = socket_text(element, "socket_child_body", "child_body", "child_body");
+      if (parent.empty() || child.empty())
+        throw InputError(joint.where, fmt::format("{} has no {}", what, parent.empty() ? "parent" : "child"));
+      joint.parent = offset_frame(element, resolve_osim_frame(model_, parent, path, joint.where, what), true);
+      joint.child = offset_frame(element, resolve_osim_frame(model_, child, path, joint.where, what), false);
+      if (xml_.flag(element, "reverse", false)) std::swap(joint.parent, joint.child);
+      read_osim_coordinates(xml_, joint, model_.joints.size(), model_.coordinates);
+      model_.joints.push_back(joint);
+    }
+  }
+  /// Of 3.0: the joint's own place on a body.
+  std::size_t offset_frame(pugi::xml_node joint, std::size_t on, bool parent) {
+    const std::array<double, 3> none{};
+    OsimOffset offset;
+    if (parent) {
+      offset = {xml_.vector<3>(joint, "location_in_parent", none),
+                xml_.vector<3>(joint, "orientation_in_parent", none)};
+    } else {
+      offset = {xml_.vector<3>(joint, "location", none), xml_.vector<3>(joint, "orientation", none)};
+      offset = {xml_.vector<3>(joint, "location_in_child", offset.translation),
+                xml_.vector<3>(joint, "orientation_in_child", offset.orientation)};
+    }
+    if (offset.is_identity()) return on;
+    OsimFrame frame = model_.frames[on];
+    frame.name = frame.path = "";
+    frame.offsets.push_back(offset);
+    frame.own = false;
+    model_.frames.push_back(frame);
+    return model_.frames.size() - 1;
+  }
+
+  /// Each body is moved by one joint, in the direction away from the ground.
+  void check_tree() {
+    const std::size_t none = model_.joints.size();
+    model_.joint_of.assign(model_.bodies.size(), none);
+    std::vector<bool> placed(model_.bodies.size(), false), used(none, false);
+    placed[0] = true;
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t j = 0; j < none; ++j) {
+        OsimJoint& joint = model_.joints[j];
+        const std::size_t parent = model_.frames[joint.parent].body, child = model_.frames[joint.child].body;
+        if (used[j] || placed[parent] == placed[child]) continue;
+        // What stands nearer to the ground carries the other.
+        joint.reversed = !placed[parent];
+        model_.joint_of[joint.reversed ? parent : child] = j;
+        placed[parent] = placed[child] = used[j] = more = true;
+      }
+    }
+    for (std::size_t j = 0; j < none; ++j) {
+      const OsimJoint& joint = model_.joints[j];
+      const OsimBody& parent = model_.bodies[model_.frames[joint.parent].body];
+      const OsimBody& child = model_.bodies[model_.frames[joint.child].body];
+      if (used[j] || !placed[model_.frames[joint.child].body]) continue;
+      throw InputError(
+          joint.where,
+          fmt::format("{} closes a chain: '{}' and '{}' are joined already", OsimXml::title(joint.element),
+                      printable(parent.name), printable(child.name)),
+          "leave the joint out, and add a constraint to the description");
+    }
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+      if (!placed[b])
+        throw InputError(
+            model_.bodies[b].where,
+            fmt::format("no joint joins body '{}' to the ground", printable(model_.bodies[b].name)),
+            "a FreeJoint lets it move freely");
+  }
+
+  const OsimXml& xml_;
+  pugi::xml_node root_;
+  OsimModel model_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace
+
+OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root) {
+  return SkeletonReader(xml, root).read();
+}
+
+}  // namespace alembert

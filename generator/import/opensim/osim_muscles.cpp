@@ -1,0 +1,228 @@
+// Sources of the laws: Thelen, Adjustment of Muscle Mechanics Model Parameters to Simulate Dynamic Contractions in Older
+// Adults, Journal of Biomechanical Engineering 125 (2003), 70-77; Millard, Uchida, Seth and Delp, Flexing Computational
+// Muscle, Journal of Biomechanical Engineering 135 (2013), 021005.
+#include "import/opensim/osim_muscles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/opensim/millard_curves.hpp"
+#include "import/opensim/osim_forces.hpp"
+#include "import/opensim/osim_paths.hpp"
+
+namespace alembert {
+namespace {
+
+/// The cosine of the largest pennation.
+constexpr double kLeastCosine = 0.1;
+
+std::string n(double value) {
+  return number_text(value);
+}
+
+/// One muscle while it is described.
+class Muscle {
+ public:
+  Muscle(OsimDescription& out, pugi::xml_node element, double rise, double fall)
+      : out_(out),
+        element_(element),
+        at_(out.xml.where(element)),
+        force_(positive("max_isometric_force", 1000)),
+        fibre_(positive("optimal_fiber_length", 0.1)),
+        slack_(positive("tendon_slack_length", 0.2)),
+        speed_(positive("max_contraction_velocity", 10)),
+        rise_(rise),
+        fall_(fall) {
+    const char* const angle =
+        out.xml.property(element, "pennation_angle") ? "pennation_angle" : "pennation_angle_at_optimal";
+    pennation_ = out.xml.number(element, angle, 0);
+  }
+
+  /// Its force, with the path; none if there is no path.
+  bool begin() {
+    YamlNode& force = out_.add_force(OsimXml::name_of(element_), at_);
+    if (!add_osim_path(out_, force, element_)) {
+      out_.sections["forces"]->items.pop_back();
+      return false;
+    }
+    node_ = &force;
+    name_ = OsimDescription::name_of(force);
+    add_activation();
+    return true;
+  }
+  void finish(const std::string& tension) { out_.put(*node_, "tension", tension, at_); }
+
+  double number(const char* property, double otherwise) const {
+    return out_.xml.number(element_, property, otherwise);
+  }
+  bool flag(const char* property) const { return out_.xml.flag(element_, property, false); }
+
+  /// With a rigid tendon: length of the fibres in optimal lengths, their speed in the largest, and the cosine of the
+  /// pennation. The muscle keeps its thickness.
+  std::string rigid_length() const {
+    if (pennation_ == 0) return fmt::format("(max(0, {})/{})", beyond_slack(), n(fibre_));
+    return fmt::format("(sqrt({} + max(0, {})^2)/{})", n(std::pow(fibre_ * std::sin(pennation_), 2)),
+                       beyond_slack(), n(fibre_));
+  }
+  std::string rigid_cosine() const {
+    if (pennation_ == 0) return "1";
+    return fmt::format("max(0, {})/{}/{}", beyond_slack(), n(fibre_), rigid_length());
+  }
+  std::string rigid_speed() const {
+    const std::string speed = fmt::format("rate/{}", n(fibre_ * speed_));
+    return pennation_ == 0 ? "(" + speed + ")" : fmt::format("({}*{})", speed, rigid_cosine());
+  }
+  /// force * max(0, of) along the tendon.
+  std::string rigid_tension(const std::string& of) const {
+    const std::string along = fmt::format("{}*max(0, {})", n(force_), of);
+    return pennation_ == 0 ? along : fmt::format("{}*{}", along, rigid_cosine());
+  }
+
+  OsimDescription& out_;
+  pugi::xml_node element_;
+  SourceLocation at_;
+  double force_, fibre_, slack_, speed_, rise_, fall_, pennation_ = 0;
+  std::string name_, activation_;
+  YamlNode* node_ = nullptr;
+
+ private:
+  double positive(const char* property, double otherwise) const {
+    const double value = out_.xml.number(element_, property, otherwise);
+    if (value > 0) return value;
+    throw InputError(at_, fmt::format("<{}> of {} is {}; expected a positive number", property,
+                                      OsimXml::title(element_), n(value)));
+  }
+  std::string beyond_slack() const { return fmt::format("length - {}", n(slack_)); }
+
+  /// The input is the excitation, and the activation a state; or the input is the activation.
+  void add_activation() {
+    const double least = number("minimum_activation", 0.01), initial = number("default_activation", 0.05);
+    std::array<double, 2> limits = osim_control_limits(out_.xml, element_);
+    limits = {std::max(limits[0], least), std::min(limits[1], 1.0)};
+    const std::string input =
+        out_.add_input(name_, std::clamp(initial, limits[0], std::max(limits[0], limits[1])), limits, at_);
+    activation_ = input;
+    if (flag("ignore_activation_dynamics")) return;
+    activation_ = out_.names.add(name_ + "_activation", at_);
+    const std::string change = fmt::format("{} - {}", input, activation_);
+    const std::string ease = fmt::format("(0.5 + 1.5*{})", activation_);
+    out_.add_state(activation_, initial, {least, 1},
+                   fmt::format("({0})*select({0}, 1/({1}*{2}), {2}/{3})", change, n(rise_), ease, n(fall_)),
+                   at_);
+  }
+};
+
+/// Thelen's curves for one muscle.
+struct Thelen {
+  double gamma, kpe, e0, af, flen, toe, linear, limit;
+
+  explicit Thelen(const Muscle& of)
+      : gamma(of.number("KshapeActive", 0.45)),
+        kpe(of.number("KshapePassive", 5)),
+        e0(of.number("FmaxMuscleStrain", 0.6)),
+        af(of.number("Af", 0.25)),
+        flen(of.number("Flen", 1.4)),
+        limit(of.number("fv_linear_extrap_threshold", 0.95)) {
+    // The toe ends where its slope is that of the straight line to 1 at the largest strain.
+    const double strain = of.number("FmaxTendonStrain", 0.04), e3 = std::exp(3);
+    toe = 99 * strain * e3 / (166 * e3 - 67);
+    linear = 0.67 / (strain - toe);
+  }
+  std::string active(const std::string& length) const {
+    return fmt::format("exp(-({} - 1)^2/{})", length, n(gamma));
+  }
+  std::string passive(const std::string& length) const {
+    return fmt::format("max(0, (exp({}*({} - 1)/{}) - 1)/{})", n(kpe), length, n(e0), n(std::exp(kpe) - 1));
+  }
+  double lengthening() const { return (2 + 2 / af) / (flen - 1); }
+  /// Force over speed.
+  std::string over_speed(const std::string& a, const std::string& v) const {
+    const std::string k = fmt::format("(0.25 + 0.75*{})", a);
+    return fmt::format(
+        "select({0}, ({1} + {2}*{0})/({1} + {3}*max({0}, 0)), max(0, {1} + {0})/({1} - min({0}, 0)/{4}))", v,
+        k, n(lengthening() * flen), n(lengthening()), n(af));
+  }
+  std::string tendon(const std::string& strain) const {
+    return fmt::format("({0}*(exp(3*clamp({1}, 0, {2})/{2}) - 1) + {3}*max(0, {1} - {2}))",
+                       n(0.33 / (std::exp(3) - 1)), strain, n(toe), n(linear));
+  }
+  /// Speed over the load of the contractile element; beyond `limit` of the largest force of lengthening, and below none,
+  /// it goes on along the tangent.
+  std::string speed(const std::string& a, const std::string& load, const std::string& active) const {
+    const std::string most = fmt::format("{}*{}", n(limit * flen), active),
+                      within = fmt::format("min({}, {})", load, most);
+    const std::string eccentric =
+        fmt::format("(({0} - {1})/({2}*{1} - {0}) + {3}/{1}*max(0, {4} - {5}))/{6}", within, active, n(flen),
+                    n((flen - 1) / std::pow((1 - limit) * flen, 2)), load, most, n(lengthening()));
+    const std::string concentric =
+        fmt::format("(max({0}, 0) - {1})/({1} + max({0}, 0)/{2}) + {3}/{1}*min({0}, 0)", load, active, n(af),
+                    n(1 + 1 / af));
+    return fmt::format("(0.25 + 0.75*{})*select({} - {}, {}, {})", a, load, active, eccentric, concentric);
+  }
+};
+
+}  // namespace
+
+bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
+  Muscle muscle(out, element, out.xml.number(element, "activation_time_constant", 0.015),
+                out.xml.number(element, "deactivation_time_constant", 0.05));
+  if (!muscle.begin()) return false;
+  const Thelen curves(muscle);
+  const std::string& a = muscle.activation_;
+  if (muscle.flag("ignore_tendon_compliance")) {
+    const std::string length = muscle.rigid_length();
+    muscle.finish(muscle.rigid_tension(fmt::format("{}*{}*{} + {}", a, curves.active(length),
+                                                   curves.over_speed(a, muscle.rigid_speed()),
+                                                   curves.passive(length))));
+    return true;
+  }
+  const std::string& name = muscle.name_;
+  const std::string fibre = out.names.add(name + "_fibre", muscle.at_);
+  std::string cosine = "1";
+  if (muscle.pennation_ != 0)
+    cosine = out.define(name + "_cosine",
+                        fmt::format("sqrt(max({}, 1 - ({}/{})^2))", n(kLeastCosine * kLeastCosine),
+                                    n(std::sin(muscle.pennation_)), fibre),
+                        muscle.at_);
+  const std::string along = cosine == "1" ? fibre : fmt::format("{}*{}", fibre, cosine);
+  muscle.finish(fmt::format(
+      "{}*{}", n(muscle.force_),
+      curves.tendon(fmt::format("((length - {}*{})/{} - 1)", n(muscle.fibre_), along, n(muscle.slack_)))));
+  const std::string active =
+      out.define(name + "_active", fmt::format("{}*{}", a, curves.active(fibre)), muscle.at_);
+  const std::string load = out.names.add(name + "_load", muscle.at_);
+  out.add_state(fibre, muscle.number("default_fiber_length", muscle.fibre_) / muscle.fibre_, {0.2, 2},
+                fmt::format("{}*{}", n(muscle.speed_), curves.speed(a, load, active)), muscle.at_);
+  YamlNode& output = out.nodes.mapping(muscle.at_);
+  out.put(output, "name", load, muscle.at_);
+  out.put(output, "value",
+          fmt::format("tension({})/{}{} - {}", name, n(muscle.force_), cosine == "1" ? "" : "/" + cosine,
+                      curves.passive(fibre)),
+          muscle.at_);
+  out.sections["outputs"]->items.push_back(&output);
+  return true;
+}
+
+bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
+  Muscle muscle(out, element, out.xml.number(element, "activation_time_constant", 0.01),
+                out.xml.number(element, "deactivation_time_constant", 0.04));
+  if (!muscle.begin()) return false;
+  if (!muscle.flag("ignore_tendon_compliance"))
+    out.approximated(
+        element,
+        "has a rigid tendon here, as with <ignore_tendon_compliance>: with damped fibres an elastic "
+        "one has no speed in closed form");
+  const double damping = muscle.number("fiber_damping", 0.1);
+  const MillardCurves curves(out.xml, element);
+  const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
+  std::string sum = fmt::format("{}*{}*{} + {}", muscle.activation_, curves.active(length),
+                                curves.over_speed(speed), curves.passive(length));
+  if (damping != 0) sum += fmt::format(" + {}*{}", n(damping), speed);
+  muscle.finish(muscle.rigid_tension(sum));
+  return true;
+}
+
+}  // namespace alembert

@@ -1,0 +1,14 @@
+// Muscles of OpenSim: their paths, excitations, activations and tensions.
+#pragma once
+
+#include "import/opensim/osim_description.hpp"
+
+namespace alembert {
+
+/// Thelen's, with an elastic tendon unless the file says otherwise. False if it has no path of points.
+bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element);
+
+/// Millard's with a rigid tendon; an elastic one is approximated by that, with a warning.
+bool add_millard_muscle(OsimDescription& out, pugi::xml_node element);
+
+}  // namespace alembert

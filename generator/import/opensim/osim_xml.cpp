@@ -1,0 +1,136 @@
+#include "import/opensim/osim_xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace alembert {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r\n";
+
+std::vector<std::string> split(std::string_view text) {
+  std::vector<std::string> out;
+  for (std::size_t at = text.find_first_not_of(kBlank); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlank, at), text.size());
+    out.emplace_back(text.substr(at, end - at));
+    at = text.find_first_not_of(kBlank, end);
+  }
+  return out;
+}
+
+}  // namespace
+
+OsimXml::OsimXml(const XmlText& xml) : xml_(xml) {
+  const auto add = [&](pugi::xml_node owner) {
+    for (const pugi::xml_node object : elements(owner.child("defaults")))
+      defaults_.try_emplace(object.name(), object);
+  };
+  const pugi::xml_node model = xml.root().child("Model");
+  add(model);
+  for (const pugi::xml_node set : elements(model)) add(set);
+}
+
+pugi::xml_node OsimXml::property(pugi::xml_node element, const char* name) const {
+  if (const pugi::xml_node own = element.child(name)) return own;
+  const auto found = defaults_.find(element.name());
+  return found == defaults_.end() ? pugi::xml_node() : found->second.child(name);
+}
+
+std::string OsimXml::title(pugi::xml_node element) {
+  const std::string name = name_of(element);
+  return name.empty() ? fmt::format("<{}>", printable(element.name()))
+                      : fmt::format("{} '{}'", printable(element.name()), printable(name));
+}
+
+std::string OsimXml::text(pugi::xml_node element, const char* property) {
+  const std::string_view value = element.child(property).child_value();
+  const std::size_t first = value.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return std::string(value.substr(first, value.find_last_not_of(kBlank) - first + 1));
+}
+
+std::string OsimXml::text(pugi::xml_node element, std::initializer_list<const char*> properties) {
+  for (const char* property : properties)
+    if (std::string found = text(element, property); !found.empty()) return found;
+  return {};
+}
+
+std::vector<std::string> OsimXml::words(pugi::xml_node element, const char* property) {
+  return split(element.child(property).child_value());
+}
+
+bool OsimXml::is_blank(pugi::xml_node element) {
+  return std::string_view(element.child_value()).find_first_not_of(kBlank) == std::string_view::npos;
+}
+
+bool OsimXml::flag(pugi::xml_node element, const char* property, bool otherwise) const {
+  std::string value = text(element, property);
+  std::ranges::transform(value, value.begin(),
+                         [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+  if (value.empty()) return otherwise;
+  if (value == "true" || value == "1") return true;
+  if (value == "false" || value == "0") return false;
+  throw InputError(where(element.child(property)),
+                   fmt::format("expected true or false as <{}>, found '{}'", property, printable(value)));
+}
+
+double OsimXml::number(pugi::xml_node element, const char* property, double otherwise) const {
+  return vector<1>(element, property, {otherwise})[0];
+}
+
+double OsimXml::number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const {
+  const std::string_view value = this->property(element, property).child_value();
+  const std::size_t letter = value.find_first_of("iI");
+  if (letter == std::string_view::npos) return number(element, property, otherwise);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return value.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
+}
+
+double OsimXml::required_number(pugi::xml_node element, const char* property) const {
+  const pugi::xml_node found = this->property(element, property);
+  if (!found) throw InputError(where(element), fmt::format("no <{}> in {}", property, title(element)));
+  return numbers(found, 1)[0];
+}
+
+std::vector<double> OsimXml::numbers(pugi::xml_node element, std::size_t count) const {
+  const auto fail = [&] {
+    const std::string expected =
+        count == 0 ? "numbers" : (count == 1 ? "a number" : fmt::format("{} numbers", count));
+    return InputError(where(element), fmt::format("expected {} as <{}>, found '{}'", expected, element.name(),
+                                                  printable(element.child_value())));
+  };
+  std::vector<double> out;
+  for (const std::string& word : split(element.child_value())) {
+    const char* const begin = word.data() + (word[0] == '+' ? 1 : 0);
+    const char* const end = word.data() + word.size();
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value)) throw fail();
+    out.push_back(value);
+  }
+  if (count != 0 && out.size() != count) throw fail();
+  return out;
+}
+
+std::vector<pugi::xml_node> OsimXml::objects(pugi::xml_node parent, const char* set) const {
+  const pugi::xml_node found = parent.child(set);
+  if (const pugi::xml_attribute file = found.attribute("file"))
+    throw InputError(
+        xml_.where(file),
+        fmt::format("<{}> stands in another file, '{}', which is not read", set, printable(file.value())),
+        "write it into this file");
+  return elements(found.child("objects"));
+}
+
+std::vector<pugi::xml_node> OsimXml::elements(pugi::xml_node parent) {
+  std::vector<pugi::xml_node> out;
+  for (const pugi::xml_node child : parent.children())
+    if (child.type() == pugi::node_element) out.push_back(child);
+  return out;
+}
+
+}  // namespace alembert

@@ -1,0 +1,259 @@
+// Forces of a model of OpenSim as `alembert import` describes them, one by one, against their laws.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "oracles/alembert_process.hpp"
+#include "oracles/osim/imported.hpp"
+
+namespace alembert::oracles {
+namespace {
+
+constexpr int kStates = 12;
+constexpr double kDifferences = 1e-7;
+
+struct Rig {
+  explicit Rig(const std::string& name)
+      : file(ALEMBERT_SOURCE_DIR "/tests/osim/models/" + name), imported(file), skeleton(file) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < kStates; ++i) states.push_back(random_state(imported.description(), random));
+    const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(imported.description().nv));
+    const bool has_states = !imported.description().states.empty();
+    found = ask_functions(ALEMBERT_EXECUTABLE, imported.path(), states, tau,
+                          has_states ? std::vector<std::string>{"force_contributions", "state_rates"}
+                                     : std::vector<std::string>{"force_contributions"});
+  }
+  NamedMotion motion(std::size_t i) {
+    NamedMotion out(imported.description(), states[i]);
+    out.apply(skeleton);
+    return out;
+  }
+  pugi::xml_node force(const char* name) const {
+    return skeleton.model().child("ForceSet").child("objects").find_child_by_attribute("name", name);
+  }
+  /// What a force adds to the generalized forces.
+  Eigen::VectorXd contribution(std::size_t i, const std::string& name) const {
+    const auto& names = imported.description().force_names;
+    const auto row = std::find(names.begin(), names.end(), name) - names.begin();
+    return found[i].at("force_contributions").at("Q").row(row).transpose();
+  }
+  Eigen::VectorXd of_tension(const NamedMotion& motion, const char* name,
+                             const std::function<double(double, double)>& tension) {
+    const pugi::xml_node path = force(name).child("GeometryPath");
+    const Eigen::VectorXd arms =
+        numeric_gradient(skeleton, motion, [&](const OsimSkeleton& at) { return path_length(at, path); });
+    double rate = 0;
+    for (std::size_t k = 0; k < motion.order.size(); ++k)
+      rate += arms(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
+    return -tension(path_length(skeleton, path), rate) * arms;
+  }
+
+  std::string file;
+  Imported imported;
+  OsimSkeleton skeleton;
+  std::vector<State> states;
+  std::vector<std::map<std::string, Arrays>> found;
+};
+
+void expect_near(const char* what, const Eigen::VectorXd& ours, const Eigen::VectorXd& theirs,
+                 double tolerance) {
+  EXPECT_LE((ours - theirs).cwiseAbs().maxCoeff(), tolerance * std::max(1.0, theirs.cwiseAbs().maxCoeff()))
+      << what << ": " << ours.transpose() << "\n for " << theirs.transpose();
+}
+
+TEST(OsimForces, FollowTheirLaws) {
+  Rig rig("forces.osim");
+  int engaged = 0;
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    const OsimSkeleton& at = rig.skeleton;
+    const auto& inputs = rig.states[i].inputs;
+    const auto along = [&](const char* coordinate, double value) {
+      Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motion.order.size()));
+      const auto by = at.gradient(coordinate);
+      for (std::size_t k = 0; k < motion.order.size(); ++k)
+        if (by.count(motion.order[k]) > 0) out(static_cast<Eigen::Index>(k)) = value * by.at(motion.order[k]);
+      return out;
+    };
+    const auto of_energy = [&](const std::function<double(const OsimSkeleton&)>& energy) {
+      return Eigen::VectorXd(-numeric_gradient(rig.skeleton, motion, energy));
+    };
+    const auto expect = [&](const char* name, const Eigen::VectorXd& expected, double tolerance = 1e-11) {
+      expect_near(name, rig.contribution(i, name), expected, tolerance);
+    };
+    const double q = at.coordinate("elbow"), u = at.speed("elbow");
+    expect("motor", along("elbow", 8 * inputs.at("motor")));
+    expect("geared_motor", along("drive", 3 * inputs.at("geared_motor")));
+    expect("coil", along("shoulder", -7 * (at.coordinate("shoulder") - 0.2) - 0.4 * at.speed("shoulder")));
+    expect("geared_coil", along("drive", -5 * (at.coordinate("drive") + 0.1) - 0.6 * at.speed("drive")));
+    const double degree = SimTK::Pi / 180;
+    const double above = SimTK::stepUp(std::clamp((q - 30 * degree) / (25 * degree), 0.0, 1.0)),
+                 below = SimTK::stepUp(std::clamp((-20 * degree - q) / (25 * degree), 0.0, 1.0));
+    engaged += above > 0 || below > 0 ? 1 : 0;
+    expect("stop", along("elbow", -0.8 / degree * above * (q - 30 * degree) +
+                                      0.5 / degree * below * (-20 * degree - q) -
+                                      0.02 / degree * (above + below) * u));
+    expect("spring", of_energy([](const OsimSkeleton& s) {
+             const double stretch = (s.point("/ground", SimTK::Vec3(0.3, 0.1, 0.2)) -
+                                     s.point("/bodyset/lower", SimTK::Vec3(0, -0.2, 0.05)))
+                                        .norm() -
+                                    0.3;
+             return 35.0 / 2 * stretch * stretch;
+           }),
+           kDifferences);
+    expect(
+        "bush", of_energy([](const OsimSkeleton& s) {
+          const SimTK::Transform X = ~s.pose("/bodyset/cart", "") * s.pose("bush_offset", "bush");
+          const SimTK::Vec3 a = X.R().convertRotationToBodyFixedXYZ(), p = X.p();
+          return (2 * a[0] * a[0] + 3 * a[1] * a[1] + 4 * a[2] * a[2] + 20 * p[0] * p[0] + 30 * p[1] * p[1]) /
+                 2;
+        }),
+        kDifferences);
+    expect("cable", rig.of_tension(motion, "cable", [&](double, double) { return 50 * inputs.at("cable"); }),
+           kDifferences);
+    expect("band",
+           rig.of_tension(motion, "band",
+                          [](double length, double rate) {
+                            return 300 * std::max(0.0, length - 0.12) * (1 + 0.02 * rate);
+                          }),
+           kDifferences);
+  }
+  EXPECT_GE(engaged, kStates / 3);
+  EXPECT_EQ(rig.imported.description().force_names.size(), 9U);  // that which is off is not there
+}
+
+/// Thelen's curves, in optimal lengths and largest forces.
+struct ThelenMuscle {
+  double force, fibre, slack, pennation, speed, strain = 0.04, gamma = 0.45, kpe = 5, af = 0.25, flen = 1.4;
+
+  double active(double l) const { return std::exp(-(l - 1) * (l - 1) / gamma); }
+  double passive(double l) const {
+    return l > 1 ? (std::exp(kpe * (l - 1) / 0.6) - 1) / (std::exp(kpe) - 1) : 0;
+  }
+  /// Of its force at rest, at a speed v of the fibres.
+  double over_speed(double a, double v) const {
+    const double k = 0.25 + 0.75 * a;
+    if (v <= 0) return std::max(0.0, (k + v) / (k - v / af));
+    const double g = (2 + 2 / af) * v / (flen - 1);
+    return (k + flen * g) / (k + g);
+  }
+  double tendon(double x) const {
+    const double e3 = std::exp(3.0), toe = 99 * strain * e3 / (166 * e3 - 67), slope = 0.67 / (strain - toe);
+    if (x <= 0) return 0;
+    return x > toe ? slope * (x - toe) + 0.33 : 0.33 * (std::exp(3 * x / toe) - 1) / (e3 - 1);
+  }
+};
+
+/// The point of quintic Bezier curves between corners (x, y, slope) at x, whose bends are given for each piece.
+double bezier(const std::vector<std::array<double, 3>>& corners, const std::vector<double>& bends, double x) {
+  if (x <= corners.front()[0]) return corners.front()[1] + corners.front()[2] * (x - corners.front()[0]);
+  if (x >= corners.back()[0]) return corners.back()[1] + corners.back()[2] * (x - corners.back()[0]);
+  std::size_t i = 0;
+  while (x > corners[i + 1][0]) ++i;
+  const auto [x0, y0, s0] = corners[i];
+  const auto [x1, y1, s1] = corners[i + 1];
+  const double corner = (y1 - y0 - x1 * s1 + x0 * s0) / (s0 - s1), c = 0.1 + 0.8 * bends[i];
+  const double px[] = {x0, x0 + c * (corner - x0), x1 + c * (corner - x1), x1};
+  const double py[] = {y0, y0 + s0 * (px[1] - x0), y1 + s1 * (px[2] - x1), y1};
+  const auto at = [](const double* p, double t) {
+    double b[] = {p[0], p[1], p[1], p[2], p[2], p[3]};
+    for (int level = 5; level > 0; --level)
+      for (int k = 0; k < level; ++k) b[k] += t * (b[k + 1] - b[k]);
+    return b[0];
+  };
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) (at(px, (low + high) / 2) < x ? low : high) = (low + high) / 2;
+  return at(py, low);
+}
+
+TEST(OsimForces, MusclesFollowTheirLaws) {
+  Rig rig("muscles.osim");
+  const ThelenMuscle rigid{600, 0.13, 0.19, 0.2, 8};
+  const ThelenMuscle elastic{600, 0.13, 0.19, 0.1, 8, 0.033, 0.5, 4, 0.3, 1.8};
+  int pulling = 0, balanced = 0, extending = 0;
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    const auto& states = rig.states[i].states;
+    const auto rate_of = [&](const char* state) {
+      const auto& all = rig.imported.description().states;
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const Integrated& s) { return s.name == state; });
+      return rig.found[i].at("state_rates").at("sdot")(found - all.begin());
+    };
+    const auto rigid_muscle = [&](double fibre, double slack, double pennation, double speed,
+                                  const auto& law) {
+      return [=](double length, double rate) {
+        const double thick = fibre * std::sin(pennation), along = std::max(0.0, length - slack);
+        const double l = std::hypot(thick, along), cosine = along / l;
+        return std::max(0.0, law(l / fibre, rate * cosine / fibre / speed)) * cosine;
+      };
+    };
+    expect_near("rigid Thelen", rig.contribution(i, "rigid_flexor"),
+                rig.of_tension(motion, "rigid_flexor",
+                               rigid_muscle(rigid.fibre, rigid.slack, rigid.pennation, rigid.speed,
+                                            [&](double l, double v) {
+                                              const double a = rig.states[i].inputs.at("rigid_flexor");
+                                              const double force =
+                                                  a * rigid.active(l) * rigid.over_speed(a, v) +
+                                                  rigid.passive(l);
+                                              pulling += force > 0.02 ? 1 : 0;
+                                              return rigid.force * force;
+                                            })),
+                kDifferences);
+    // Its tendon, and the balance of what its fibres carry.
+    const double a = states.at("elastic_flexor_activation"), l = states.at("elastic_flexor_fibre");
+    const double sine = std::sin(elastic.pennation) / l, cosine = std::sqrt(std::max(0.01, 1 - sine * sine));
+    double tension = 0;
+    expect_near(
+        "elastic Thelen", rig.contribution(i, "elastic_flexor"),
+        rig.of_tension(motion, "elastic_flexor",
+                       [&](double length, double) {
+                         tension = elastic.tendon((length - elastic.fibre * l * cosine) / elastic.slack - 1);
+                         return elastic.force * tension;
+                       }),
+        kDifferences);
+    const double load = tension / cosine - elastic.passive(l), active = a * elastic.active(l);
+    const double v = rate_of("elastic_flexor_fibre") / elastic.speed;
+    if (load > 0 && load < 0.95 * elastic.flen * active) {
+      ++balanced;
+      EXPECT_NEAR(active * elastic.over_speed(a, v), load, 1e-9);
+    } else {
+      EXPECT_EQ(v > 0, load > active);
+    }
+    const double change = rig.states[i].inputs.at("elastic_flexor") - a;
+    EXPECT_NEAR(rate_of("elastic_flexor_activation"),
+                change / (change > 0 ? 0.01 * (0.5 + 1.5 * a) : 0.04 / (0.5 + 1.5 * a)), 1e-9);
+    const double b = states.at("rigid_extensor_activation");
+    const std::vector<std::array<double, 3>> over_length = {{0.4441, 0.1, 0},
+                                                            {0.58705, 0.405224, 1.25 * 0.810448 / 0.2859},
+                                                            {0.84, 0.905224, 0.8616},
+                                                            {1, 1, 0},
+                                                            {1.43115, 0.5, -1 / 0.7123},
+                                                            {1.8123, 0.1, 0}};
+    const double foot = 0.1 * 0.35;
+    const std::vector<std::array<double, 3>> stretched = {
+        {1, 0, 0}, {1 + foot, 0.1 * foot, 0.2}, {1.7, 1, 2 / 0.7}};
+    const std::vector<std::array<double, 3>> speeds = {
+        {-1, 0, 0}, {-0.9, 0.0125, 0.25}, {0, 1, 5}, {0.9, 1.3925, 0.15}, {1, 1.4, 0}};
+    // The curves are splines here, within 0.004 of the Bezier curves; arms are shorter than 4 cm.
+    const Eigen::VectorXd extended = rig.of_tension(
+        motion, "rigid_extensor", rigid_muscle(0.1, 0.2, 0.15, 10, [&](double x, double w) {
+          return 800 *
+                 (b * bezier(over_length, {1, 1, 1, 1, 1}, x) * bezier(speeds, {0.6, 0.6, 0.9, 0.9}, w) +
+                  bezier(stretched, {0.75, 0.75}, x) + 0.05 * w);
+        }));
+    const Eigen::VectorXd millard = rig.contribution(i, "rigid_extensor");
+    EXPECT_LE((millard - extended).cwiseAbs().maxCoeff(), 0.004 * (1.4 + 1 + 1) * 800 * 0.04)
+        << millard.transpose() << "\n for " << extended.transpose();
+    extending += extended.cwiseAbs().maxCoeff() > 2 ? 1 : 0;
+  }
+  EXPECT_GE(extending, kStates / 3);
+  EXPECT_GE(pulling, kStates / 2);
+  EXPECT_GE(balanced, 1);
+}
+
+}  // namespace
+}  // namespace alembert::oracles

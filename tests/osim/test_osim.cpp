@@ -1,0 +1,118 @@
+// Models of OpenSim in, descriptions out: whole texts to the letter, what is left out, and what each bad file is told.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "golden/golden_file.hpp"
+#include "import/common/yaml.hpp"
+#include "import/importers.hpp"
+#include "import/opensim/describe_osim.hpp"
+#include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
+
+namespace alembert {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Described {
+  std::string text, warnings;
+};
+
+Described described(const std::shared_ptr<const SourceText>& source, const fs::path& path = {}) {
+  Warnings warnings;
+  const DescribedRobot robot = describe_osim(source, {}, warnings);
+  ExprGraph graph;
+  const Mechanism mechanism = load_mechanism(robot.document, graph);
+  warnings.insert(warnings.end(), robot.warnings.begin(), robot.warnings.end());
+  warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
+  Described out{yaml_text(robot.document.root()), {}};
+  for (const Warning& w : one_of_each_kind(warnings))
+    out.warnings += test::without_folder(warning_text(w.where, w.message, w.note), path) + "\n";
+  return out;
+}
+
+class OsimFile : public testing::TestWithParam<fs::path> {};
+
+TEST_P(OsimFile, BecomesTheDescriptionBesideIt) {
+  const fs::path& path = GetParam();
+  const Described found = described(read_source(path.string()), path);
+  test::expect_golden(found.text, fs::path(path).replace_extension(".yaml"));
+  test::expect_golden(found.warnings, fs::path(path).replace_extension(".err"));
+  // What was understood once is understood from its text.
+  ExprGraph graph;
+  EXPECT_NO_THROW(load_mechanism(std::make_shared<const SourceText>(SourceText{"again", found.text}), graph));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OsimFile, testing::ValuesIn(test::files_in("tests/osim/models", ".osim")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+class BadOsim : public testing::TestWithParam<fs::path> {};
+
+TEST_P(BadOsim, IsToldWhatIsWrong) {
+  const fs::path& path = GetParam();
+  try {
+    described(read_source(path.string()), path);
+    FAIL() << "is read without an error";
+  } catch (const InputError& error) {
+    const std::string found = test::without_folder(error.what(), path) + "\n";
+    EXPECT_TRUE(found.starts_with(path.filename().string() + ":")) << found;
+    test::expect_golden(found, fs::path(path).replace_extension(".err"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadOsim, testing::ValuesIn(test::files_in("tests/osim/errors", ".osim")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+std::shared_ptr<const SourceText> pendulum(const std::string& body, const std::string& more = "") {
+  return std::make_shared<const SourceText>(SourceText{
+      "model.osim",
+      "<OpenSimDocument Version='40500'><Model name='m'>" + more + "<BodySet><objects><Body name='b'>" +
+          body +
+          "</Body></objects></BodySet><JointSet><objects><PinJoint name='p'>"
+          "<socket_parent_frame>/m/ground</socket_parent_frame><socket_child_frame>b</socket_child_frame>"
+          "<coordinates><Coordinate name='q'/></coordinates></PinJoint></objects></JointSet>"
+          "</Model></OpenSimDocument>"});
+}
+
+TEST(Osim, IsChosenByExtensionAndByText) {
+  EXPECT_EQ(importer_of({"model.osim", ""}).format, "OpenSim");
+  EXPECT_EQ(importer_of({"<stdin>", "<?xml version='1.0'?><OpenSimDocument Version='40000'/>"}).format,
+            "OpenSim");
+}
+
+TEST(Osim, TakesPathsThatBeginWithTheModelsName) {
+  EXPECT_THAT(described(pendulum("<mass>1</mass><inertia>1 1 1 0 0 0</inertia>")).text,
+              HasSubstr("name: b\n"));
+}
+
+TEST(Osim, WarnsOfUnknownPropertiesAndRefusesMisspeltOnes) {
+  const std::string good = "<mass>1</mass><inertia>1 1 1 0 0 0</inertia>";
+  EXPECT_THAT(described(pendulum(good + "<colour>red</colour>")).warnings,
+              HasSubstr("warning: unknown element <colour> in Body 'b'"));
+  EXPECT_THROW(described(pendulum("<mas>1</mas><inertia>1 1 1 0 0 0</inertia>")), InputError);
+}
+
+TEST(Osim, TakesWhatTheDefaultsOfATypeSay) {
+  const std::string text =
+      described(pendulum("<inertia>1 1 1 0 0 0</inertia>",
+                         "<defaults><Body name='default'><mass>3</mass></Body></defaults>"))
+          .text;
+  EXPECT_THAT(text, HasSubstr("mass: 3\n"));
+}
+
+// A hundred thousand elements within each other.
+TEST(Osim, IsNotDeeperThanTheStack) {
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  for (int i = 0; i < 100000; ++i) deep += "</a>";
+  EXPECT_THAT(described(pendulum("<mass>1</mass><inertia>1 1 1 0 0 0</inertia>" + deep)).warnings,
+              HasSubstr("unknown element <a>"));
+}
+
+}  // namespace
+}  // namespace alembert
