@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "differentiation/jacobian.hpp"
+#include "dynamics/choice/coriolis_matrix.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/moving_bodies.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
+#include "dynamics/recursions/regressor.hpp"
 #include "functions/array_shape.hpp"
 #include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
@@ -230,6 +232,10 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("outputs_jacobian"), false, build_outputs_jacobian},
     {FunctionKind("outputs_rate"), false, build_outputs_rate},
     {FunctionKind("outputs_bias"), false, build_outputs_bias},
+    {FunctionKind("coriolis_matrix"), true,
+     [](const Ingredients& given) -> Results {
+       return {coriolis_matrix(given.kinematics, *given.equations)};
+     }},
     {FunctionKind("mass_matrix_and_bias"), true,
      [](const Ingredients& given) -> Results {
        return {given.equations->M, given.equations->c};
@@ -268,6 +274,12 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("centroidal_momentum"), false, build_centroidal_momentum},
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
+    {FunctionKind("regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, force_regressor); }},
+    {FunctionKind("static_regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, gravity_regressor); }},
+    {FunctionKind("energy_regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, energy_regressor); }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
     {FunctionKind("state_rates"), false,
      [](const Ingredients& given) -> Results { return {given.kinematics.applied.rates}; }},
