@@ -20,6 +20,7 @@
 #include "commands/run_check.hpp"
 #include "commands/run_evaluate.hpp"
 #include "commands/run_generate.hpp"
+#include "commands/run_identify.hpp"
 #include "commands/run_import.hpp"
 #include "commands/run_report.hpp"
 #include "commands/run_simulate.hpp"
@@ -174,6 +175,7 @@ void add_examples(CLI::App& app) {
       {"evaluate", "echo '{\"q\": [0, 1], \"qd\": [0, 0], \"qdd\": [0, 0]}' | alembert evaluate arm.yaml"},
       {"simulate", "alembert simulate arm.yaml --q 0.5,1 --duration 5 --html arm.html"},
       {"check", "alembert check arm.yaml --states 1000"},
+      {"identify", "alembert identify arm.yaml --example ."},
       {"import", "alembert import robot.urdf --root floating --out robot.yaml"}};
   for (const auto& [name, example] : examples)
     app.get_subcommand(name)->footer(std::string("Example:\n  ") + example);
@@ -331,6 +333,15 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1, 1'000'000));
   add_passes(command, common);
   command->callback([&] { result = run_check(common, check); });
+
+  IdentifyOptions identify;
+  command = add_reader(
+      app, "identify",
+      "tell which masses and inertias of the bodies can be known from forces: the base parameters", common);
+  command->add_flag("--json", identify.json, "as JSON");
+  command->add_option("--example", identify.example,
+                      "folder for a program in Python that identifies a simulated mechanism");
+  command->callback([&] { result = run_identify(common, identify); });
 
   ImportOptions import;
   command =

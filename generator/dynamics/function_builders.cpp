@@ -5,6 +5,7 @@
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/choice/constrained_dynamics.hpp"
+#include "dynamics/choice/coriolis_matrix.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/choice/second_derivatives.hpp"
@@ -13,6 +14,7 @@
 #include "dynamics/recursions/moving_bodies.hpp"
 #include "dynamics/recursions/outputs.hpp"
 #include "dynamics/recursions/reduced.hpp"
+#include "dynamics/recursions/regressor.hpp"
 #include "functions/array_shape.hpp"
 #include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
@@ -255,6 +257,10 @@ constexpr Builder kBuilders[] = {
     {FunctionKind("outputs_jacobian"), false, build_outputs_jacobian},
     {FunctionKind("outputs_rate"), false, build_outputs_rate},
     {FunctionKind("outputs_bias"), false, build_outputs_bias},
+    {FunctionKind("coriolis_matrix"), true,
+     [](const Ingredients& given) -> Results {
+       return {coriolis_matrix(given.kinematics, *given.equations)};
+     }},
     {FunctionKind("mass_matrix_and_bias"), true,
      [](const Ingredients& given) -> Results {
        return {given.equations->M, given.equations->c};
@@ -298,6 +304,12 @@ constexpr Builder kBuilders[] = {
      [](const Ingredients& given) { return for_shortest_moving_tree(given, joint_reactions); }},
     {FunctionKind("body_inertias"), false,
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
+    {FunctionKind("regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, force_regressor); }},
+    {FunctionKind("static_regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, gravity_regressor); }},
+    {FunctionKind("energy_regressor"), false,
+     [](const Ingredients& given) { return for_shortest_tree(given, energy_regressor); }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
     {FunctionKind("inverse_dynamics_second_derivatives"), true, build_inverse_dynamics_second_derivatives},
     {FunctionKind("inverse_dynamics_parameter_derivatives"), true, build_inverse_dynamics_parameter_derivatives},

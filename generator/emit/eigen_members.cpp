@@ -31,6 +31,8 @@ std::string extent_constant(const Extent& extent) {
       return "kNforces";
     case Extent::Of::states:
       return "kNstates";
+    case Extent::Of::bodies:
+      return std::to_string(extent.number) + " * kNbodies";
   }
   throw InternalError("emit: no such extent");
 }
@@ -63,6 +65,9 @@ std::string block_type(const ResultArray& result) {
   if (result.rows == kPerSpeed && result.columns == kPerSpeed) return "SpeedMatrix";
   if (result.rows == kPerConstraintRow && result.columns == kPerSpeed) return "ConstraintMatrix";
   if (result.rows == Extent(3) && result.columns == Extent(4)) return "Pose";
+  if (result.columns == kPerStandardParameter)
+    return fmt::format("::alembert::SizedMatrix<S, {}, {}>", extent_constant(result.rows),
+                       extent_constant(result.columns));
   return fmt::format("::Eigen::Matrix<S, {}, {}>", extent_constant(result.rows),
                      extent_constant(result.columns));
 }

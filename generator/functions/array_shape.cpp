@@ -12,10 +12,10 @@ namespace alembert {
 
 namespace {
 
-std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
-  switch (extent.of) {
+std::size_t number_of(Extent::Of what, const Mechanism& mechanism) {
+  switch (what) {
     case Extent::Of::number:
-      return static_cast<std::size_t>(extent.number);
+      return 1;
     case Extent::Of::coordinates:
       return static_cast<std::size_t>(mechanism.nq);
     case Extent::Of::speeds:
@@ -32,8 +32,13 @@ std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
       return force_names(mechanism).size();
     case Extent::Of::states:
       return placed_parameters(mechanism, ParameterRole::state).size();
+    case Extent::Of::bodies:
+      return mechanism.bodies.size();
   }
   throw InternalError("there is no such extent");
+}
+std::size_t number_of(const Extent& extent, const Mechanism& mechanism) {
+  return static_cast<std::size_t>(extent.number) * number_of(extent.of, mechanism);
 }
 
 std::size_t number_of(Per per, const Mechanism& mechanism) {

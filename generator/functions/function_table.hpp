@@ -43,19 +43,22 @@ struct Extent {
     parameters,
     inputs,
     states,
-    forces
+    forces,
+    bodies
   };
   Of of = Of::number;
-  int number = 1;
+  int number = 1;  ///< for each of them, if they are something
   constexpr Extent() = default;
   constexpr Extent(int n) : number(n) {}
-  constexpr Extent(Of what) : of(what) {}
+  constexpr Extent(Of what, int for_each = 1) : of(what), number(for_each) {}
   constexpr bool operator==(const Extent&) const = default;
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
                         kPerParameter = Extent::Of::parameters, kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
                         kPerForce = Extent::Of::forces;
+/// Of a body: m, m c x y z, and its inertia about the origin of its frame xx yy zz xy xz yz, in its axes.
+inline constexpr Extent kPerStandardParameter{Extent::Of::bodies, 10};
 
 /// What a result has one block of rows and columns for.
 enum class Per : std::uint8_t { mechanism, body, frame };
@@ -119,6 +122,13 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "g = (derivative of the potential energy along the speeds), the part of c(q, qd) that is linear in gravity",
      {{"g", "gravity forces, in units of tau", kPerSpeed}},
      "To hold the mechanism still, apply tau = g, if no motion is prescribed in time.", ""},
+    {"coriolis_matrix", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Coriolis matrix: makes the bias forces that are quadratic in the speeds, and the rate of the mass matrix.",
+     "dM/dt = C + C^T, C_ij = sum over particles m D_i r . d(D_j r)/dt; c = C qd + g, less applied forces, where no motion is prescribed",
+     {{"C", "in units of tau / qd", kPerSpeed, kPerSpeed}},
+     "D_j r is the velocity of a particle at unit speed j. For real coordinates these are Christoffel's symbols times the speeds.",
+     "Echeandia and Wensing, Numerical methods to compute the Coriolis matrix and Christoffel symbols, ASME J. Computational and "
+     "Nonlinear Dynamics 16, 2021"},
     {"applied_forces", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Generalized forces of what the description has under forces, damping, friction and stiffness.",
      "tau = M(q) qdd + c(q, qd), where c contains -Q",
@@ -281,6 +291,24 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        "xx yy zz xy xz yz, kg m^2",
        1, 10, Per::body, Blocks::stacked}},
      "", ""},
+    {"regressor", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Regressor of inverse dynamics: the forces are linear in the masses, first moments and inertias of the bodies.",
+     "inverse_dynamics = Y theta, less applied forces and wrenches, and the forces that armatures take",
+     {{"Y", "for each body of kBodyNames ten columns: its mass, kg, mass times centre of mass x y z, kg m, and its inertia about the "
+       "origin of its frame, in its axes, xx yy zz xy xz yz, kg m^2", kPerSpeed, kPerStandardParameter}},
+     "Columns of bodies without mass, and those of the inertia of a point mass in its origin, are zero.",
+     "Atkeson, An and Hollerbach, Estimation of inertial parameters of manipulator loads and links, Int. J. Robotics Research 5, 1986",
+     Needs::mass},
+    {"static_regressor", Topic::dynamics, false, {ArgumentKind::q}, true,
+     "Regressor of the gravity forces: what regressor is at rest.",
+     "gravity = Y theta",
+     {{"Y", "columns as those of regressor", kPerSpeed, kPerStandardParameter}},
+     "", "", Needs::mass},
+    {"energy_regressor", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
+     "Regressor of the energies: both are linear in the masses, first moments and inertias of the bodies.",
+     "energy = Y theta, less that of armatures and of applied forces",
+     {{"Y", "a row for the kinetic, one for the potential energy; columns as those of regressor", 2, kPerStandardParameter}},
+     "", "", Needs::mass},
     {"inverse_dynamics_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
      "Partial derivatives of inverse dynamics: along the speeds, that is by the coordinates, and by the speeds.",
      "tau_q[.][k] = change of tau(q, qd, qdd) as q changes by N(q) e_k, tau_qd = d tau / d qd",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "differentiation/jacobian.hpp"
 #include "differentiation/reverse.hpp"
 #include "dynamics/by_complex_steps.hpp"
+#include "dynamics/choice/base_parameters.hpp"
 #include "dynamics/choice/regrouping.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/mechanism_file.hpp"
@@ -96,6 +98,32 @@ class Laws : public testing::TestWithParam<std::string> {
   const EquationsOfMotion& equations = derivation.equations;
   const std::size_t nv = static_cast<std::size_t>(loaded.mechanism->nv);
 };
+
+/// Ten of each body, as the regressor's columns.
+std::vector<Expr> standard_parameters(const Mechanism& mechanism) {
+  std::vector<Expr> theta;
+  for (const Body& body : mechanism.bodies) {
+    const Expr m = body.mass_properties.mass;
+    const Vec3& c = body.mass_properties.com;
+    const Mat3& inertia = body.mass_properties.inertia;
+    const Expr square = dot(c, c);
+    const auto about_origin = [&](std::size_t i, std::size_t j) {
+      return inertia(i, j) + m * (i == j ? square - c[i] * c[j] : -(c[i] * c[j]));
+    };
+    const std::array<Expr, 10> ten{m,
+                                   m * c[0],
+                                   m * c[1],
+                                   m * c[2],
+                                   about_origin(0, 0),
+                                   about_origin(1, 1),
+                                   about_origin(2, 2),
+                                   about_origin(0, 1),
+                                   about_origin(0, 2),
+                                   about_origin(1, 2)};
+    theta.insert(theta.end(), ten.begin(), ten.end());
+  }
+  return theta;
+}
 
 /// Names of the mechanisms of which time moves a body by itself.
 const std::vector<std::string> kMovedByTime{"moving_base", "rolling_ball", "upper_body"};
@@ -303,6 +331,110 @@ TEST_P(Laws, GravityIsTheSlopeOfThePotentialEnergy) {
       slope[static_cast<std::size_t>(partial.speed)] = partial.values[0];
   }
   expect_equal(function_outputs(kinematics, equations, FunctionKind("gravity"))[0].values, slope, 1e-11);
+}
+
+/// dM/dt = C + C^T; and C u and gravity are the bias forces of the bodies, but for what is affine in the speeds: that
+/// comes with time.
+TEST_P(Laws, CoriolisMatrixMakesTheRateOfTheMassMatrixAndTheBias) {
+  const std::vector<Expr> C =
+      function_outputs(kinematics, equations, FunctionKind("coriolis_matrix"))[0].values;
+  const SpeedDerivatives& derivatives = kinematics.derivatives;
+  std::vector<Expr> both = C;
+  for (std::size_t i = 0; i < nv; ++i)
+    for (std::size_t j = 0; j < nv; ++j) both[i * nv + j] += C[j * nv + i];
+  expect_equal(both, derivatives.first_rate(derivatives.partials(equations.M), nv * nv));
+
+  std::vector<std::pair<Expr, Expr>> no_wrench, backward, at_rest;
+  for (const auto& [body, wrench] : wrench_symbols(*loaded.mechanism, *loaded.graph))
+    for (std::size_t i = 0; i < 6; ++i) no_wrench.emplace_back(wrench[i], loaded.graph->zero());
+  std::vector<Expr> rest = substitute(equations.c, no_wrench);
+  const std::vector<Expr> g = gravity_forces(*loaded.mechanism, kinematics.tree, *loaded.graph);
+  for (std::size_t i = 0; i < nv; ++i) {
+    if (!kinematics.applied.Q.empty()) rest[i] += kinematics.applied.Q[i];
+    for (std::size_t j = 0; j < nv; ++j) rest[i] -= C[i * nv + j] * derivatives.speed(static_cast<int>(j));
+    rest[i] -= g[i];
+  }
+  if (!moves_with_time()) return expect_equal(rest, std::vector<Expr>(nv, loaded.graph->zero()), 1e-9);
+  for (std::size_t k = 0; k < nv; ++k) {
+    const Expr u = derivatives.speed(static_cast<int>(k));
+    backward.emplace_back(u, -u);
+    at_rest.emplace_back(u, loaded.graph->zero());
+  }
+  const std::vector<Expr> reversed = substitute(rest, backward), resting = substitute(rest, at_rest);
+  std::vector<Expr> twice_resting = resting;
+  for (std::size_t i = 0; i < nv; ++i) {
+    rest[i] += reversed[i];
+    twice_resting[i] += resting[i];
+  }
+  expect_equal(rest, twice_resting, 1e-9);
+}
+
+/// Forces, gravity and energies are linear in masses, first moments and inertias about the bodies' origins.
+TEST_P(Laws, RegressorsTimesTheParametersGiveForcesGravityAndEnergies) {
+  const Mechanism& mechanism = *loaded.mechanism;
+  const std::vector<Expr> theta = standard_parameters(mechanism);
+
+  const auto times_theta = [&](FunctionKind kind) {
+    const std::vector<Expr> Y = function_outputs(kinematics, equations, kind)[0].values;
+    std::vector<Expr> product(Y.size() / theta.size(), loaded.graph->zero());
+    for (std::size_t i = 0; i < Y.size(); ++i) product[i / theta.size()] += Y[i] * theta[i % theta.size()];
+    return product;
+  };
+  std::vector<std::pair<Expr, Expr>> no_wrench;
+  for (const auto& [body, wrench] : wrench_symbols(mechanism, *loaded.graph))
+    for (std::size_t i = 0; i < 6; ++i) no_wrench.emplace_back(wrench[i], loaded.graph->zero());
+  std::vector<Expr> forces = substitute(equations.Q, no_wrench);
+  const std::vector<Expr>& applied = kinematics.applied.Q;
+  for (std::size_t k = 0; k < applied.size(); ++k) forces[k] += applied[k];
+  const std::vector<Expr> rotors = armature_forces(mechanism), inertias = armatures(mechanism);
+  std::vector<Expr> energy = energies(mechanism, kinematics.tree, *loaded.graph);
+  for (std::size_t k = 0; k < nv; ++k) {
+    forces[k] -= rotors[k];
+    const Expr u = kinematics.derivatives.speed(static_cast<int>(k));
+    energy[0] -= loaded.graph->rational(Rational(1, 2)) * (inertias[k] * (u * u));
+  }
+  expect_equal(times_theta(FunctionKind("regressor")), forces);
+  expect_equal(times_theta(FunctionKind("static_regressor")),
+               gravity_forces(mechanism, kinematics.tree, *loaded.graph), 1e-11);
+  expect_equal(times_theta(FunctionKind("energy_regressor")), energy, 1e-11);
+}
+
+/// With base parameters the columns of these alone give the same forces; and these columns are independent.
+TEST_P(Laws, BaseParametersGiveTheForces) {
+  const std::vector<Expr> Y = function_outputs(kinematics, equations, FunctionKind("regressor"))[0].values;
+  const Mechanism& mechanism = *loaded.mechanism;
+  const BaseParameters found = base_parameters(kinematics);
+  const Eigen::Index n = mechanism.nv, all = static_cast<Eigen::Index>(Y.size()) / n,
+                     count = static_cast<Eigen::Index>(found.base.size());
+  Eigen::MatrixXd rest(0, all), base(0, count);
+  for (unsigned seed = 1; base.rows() < 40 * n + 4 * count && seed < 2000; ++seed) {
+    std::vector<double> state = state_values(mechanism, *loaded.graph, seed);
+    state[loaded.graph->symbol_index(mechanism.time.ref().node())] = 0.3 * seed;
+    const std::vector<double> values = evaluate(Y, state);
+    if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); })) continue;
+    rest.conservativeResize(rest.rows() + n, Eigen::NoChange);
+    rest.bottomRows(n) =
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            values.data(), n, all);
+    base.conservativeResize(rest.rows(), Eigen::NoChange);
+  }
+  ASSERT_GE(base.rows(), count);
+  const Eigen::VectorXd sizes = rest.colwise().norm();
+  // What is left of the columns once multiples of the base parameters' are taken off.
+  for (std::size_t k = 0; k < found.base.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(found.base[k].parameter);
+    base.col(static_cast<Eigen::Index>(k)) = rest.col(column);
+    rest.col(column).setZero();
+  }
+  for (std::size_t k = 0; k < found.base.size(); ++k)
+    for (const auto& [other, coefficient] : found.base[k].joined)
+      rest.col(static_cast<Eigen::Index>(other)) -= coefficient * base.col(static_cast<Eigen::Index>(k));
+  EXPECT_LE(rest.colwise().norm().maxCoeff(), 1e-9 * sizes.maxCoeff());
+  for (const std::size_t parameter : found.without_effect)
+    EXPECT_LE(sizes[static_cast<Eigen::Index>(parameter)], 1e-12 * sizes.maxCoeff());
+  for (Eigen::Index k = 0; k < count; ++k) base.col(k).normalize();
+  const Eigen::VectorXd singular = base.bdcSvd().singularValues();
+  EXPECT_GT(singular[count - 1], 1e-9 * singular[0]) << count << " base parameters";
 }
 
 /// Kinetic energy of the bodies by their Jacobians and inertias: T = 1/2 sum m |v|^2 + om . R I R^T om.

@@ -54,7 +54,24 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
   if (function == "energy") return {values.topRows(1), values.bottomRows(1)};
   if (function == "body_inertias")
     return {columns(values, {0}), columns(values, {1, 2, 3}), columns(values, {4, 5, 6, 7, 8, 9})};
-  if (name == "M") return {unit.asDiagonal() * values * unit.asDiagonal()};
+  if (name == "Y") {
+    // Columns by what they are multiplied with.
+    Matrices all;
+    for (const auto& [first, end] : {std::pair(0, 1), std::pair(1, 4), std::pair(4, 10)}) {
+      std::vector<Eigen::Index> which;
+      for (Eigen::Index c = 0; c < values.cols(); ++c)
+        if (c % 10 >= first && c % 10 < end) which.push_back(c);
+      const Eigen::MatrixXd some = columns(values, which);
+      if (function == "energy_regressor") {
+        all.push_back(some.topRows(1));
+        all.push_back(some.bottomRows(1));
+      } else {
+        all.push_back(unit.asDiagonal() * some);
+      }
+    }
+    return all;
+  }
+  if (name == "M" || name == "C") return {unit.asDiagonal() * values * unit.asDiagonal()};
   return {values};
 }
 
@@ -90,6 +107,7 @@ std::vector<double> made_of(const std::string& function, const std::string& name
   static const std::map<std::string, std::pair<std::string, std::string>> all{
       {"frame_bias_accelerations", {"frame_velocities", "V"}},
       {"frame_jacobian_rates", {"frame_jacobians", "J"}},
+      {"coriolis_matrix", {"mass_matrix", "M"}},
       {"body_accelerations", {"body_velocities", "V"}},
       {"centroidal_momentum", {"centroidal_momentum", "h"}}};
   const Eigen::VectorXd unit = unit_of(state);

@@ -209,6 +209,10 @@ Eigen::MatrixXd scaled_array(const std::string& function, const std::string& nam
     }
     if (function == "body_jacobians" || function == "frame_jacobians" || function == "frame_jacobian_rates")
       return (r % 6 < 3 ? 0 : scale.length) - of_speed(c);
+    if (name == "Y") {
+      const int parameter = c % 10 == 0 ? scale.mass : c % 10 < 4 ? scale.mass + scale.length : energy;
+      return energy - parameter - (function == "energy_regressor" ? 0 : of_speed(r));
+    }
     if (function == "body_inertias") return c == 0 ? scale.mass : c < 4 ? scale.length : energy;
     return energy - of_speed(r) - (values.cols() > 1 ? of_speed(c) : 0);
   };

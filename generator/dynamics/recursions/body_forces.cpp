@@ -36,6 +36,18 @@ Vec3 FrameMotion::at(const Vec3& t) const {
   return out;
 }
 
+FrameMotion outward(const FrameMotion& from, const MotionNode& to, ExprGraph& graph) {
+  if (to.motion.kind == MotionKind::translation) {
+    Vec3 acc = from.at(to.motion.offset);
+    acc = acc + cross(from.om, graph.integer(2) * to.velocity);
+    acc = acc + to.acceleration;
+    return FrameMotion(from.om, from.al, acc);
+  }
+  const Vec3 om = to.motion.to_child(from.om);
+  const Vec3 al = to.motion.to_child(from.al) + cross(om, to.velocity);
+  return FrameMotion(om + to.velocity, al + to.acceleration, to.motion.to_child(from.acc));
+}
+
 namespace {
 
 /// D (J al + om x J om). With the pseudo-inertia K it is the antisymmetric part of U K; its diagonal part may

@@ -27,6 +27,9 @@ struct FrameMotion {
   Vec3 at(const Vec3& t) const;
 };
 
+/// From a frame to the next, unscaled.
+FrameMotion outward(const FrameMotion& from, const MotionNode& to, ExprGraph& graph);
+
 /// f = m acc + U h;  n = J al + om x J om + h x acc, about the frame's origin; as stored: D f, D n.
 Wrench inertia_forces(const FrameMotion& motion, const NodeMass& mass, const MomentForms& forms,
                       ExprGraph& graph);

@@ -27,4 +27,17 @@ Vec3 times_inertia(const Mat3& K, const Vec3& d);
 Mat3 plus_symmetric(Mat3 x, const Mat3& y);
 Mat3 plus_products(Mat3 x, const Vec3& a, const Vec3& b);
 
+/// What moves with a frame, and how it moves in it: dr/dt is of a particle at r as seen from the frame.
+struct InnerMotion {
+  Composite body;
+  Vec3 p;  ///< integral of dr/dt dm
+  Mat3 P;  ///< integral of r (dr/dt)^T dm
+};
+InnerMotion still(const Composite& body, ExprGraph& graph);
+InnerMotion plus(const InnerMotion& x, const InnerMotion& y);
+/// From the axes of the next frame, which turns at `turning` (in its axes), into those before the rotation.
+InnerMotion turned(const InnerMotion& x, const Motion& rotation, const Vec3& turning);
+/// From the frame at t, which moves at `velocity`.
+InnerMotion shifted(const InnerMotion& x, const Vec3& t, const Vec3& velocity, ExprGraph& graph);
+
 }  // namespace alembert

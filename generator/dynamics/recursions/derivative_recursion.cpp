@@ -103,7 +103,6 @@ class Recursion {
   std::size_t size() const { return tree_.nodes.size(); }
 
   void move();
-  FrameMotion next(const FrameMotion& from, const MotionNode& to) const;
   std::vector<Mover> movers(const FrameMotion& from, const MotionNode& at, const FrameMotion& frame) const;
   void collect_own();
   MovingComposite own(std::size_t i) const;
@@ -141,25 +140,13 @@ class Recursion {
   std::map<std::pair<int, std::size_t>, Met> met_;  ///< by meeting frame and node
 };
 
-FrameMotion Recursion::next(const FrameMotion& from, const MotionNode& to) const {
-  if (to.motion.kind == MotionKind::translation) {
-    Vec3 acc = from.at(to.motion.offset);
-    acc = acc + cross(from.om, two_ * to.velocity);
-    acc = acc + to.acceleration;
-    return FrameMotion(from.om, from.al, acc);
-  }
-  const Vec3 om = to.motion.to_child(from.om);
-  const Vec3 al = to.motion.to_child(from.al) + cross(om, to.velocity);
-  return FrameMotion(om + to.velocity, al + to.acceleration, to.motion.to_child(from.acc));
-}
-
 void Recursion::move() {
   const Vec3& gravity = mechanism_.gravity;
   const FrameMotion root(none_, none_, {{-gravity[0], -gravity[1], -gravity[2]}});
   for (std::size_t i = 0; i < size(); ++i) {
     const FrameMotion& from = node(i).parent < 0 ? root : frames_[parent(i)];
     shift_rates_.push_back(is_linear(i) ? cross(from.om, node(i).motion.offset) + node(i).velocity : none_);
-    FrameMotion frame = next(from, node(i));
+    FrameMotion frame = outward(from, node(i), graph_);
     movers_.push_back(movers(from, node(i), frame));
     frames_.push_back(frame);
   }

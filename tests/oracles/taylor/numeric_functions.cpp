@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -191,6 +192,101 @@ Eigen::MatrixXd jacobian_rates(const Description& description, const State& give
   return J;
 }
 
+/// Of each body the 4x4 matrix of its pose, as twelve entries: columns of R, then a point of the body. `take` is what is
+/// taken of each.
+template <class T, class Take>
+auto pose_entries(const Description& description, const std::vector<RigidMotion<T>>& poses, bool at_centers,
+                  Take take) {
+  std::vector<decltype(take(poses[0].translation[0]))> entries;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    for (const Vector3<T>& column : poses[b].column)
+      for (const T& entry : column) entries.push_back(take(entry));
+    const std::array<double, 3>& com = description.bodies[b].com;
+    Vector3<T> point = poses[b].translation;
+    if (at_centers) point = rotated(poses[b], Vector3<T>{T(com[0]), T(com[1]), T(com[2])}) + point;
+    for (const T& entry : point) entries.push_back(take(entry));
+  }
+  return entries;
+}
+
+/// Integral of (x y z 1)^T (x y z 1) dm, of the mass, mass times centre of mass and inertia xx yy zz xy xz yz about the
+/// origin.
+template <class R>
+MatrixOf<R> pseudo_inertia(const std::array<R, 10>& of) {
+  const R half = (of[4] + of[5] + of[6]) / R(2);
+  MatrixOf<R> S(4, 4);
+  S << half - of[4], -of[7], -of[8], of[1], -of[7], half - of[5], -of[9], of[2], -of[8], -of[9], half - of[6],
+      of[3], of[1], of[2], of[3], of[0];
+  return S;
+}
+
+/// C_ij = sum over bodies of tr(D_i W S (d(D_j W)/dt)^T), by jets of jets.
+template <class R>
+MatrixOf<R> coriolis_matrix(const Description& description, const State& given) {
+  using T = Jet<R>;
+  const std::vector<R> no_rates(given.speeds.size(), R(0.0));
+  StateOf<T> moving = lifted<T>(given);
+  moving.q = trajectory(description, lifted<R>(given), no_rates);
+  const Jet<T> t(T(R(given.time), R(1.0), R(0.0)), T(0.0), T(0.0));
+  const auto rows = static_cast<Eigen::Index>(12 * description.bodies.size());
+  MatrixOf<R> along(rows, description.nv), rates(rows, description.nv);
+  for (int k = 0; k < description.nv; ++k) {
+    const std::vector<T> entries =
+        pose_entries(description, world_poses(description, unit_motion(description, moving, k), t), true,
+                     [](const Jet<T>& entry) { return entry.first; });
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      along(r, k) = entries[static_cast<std::size_t>(r)].value;
+      rates(r, k) = entries[static_cast<std::size_t>(r)].first;
+    }
+  }
+  MatrixOf<R> C = MatrixOf<R>::Zero(description.nv, description.nv);
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
+    const Body& body = description.bodies[b];
+    const std::array<double, 6>& I = body.inertia;  // xx yy zz xy xz yz
+    const MatrixOf<R> S = pseudo_inertia<R>(
+        {R(body.mass), R(0), R(0), R(0), R(I[0]), R(I[1]), R(I[2]), R(I[3]), R(I[4]), R(I[5])});
+    const auto first = static_cast<Eigen::Index>(12 * b);
+    for (Eigen::Index r = 0; r < 4; ++r)
+      for (Eigen::Index s = 0; s < 4; ++s)
+        C += S(r, s) * along.middleRows(first + 3 * r, 3).transpose() * rates.middleRows(first + 3 * s, 3);
+  }
+  return C;
+}
+
+/// The parameters of a body that count in regressors: none without mass, no inertia of a point mass in its origin.
+std::size_t standard_parameters(const Body& body) {
+  const auto zero = [](double x) { return x == 0; };
+  const bool point = std::all_of(body.inertia.begin(), body.inertia.end(), zero);
+  if (point && body.mass == 0) return 0;
+  return point && std::all_of(body.com.begin(), body.com.end(), zero) ? 4 : 10;
+}
+
+/// A row for each of `left`, a column for each parameter of each body: tr(left S right^T) of the S that is the
+/// parameter's, of poses as pose_entries gives them.
+template <class R>
+Eigen::MatrixXd by_parameters(const Description& description, const std::vector<std::vector<R>>& left,
+                              const std::vector<std::vector<R>>& right) {
+  const auto bodies = static_cast<Eigen::Index>(description.bodies.size());
+  Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(left.size()), 10 * bodies);
+  using Pose = Eigen::Map<const Eigen::Matrix<R, 3, 4>>;
+  for (Eigen::Index row = 0; row < Y.rows(); ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    for (Eigen::Index b = 0; b < bodies; ++b) {
+      const std::size_t count = standard_parameters(description.bodies[static_cast<std::size_t>(b)]);
+      for (std::size_t p = 0; p < count; ++p) {
+        std::array<R, 10> one;
+        one.fill(R(0));
+        one[p] = R(1);
+        const Eigen::Matrix<R, 4, 4> S = pseudo_inertia<R>(one);
+        const Pose from(left[i].data() + 12 * b), to(right[i].data() + 12 * b);
+        Y(row, 10 * b + static_cast<Eigen::Index>(p)) =
+            static_cast<double>((from * S * to.transpose()).trace());
+      }
+    }
+  }
+  return Y;
+}
+
 /// About the centre of mass: momenta of bodies that move so, or the forces that give them these accelerations.
 template <class R>
 struct Centre {
@@ -296,6 +392,33 @@ struct Quantities {
     if (!force_derivatives_) force_derivatives_ = derivatives_of_forces<R>(description, state);
     return *force_derivatives_;
   }
+  /// Of all bodies, along each speed, as they move, their accelerations less that of gravity, where they are.
+  std::vector<R> along(int k) const {
+    const auto poses = world_poses(description, unit_motion(description, lifted<R>(state), k),
+                                   Jet<R>(R(state.time), R(0.0), R(0.0)));
+    return pose_entries(description, poses, false, [](const Jet<R>& entry) { return entry.first; });
+  }
+  template <class Take>
+  std::vector<R> moving_poses(const std::vector<double>& rates, Take take) const {
+    const StateOf<R> exact = lifted<R>(state);
+    const auto poses =
+        world_poses(description, trajectory(description, exact, std::vector<R>(rates.begin(), rates.end())),
+                    Jet<R>(exact.time, R(1.0), R(0.0)));
+    return pose_entries(description, poses, false, take);
+  }
+  std::vector<R> upward() const {
+    std::vector<R> all(12 * description.bodies.size(), R(0));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (i % 12 >= 9) all[i] = -R(description.gravity[i % 3]);
+    return all;
+  }
+  Eigen::MatrixXd regressor(std::vector<R> accelerations) const {
+    const std::vector<R> up = upward();
+    for (std::size_t i = 0; i < accelerations.size(); ++i) accelerations[i] += up[i];
+    std::vector<std::vector<R>> left;
+    for (int k = 0; k < description.nv; ++k) left.push_back(along(k));
+    return by_parameters(description, left, std::vector<std::vector<R>>(left.size(), accelerations));
+  }
   MatrixOf<R> inverse() const {
     return dynamics.mass_matrix.ldlt().solve(MatrixOf<R>::Identity(description.nv, description.nv));
   }
@@ -354,6 +477,10 @@ const Builders<R>& builders() {
       {"mass_matrix_and_bias",
        [](From x) {
          return Arrays{{"M", x.M()}, {"c", x.c()}};
+       }},
+      {"coriolis_matrix",
+       [](From x) {
+         return Arrays{{"C", coriolis_matrix<R>(x.description, x.state).template cast<double>()}};
        }},
       {"gravity",
        [](From x) {
@@ -480,6 +607,25 @@ const Builders<R>& builders() {
       {"joint_reactions",
        [](From x) {
          return Arrays{{"w", numeric_reactions<R>(x.description, x.state).template cast<double>()}};
+       }},
+      {"regressor",
+       [](From x) {
+         return Arrays{{"Y", x.regressor(x.moving_poses(x.state.rates,
+                                                        [](const Jet<R>& entry) { return entry.second; }))}};
+       }},
+      {"static_regressor",
+       [](From x) {
+         return Arrays{{"Y", x.regressor(std::vector<R>(12 * x.description.bodies.size(), R(0)))}};
+       }},
+      {"energy_regressor",
+       [](From x) {
+         const std::vector<double> none(x.state.rates.size(), 0.0);
+         const auto velocities = x.moving_poses(none, [](const Jet<R>& entry) { return entry.first; });
+         const auto places = x.moving_poses(none, [](const Jet<R>& entry) { return entry.value; });
+         // -g . (place of the mass) is tr(place S upward^T) with upward in the last column.
+         Eigen::MatrixXd Y = by_parameters<R>(x.description, {velocities, places}, {velocities, x.upward()});
+         Y.row(0) /= 2;
+         return Arrays{{"Y", Y}};
        }},
       {"coordinate_rates",
        [](From x) {
