@@ -30,6 +30,11 @@ class InterpretedMechanism {
   void set_time(double t) { state_.t = t; }
   /// As in the constructor.
   void set_inputs(const EvaluationState& inputs) { state_ = inputs; }
+  /// Never: simulation reports what M says of a singular state.
+  static bool written_rates(const Eigen::VectorXd&, const Eigen::VectorXd&, const Eigen::VectorXd&,
+                            Eigen::VectorXd&) {
+    return false;
+  }
   void mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& mass,
                             Eigen::VectorXd& c) const;
   /// A row of P that has no value has no gamma, velocity and position either, so that no algorithm mistakes

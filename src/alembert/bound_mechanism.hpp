@@ -7,6 +7,7 @@
 //   nq(), nv(), nc()                   the sizes
 //   time(), set_time(t)                s
 //   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
+//   written_rates(q, u, tau, rates)    du/dt without M (forward_dynamics.hpp); false: M must be solved with
 //   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
 //   coordinate_rates(q, u)             N(q) u
 //   states(), set_states(s)            the states besides q and u, kNs x 1
@@ -19,6 +20,7 @@
 
 #include <type_traits>
 
+#include "alembert/forward_dynamics.hpp"
 #include "alembert/mechanism.hpp"
 
 namespace alembert {
@@ -45,6 +47,10 @@ class BoundMechanism {
   void mass_matrix_and_bias(const CoordinateVector<M>& q, const SpeedVector<M>& u, SpeedMatrix<M>& mass,
                             SpeedVector<M>& c) const {
     M::mass_matrix_and_bias(q, u, in_, mass, c);
+  }
+  bool written_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u, const SpeedVector<M>& tau,
+                     SpeedVector<M>& rates) const {
+    return detail::written_rates<M>(q, u, tau, in_, rates);
   }
   CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
     return M::coordinate_rates(q, u);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -59,6 +60,19 @@ inline bool is_finite(double x) {
 }
 inline bool is_finite(float x) {
   return (high_bits(x) & 0x7f800000U) != 0x7f800000U;
+}
+
+/// All of n numbers, which are read as bits: that they are numbers, the compiler is not to know.
+inline bool all_finite(std::size_t n, const double* x) {
+  ALEMBERT_AS_READ(x);
+  constexpr std::uint64_t kExponent = 0x7ff0000000000000U, kOne = 0x0010000000000000U;
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint64_t bits;
+    std::memcpy(&bits, x + i, sizeof bits);
+    found |= (bits & kExponent) + kOne;
+  }
+  return found >> 63 == 0;
 }
 
 /// Of other scalar types, as <cmath> or their own isfinite says.

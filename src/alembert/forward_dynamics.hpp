@@ -3,6 +3,7 @@
 // under -ffast-math. No heap unless M is a HeapMatrix (matrix.hpp), no exceptions.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "alembert/mechanism.hpp"
@@ -93,11 +94,32 @@ template <class S, int N, int K>
   return all_finite(x) ? Status::ok : Status::not_finite;
 }
 
+/// The generated forward dynamics has no checks. What a mass matrix that is not positive definite leads to, at
+/// a singular state of coordinates, is not finite or large; then, and where masses may be negative because
+/// parameters are arguments, M decides.
+///
+/// \return whether x are the rates
+template <class M>
+[[nodiscard]] bool written_rates([[maybe_unused]] const CoordinateVector<M>& q,
+                                 [[maybe_unused]] const SpeedVector<M>& qd,
+                                 [[maybe_unused]] const SpeedVector<M>& tau,
+                                 [[maybe_unused]] const typename M::Inputs& in,
+                                 [[maybe_unused]] SpeedVector<M>& x) {
+  if constexpr (HasForwardDynamics<M>::value && ParameterCount<typename M::Inputs>::value == 0) {
+    using S = typename M::Scalar;
+    using std::sqrt;
+    x = M::forward_dynamics(q, qd, tau, in);
+    return all_finite(x) && x.cwiseAbs().maxCoeff() < S(1) / sqrt(std::numeric_limits<S>::epsilon());
+  } else {
+    return false;
+  }
+}
+
 }  // namespace detail
 
-/// The checked way, by factoring M; the generated M::forward_dynamics is straight code without checks.
 /// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
-/// (constrained_dynamics.hpp has those).
+/// (constrained_dynamics.hpp has those): by the generated M::forward_dynamics where M has it and its masses
+/// are not arguments, otherwise, and where that finds no rates of ordinary size, by factoring M.
 ///
 /// \param q    coordinates, n_q x 1
 /// \param qd   speeds, n_v x 1
@@ -111,8 +133,12 @@ template <class M>
                                       SpeedVector<M>& qdd) {
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
   if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
-  SpeedMatrix<M> mass;
   SpeedVector<M> x;
+  if (detail::written_rates<M>(q, qd, tau, in, x)) {
+    qdd = x;
+    return Status::ok;
+  }
+  SpeedMatrix<M> mass;
   M::mass_matrix_and_bias(q, qd, in, mass, x);
   if (const Status status = detail::solve_for_rates(tau, mass, x); status != Status::ok) return status;
   qdd = x;

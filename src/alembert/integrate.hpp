@@ -94,8 +94,12 @@ template <class System, class Speeds>
     }
   }
   if (!is_finite_state(system.time(), q, u)) return Status::not_finite;
-  SizedMatrix<typename System::Scalar, System::kNv, System::kNv> mass;
   Speeds x;
+  if (system.written_rates(q, u, tau, x)) {
+    rate = x;
+    return Status::ok;
+  }
+  SizedMatrix<typename System::Scalar, System::kNv, System::kNv> mass;
   system.mass_matrix_and_bias(q, u, mass, x);
   if (const Status status = solve_for_rates(tau, mass, x); status != Status::ok) return status;
   rate = x;

@@ -3,8 +3,7 @@
 // stack (matrix.hpp), no exceptions.
 #pragma once
 
-#include <initializer_list>
-
+#include "alembert/branch_solver.hpp"
 #include "alembert/forward_dynamics.hpp"
 
 namespace alembert {
@@ -18,9 +17,21 @@ struct Linearization {
   SpeedMatrix<M> qdd_q, qdd_qd, qdd_tau;
 };
 
+namespace detail {
+
+/// Measured: of more speeds, M::forward_dynamics_derivatives is longer than a cache of code, and solving with M
+/// is faster.
+inline constexpr int kMostWrittenOut = 7;
+template <class M>
+inline constexpr bool kLinearizesByWriting = HasForwardDerivatives<M>::value &&
+                                             (M::kNv <= kMostWrittenOut || !HasDerivatives<M>::value);
+
+}  // namespace detail
+
 /// Linearizes forward dynamics, as if there were no constraints: with qdd = M^-1 (tau - c),
 /// d qdd = M^-1 (d tau - tau_q d q - tau_qd d qd), where tau_q and tau_qd are the derivatives of inverse
-/// dynamics at this qdd.
+/// dynamics at this qdd. Of up to seven speeds by the generated M::forward_dynamics_derivatives where M has it,
+/// otherwise for all right-hand sides at once.
 ///
 /// \param q    coordinates, n_q x 1
 /// \param qd   speeds, n_v x 1
@@ -33,25 +44,31 @@ template <class M>
                                const SpeedVector<M>& tau, const typename M::Inputs& in,
                                Linearization<M>& out) {
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
-  static_assert(has_derivatives_v<M>, "generate M with inverse_dynamics_derivatives");
-  if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
-  SpeedMatrix<M> mass;
+  static_assert(has_derivatives_v<M> || detail::HasForwardDerivatives<M>::value,
+                "generate M with inverse_dynamics_derivatives or forward_dynamics_derivatives");
   Linearization<M> result;
-  M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);
-  if (const Status status = detail::solve_for_rates(tau, mass, result.qdd); status != Status::ok)
-    return status;
-  M::inverse_dynamics_derivatives(q, qd, result.qdd, in, result.qdd_q, result.qdd_qd);
-  result.qdd_q = -result.qdd_q;
-  result.qdd_qd = -result.qdd_qd;
-  result.qdd_tau.setIdentity();
-  for (SpeedMatrix<M>* columns : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau}) {
-    for (int k = 0; k < M::kNv; ++k) {
-      SpeedVector<M> x = columns->col(k);
-      solve_ldlt(mass, x);
-      columns->col(k) = x;
-    }
-    if (!detail::all_finite(*columns)) return Status::not_finite;
+  if constexpr (detail::kLinearizesByWriting<M>) {
+    if (const Status status = forward_dynamics<M>(q, qd, tau, in, result.qdd); status != Status::ok)
+      return status;
+    M::forward_dynamics_derivatives(q, qd, tau, in, result.qdd_q, result.qdd_qd, result.qdd_tau);
+  } else {
+    if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
+    SpeedMatrix<M> mass;
+    M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);
+    if (!detail::all_finite(mass)) return Status::not_finite;
+    detail::BranchSolver<typename M::Scalar, M::kNv> solver;
+    if (const Status status = solver.factor(mass); status != Status::ok) return status;
+    result.qdd = tau - result.qdd;
+    solver.solve({&result.qdd});
+    if (!detail::all_finite(result.qdd)) return Status::not_finite;
+    M::inverse_dynamics_derivatives(q, qd, result.qdd, in, result.qdd_q, result.qdd_qd);
+    result.qdd_q = -result.qdd_q;
+    result.qdd_qd = -result.qdd_qd;
+    result.qdd_tau.setIdentity();
+    solver.solve({&result.qdd_q, &result.qdd_qd, &result.qdd_tau});
   }
+  for (const SpeedMatrix<M>* X : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau})
+    if (!detail::all_finite(*X)) return Status::not_finite;
   out = result;
   return Status::ok;
 }

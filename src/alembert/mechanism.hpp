@@ -9,6 +9,9 @@
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
 // and, optionally,
 //   M::energy(q, u, in)                      kinetic and potential energy
+//   M::forward_dynamics(q, u, tau, in)       du/dt without checks
+//   M::forward_dynamics_derivatives(q, u, tau, in, qdd_q, qdd_qd, qdd_tau)
+//                                            derivatives of du/dt along the speeds, by the speeds and by tau
 // and, with n_s states besides q and u (those under `states` in its description),
 //   M::kNstates, M::state_rates(q, u, in)    n_s; ds/dt, s being the last n_s entries of in.parameters
 //   M::state_rates_derivatives(q, u, in, r_q, r_qd, r_s)
@@ -28,6 +31,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -109,6 +114,36 @@ struct HasDerivatives<M,
                           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
                           std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
     : std::true_type {};
+
+template <class M, class = void>
+struct HasForwardDynamics : std::false_type {};
+
+template <class M>
+struct HasForwardDynamics<
+    M, std::void_t<decltype(SpeedVector<M>(M::forward_dynamics(
+           std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>())))>>
+    : std::true_type {};
+
+template <class M, class = void>
+struct HasForwardDerivatives : std::false_type {};
+
+template <class M>
+struct HasForwardDerivatives<
+    M,
+    std::void_t<decltype(M::forward_dynamics_derivatives(
+        std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+        std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
+        std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
+    : std::true_type {};
+
+/// Runtime parameters, states among them.
+template <class Inputs, class = void>
+struct ParameterCount : std::integral_constant<std::size_t, 0> {};
+
+template <class Inputs>
+struct ParameterCount<Inputs, std::void_t<decltype(std::declval<Inputs&>().parameters)>>
+    : std::tuple_size<decltype(Inputs::parameters)> {};
 
 template <class M, class = void>
 struct ConstraintCount : std::integral_constant<int, 0> {};

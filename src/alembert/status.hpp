@@ -41,6 +41,11 @@ constexpr const char* to_string(Status status) noexcept {
 
 namespace detail {
 
+template <int R, int C, int Options, int MaxR, int MaxC>
+bool all_finite(const Eigen::Matrix<double, R, C, Options, MaxR, MaxC>& x) {
+  return all_finite(static_cast<std::size_t>(x.size()), x.data());
+}
+
 template <class Derived>
 bool all_finite(const Eigen::MatrixBase<Derived>& x) {
   for (Eigen::Index j = 0; j < x.cols(); ++j)

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "alembert/mechanism.hpp"
 
@@ -94,6 +96,31 @@ struct Dense {
     c = qd;
   }
   static Vector coordinate_rates(const Vector&, const Vector& qd) { return qd; }
+};
+
+/// What the pendulum's generated functions give, counted and, at will, as they are at a singular state.
+template <std::size_t Parameters>
+struct WrittenPendulum : Pendulum<> {
+  struct Inputs : models::Inputs<double> {
+    std::array<double, Parameters> parameters{};
+  };
+  static inline int rates_asked = 0, derivatives_asked = 0;
+  static inline double singular = 0;
+  static void mass_matrix_and_bias(const Vector& q, const Vector& qd, const Inputs& in, Vector& M,
+                                   Vector& c) {
+    Pendulum::mass_matrix_and_bias(q, qd, in, M, c);
+  }
+  static Vector forward_dynamics(const Vector& q, const Vector&, const Vector& tau, const Inputs&) {
+    ++rates_asked;
+    return Vector(singular != 0 ? singular : tau(0) / (m * l * l) - g / l * std::sin(q(0)));
+  }
+  static void forward_dynamics_derivatives(const Vector& q, const Vector&, const Vector&, const Inputs&,
+                                           Vector& qdd_q, Vector& qdd_qd, Vector& qdd_tau) {
+    ++derivatives_asked;
+    qdd_q(0) = -g / l * std::cos(q(0));
+    qdd_qd(0) = 0;
+    qdd_tau(0) = 1 / (m * l * l);
+  }
 };
 
 /// Has sizes and nothing else.

@@ -122,6 +122,92 @@ TEST(ForwardDynamics, SystemsOfAnySizeAreSolved) {
   expect_solved<40>();
 }
 
+TEST(ForwardDynamics, IsTheGeneratedOneWhereMIsSurelyPositive) {
+  using M = models::WrittenPendulum<0>;
+  const M::Vector q(0.7), qd(0.1), tau(0.3);
+  const double expected = tau(0) / (M::m * M::l * M::l) - M::g / M::l * std::sin(0.7);
+  M::Vector qdd(7.0);
+  M::rates_asked = 0;
+  ASSERT_EQ(alembert::forward_dynamics<M>(q, qd, tau, {}, qdd), Status::ok);
+  EXPECT_EQ(M::rates_asked, 1);
+  EXPECT_NEAR(qdd(0), expected, 1e-14);
+  M::Inputs in;
+  M::Vector q1 = q, qd1 = qd, q2 = q, qd2 = qd;
+  ASSERT_EQ(alembert::rk4_step<M>(q1, qd1, in, 0.01, no_force<M>), Status::ok);
+  EXPECT_EQ(M::rates_asked, 5);
+  Pendulum<>::Inputs plain;
+  ASSERT_EQ(alembert::rk4_step<Pendulum<>>(q2, qd2, plain, 0.01, no_force<Pendulum<>>), Status::ok);
+  EXPECT_NEAR(q1(0), q2(0), 1e-15);
+  EXPECT_NEAR(qd1(0), qd2(0), 1e-14);
+  // M decides what no checks have found.
+  for (const double found : {kNan, kInfinity, 1e12}) {
+    M::singular = found;
+    ASSERT_EQ(alembert::forward_dynamics<M>(q, qd, tau, {}, qdd), Status::ok);
+    EXPECT_NEAR(qdd(0), expected, 1e-14) << found;
+  }
+  M::singular = 0;
+  // A mass that is an argument may be negative.
+  using Changed = models::WrittenPendulum<1>;
+  ASSERT_EQ(alembert::forward_dynamics<Changed>(q, qd, tau, {}, qdd), Status::ok);
+  EXPECT_EQ(Changed::rates_asked, 0);
+  EXPECT_NEAR(qdd(0), expected, 1e-14);
+}
+
+TEST(Linearize, IsTheGeneratedDerivativesOfFewSpeeds) {
+  using M = models::WrittenPendulum<0>;
+  const M::Vector q(0.7), qd(0.1), tau(0.3);
+  alembert::Linearization<M> out;
+  alembert::Linearization<Pendulum<>> other;
+  M::derivatives_asked = 0;
+  ASSERT_EQ(alembert::linearize<M>(q, qd, tau, {}, out), Status::ok);
+  EXPECT_EQ(M::derivatives_asked, 1);
+  ASSERT_EQ(alembert::linearize<Pendulum<>>(q, qd, tau, {}, other), Status::ok);
+  EXPECT_NEAR(out.qdd(0), other.qdd(0), 1e-14);
+  EXPECT_NEAR(out.qdd_q(0), other.qdd_q(0), 1e-14);
+  EXPECT_EQ(out.qdd_qd(0), other.qdd_qd(0));
+  EXPECT_NEAR(out.qdd_tau(0), other.qdd_tau(0), 1e-15);
+}
+
+/// A mass matrix of a random tree, for right-hand sides in several matrices.
+template <int N>
+void expect_branches_solved() {
+  std::mt19937 random(N);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Matrix = Eigen::Matrix<double, N, N>;
+  Matrix L = Matrix::Identity(), D = Matrix::Zero();
+  for (int k = 0; k < N; ++k) {
+    D(k, k) = 1.5 + uniform(random);
+    for (int i = k; i > 0;) {
+      i = static_cast<int>(random() % static_cast<unsigned>(i));
+      L(k, i) = uniform(random) / N;
+    }
+  }
+  const Matrix A = L.transpose() * D * L;
+  Matrix upper = A, X = Matrix::NullaryExpr([&] { return uniform(random); }), Y = Matrix::Identity();
+  upper.template triangularView<Eigen::StrictlyLower>().setConstant(kNan);  // only the upper is read
+  const Matrix B = X;
+  alembert::detail::BranchSolver<double, N> solver;
+  ASSERT_EQ(solver.factor(upper), Status::ok);
+  solver.solve({&X, &Y});
+  EXPECT_LT((A * X - B).norm(), 1e-12) << N;
+  EXPECT_LT((A * Y - Matrix::Identity()).norm(), 1e-12) << N;
+  upper = A;
+  upper.row(N / 2).setZero();
+  upper.col(N / 2).setZero();
+  EXPECT_EQ(solver.factor(upper), Status::not_positive_definite);
+  upper = A;
+  upper(N - 1, N - 1) = kNan;
+  EXPECT_EQ(solver.factor(upper), Status::not_finite);
+}
+
+TEST(Linearize, SolvesForAllColumnsOfATree) {
+  expect_branches_solved<1>();
+  expect_branches_solved<2>();
+  expect_branches_solved<7>();
+  expect_branches_solved<18>();
+  expect_branches_solved<43>();
+}
+
 TEST(ForwardDynamics, WhatIsNotFiniteIsReported) {
   using M = Pendulum<>;
   for (const double bad : {kNan, kInfinity, -kInfinity}) {

@@ -83,12 +83,33 @@ std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
   return operations(by_bodies) < most ? by_bodies : by_factors;
 }
 
-std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const EquationsOfMotion& equations) {
-  std::vector<Expr> right_side;
+namespace {
+
+/// tau - c.
+std::vector<Expr> driving_forces(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+  std::vector<Expr> forces;
   for (int k = 0; k < kinematics.mechanism.nv; ++k)
-    right_side.push_back(tau_symbol(kinematics.mechanism, k, kinematics.graph) -
-                         equations.c[static_cast<std::size_t>(k)]);
-  return solved_for_rates(kinematics, equations, std::move(right_side));
+    forces.push_back(tau_symbol(kinematics.mechanism, k, kinematics.graph) -
+                     equations.c[static_cast<std::size_t>(k)]);
+  return forces;
+}
+
+/// M^-1 (tau - c) beside the inverse of M: factors of M, if that has them, are there already.
+std::vector<Expr> rates_beside(const std::vector<Expr>& inverse, const Kinematics& kinematics,
+                               const EquationsOfMotion& equations) {
+  std::vector<Expr> alone = forward_dynamics(kinematics, equations);
+  std::vector<Expr> by_factors = straight_line_solve(equations.M, driving_forces(kinematics, equations));
+  const auto operations = [&](std::vector<Expr> values) {
+    values.insert(values.end(), inverse.begin(), inverse.end());
+    return count_operations(value_number(values)).total();
+  };
+  return operations(by_factors) < operations(alone) ? by_factors : alone;
+}
+
+}  // namespace
+
+std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+  return solved_for_rates(kinematics, equations, driving_forces(kinematics, equations));
 }
 
 std::vector<Expr> inverse_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations) {
@@ -111,7 +132,8 @@ std::vector<Expr> inverse_mass_matrix(const Kinematics& kinematics, const Equati
 ForwardDerivatives forward_dynamics_derivatives(const Kinematics& kinematics,
                                                 const EquationsOfMotion& equations) {
   const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
-  const std::vector<Expr> qdd = forward_dynamics(kinematics, equations);
+  std::vector<Expr> inverse = inverse_mass_matrix(kinematics, equations);
+  const std::vector<Expr> qdd = rates_beside(inverse, kinematics, equations);
   std::vector<std::pair<Expr, Expr>> rates;
   for (std::size_t k = 0; k < nv; ++k)
     rates.emplace_back(kinematics.derivatives.rate(static_cast<int>(k)), qdd[k]);
@@ -130,7 +152,7 @@ ForwardDerivatives forward_dynamics_derivatives(const Kinematics& kinematics,
       for (std::size_t k = 0; k < nv; ++k) all.push_back(columns[first + k][i]);
     return all;
   };
-  return {rows(0), rows(nv), inverse_mass_matrix(kinematics, equations)};
+  return {rows(0), rows(nv), std::move(inverse)};
 }
 
 }  // namespace alembert
