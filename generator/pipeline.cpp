@@ -97,25 +97,6 @@ std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
   return candidates;
 }
 
-/// Programs are lowered with every argument that there is; what a function does not use is no argument of it.
-Program without_unused_inputs(Program program) {
-  std::vector<std::uint32_t> place(program.inputs.size(), 0);
-  for (const Instruction& i : program.code) {
-    if (i.op == Operation::input) place[i.a] = 1;
-  }
-  std::vector<InputSlot> used;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] == 0) continue;
-    place[i] = static_cast<std::uint32_t>(used.size());
-    used.push_back(program.inputs[i]);
-  }
-  for (Instruction& i : program.code) {
-    if (i.op == Operation::input) i.a = place[i.a];
-  }
-  program.inputs = std::move(used);
-  return program;
-}
-
 /// Straight on, or with dot products and steps that repeat as loops.
 Program in_final_order(const CompiledFunction& function, const CompileOptions& options) {
   Program program = schedule(function.program);

@@ -53,7 +53,8 @@ void add_live_functions(const std::shared_ptr<const SourceText>& source,
     if (std::ranges::count(functions, kind) == 0) functions.push_back(kind);
 }
 
-LiveMechanism live_mechanism(const CompiledMechanism& compiled, const EvaluationState& start) {
+LiveMechanism live_mechanism(const CompiledMechanism& compiled, const EvaluationState& start,
+                             const ForceReadings& readings) {
   const Mechanism& mechanism = *compiled.mechanism;
   std::vector<Program> programs;
   for (const FunctionKind kind : live_functions(mechanism))
@@ -61,6 +62,22 @@ LiveMechanism live_mechanism(const CompiledMechanism& compiled, const Evaluation
   EmitOptions options;
   options.language = Language::javascript;
   options.scalars = {"double"};
+  if (!readings.program().empty()) {
+    const Program& program = readings.program().program();
+    const Extent size = static_cast<int>(program.outputs.front().values.size());
+    options.extra.push_back(
+        {{"readings",
+          Topic::kinematics,
+          false,
+          {ArgumentKind::q, ArgumentKind::qd},
+          true,
+          "What plots and pictures show.",
+          "",
+          {{"values", "forces, inputs, states, outputs, points of lines and of contacts", size}},
+          "",
+          ""},
+         program});
+  }
   LiveMechanism live;
   live.module = emit_mechanism(mechanism, programs, options).front().text;
   live.q = start.q;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline.hpp"
-#include "simulation/dynamics_evaluator.hpp"
+#include "simulation/force_readings.hpp"
 #include "viewer/scene.hpp"
 
 namespace alembert {
@@ -15,6 +15,7 @@ namespace alembert {
 void add_live_functions(const std::shared_ptr<const SourceText>& source,
                         std::vector<FunctionKind>& functions);
 
-LiveMechanism live_mechanism(const CompiledMechanism& compiled, const EvaluationState& start);
+LiveMechanism live_mechanism(const CompiledMechanism& compiled, const EvaluationState& start,
+                             const ForceReadings& readings);
 
 }  // namespace alembert

@@ -142,7 +142,8 @@ class Simulation {
     if (csv) csv->finish();
     if (!recorder.motion().times.empty()) {
       add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
-      if (!options_.html.empty()) scene_.mechanisms.back().live = live_mechanism(compiled, start);
+      if (!options_.html.empty())
+        scene_.mechanisms.back().live = live_mechanism(compiled, start, recorder.readings());
     }
     return stopped;
   }

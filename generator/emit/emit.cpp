@@ -119,7 +119,8 @@ void check_options(const Mechanism& mechanism, const EmitOptions& options) {
 }
 
 std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<const Program> programs,
-                                          const Syntax& syntax, const BlockSizes& sizes = {}) {
+                                          const Syntax& syntax, const BlockSizes& sizes = {},
+                                          std::span<const ExtraFunction> extra = {}) {
   std::vector<WrittenFunction> functions;
   const auto add = [&](const Program& program, const OutputFunction& signature) {
     check_program(program, signature, mechanism);
@@ -142,6 +143,7 @@ std::vector<WrittenFunction> functions_of(const Mechanism& mechanism, std::span<
     else if (signature.name == "coordinate_rates" && all_real)
       add(identity_rates(mechanism), signature);
   }
+  for (const ExtraFunction& more : extra) add(more.program, more.signature);
   return functions;
 }
 
@@ -334,14 +336,16 @@ std::vector<EmittedFile> c_files(const Mechanism& mechanism, std::span<const Pro
   return files;
 }
 
-std::vector<EmittedFile> javascript_files(const Mechanism& mechanism, std::span<const Program> programs) {
+std::vector<EmittedFile> javascript_files(const Mechanism& mechanism, std::span<const Program> programs,
+                                          const EmitOptions& options) {
   Slots common = common_slots(mechanism, "");
   common["banner"] = banner_of(mechanism);
   common["version"] = generator_version();
-  return {
-      {fmt::format("javascript/{}.mjs", mechanism.name),
-       javascript_module(mechanism, functions_of(mechanism, programs, javascript_syntax(), kJavaScriptBlocks),
-                         common)}};
+  return {{fmt::format("javascript/{}.mjs", mechanism.name),
+           javascript_module(
+               mechanism,
+               functions_of(mechanism, programs, javascript_syntax(), kJavaScriptBlocks, options.extra),
+               common)}};
 }
 
 std::vector<EmittedFile> cuda_files(const Mechanism& mechanism, std::span<const Program> programs,
@@ -371,7 +375,7 @@ std::vector<std::string> emitted_paths(const std::string& name, int parts) {
 std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<const Program> programs,
                                         const EmitOptions& options) {
   check_options(mechanism, options);
-  if (options.language == Language::javascript) return javascript_files(mechanism, programs);
+  if (options.language == Language::javascript) return javascript_files(mechanism, programs, options);
   if (options.language == Language::cuda) return cuda_files(mechanism, programs, options);
   if (options.language != Language::cpp) return c_files(mechanism, programs, options);
   const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"
 
@@ -18,6 +19,12 @@ struct EmittedFile {
 
 enum class Language { cpp, c, python, javascript, cuda };
 
+/// A function that is not of the table.
+struct ExtraFunction {
+  OutputFunction signature;
+  Program program;
+};
+
 struct EmitOptions {
   Language language = Language::cpp;
   std::string outer_namespace = "alembert::mechanisms";    ///< the mechanism's own namespace lies in it
@@ -28,6 +35,7 @@ struct EmitOptions {
   /// Functions of fewer dot products are straight over many states: there, these need not read what is just
   /// known from memory, and long code, in blocks, is fetched once for several packs.
   std::size_t batch_dot_products = 0;
+  std::vector<ExtraFunction> extra;  ///< in JavaScript, behind those of the table
   std::string expected_name;  ///< if given, the mechanism must have this name (builds know file names by it)
 };
 

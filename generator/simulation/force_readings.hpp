@@ -15,6 +15,8 @@ class ForceReadings {
 
   /// Names, units and limits, without values.
   const Acting& nothing_yet() const { return empty_; }
+  /// Gives what append() adds at a state, in the order of Acting; empty if that is nothing.
+  const StateProgram& program() const { return program_; }
   /// Values of the forces at a state; valid until the next call.
   std::span<const double> forces(const EvaluationState& state);
   /// Adds the values at a state. `acting` began as nothing_yet().

@@ -18,6 +18,7 @@ class MotionRecorder {
   /// Keeps a point, unless it has no finite picture or is no later than the last one.
   void record(const TrajectoryPoint& point);
   const BakedMotion& motion() const { return motion_; }
+  const ForceReadings& readings() const { return readings_; }
 
  private:
   DynamicsEvaluator evaluator_;

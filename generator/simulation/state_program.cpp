@@ -12,7 +12,8 @@ StateProgram::StateProgram(std::vector<Expr> values, const CompiledMechanism& co
   if (values.empty()) return;
   const std::vector<OutputExpressions> outputs{
       {"values", static_cast<std::uint32_t>(values.size()), 1, std::move(values)}};
-  program_ = optimize(lower("values", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph)));
+  program_ = without_unused_inputs(
+      optimize(lower("values", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph))));
 }
 
 std::span<const double> StateProgram::operator()(const EvaluationState& state) {

@@ -17,6 +17,8 @@ class StateProgram {
   StateProgram(std::vector<Expr> values, const CompiledMechanism& compiled);
 
   bool empty() const { return values_.empty(); }
+  /// With one result, `values`.
+  const Program& program() const { return program_; }
   /// In their order; valid until the next call.
   std::span<const double> operator()(const EvaluationState& state);
 

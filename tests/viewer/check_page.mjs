@@ -300,6 +300,24 @@ outputs:
   assert.equal(await page.evaluate(() => window.viewer.contact("string")), null);
   assert.deepEqual(await page.$$eval("#plots h2", (all) => all.map((h) => h.textContent).slice(3)), ["string \u2026 bounce force, N",
     "motor force, N m", "drive input, N m", "string_pulls \u2026 spring_pulls output", "depth output, m", "push output"]);
+  // Live, they are those of the state at hand.
+  await page.evaluate(() => window.viewer.setMode("live"));
+  for (const row of rows.filter((_, k) => k % 25 === 0)) {
+    const shown = await page.evaluate(({ t, q, qd }) => {
+      const { live } = window.viewer;
+      const [motion] = live.motions;
+      motion.t = t;
+      motion.q.set(q);
+      motion.u.set(qd);
+      live.records[0].append();
+      live.show();
+      return { string: window.viewer.line("string"), spring: window.viewer.line("spring"), bounce: window.viewer.contact("bounce") };
+    }, { t: row.t, q: [row.swing, row.drop], qd: [row["d(swing)"], row["d(drop)"]] });
+    near(shown.string.tension, row.string_pulls, `live tension of the string at ${row.t}`, largest("string_pulls"));
+    near(shown.spring.tension, row.spring_pulls, `live tension of the spring at ${row.t}`, largest("spring_pulls"));
+    near(shown.bounce.force, row.push, `live normal force at ${row.t}`, largest("push"));
+    near(shown.bounce.point[2], row.drop - 0.1, `live contact at ${row.t}`);
+  }
   await page.evaluate(() => window.viewer.seek(0.3));
   await drawn(page);
   await page.screenshot({ path: `${folder}/forces.png` });

@@ -124,6 +124,24 @@ Candidate Rewriting::run(const Program& program) {
 
 }  // namespace
 
+Program without_unused_inputs(Program program) {
+  std::vector<std::uint32_t> place(program.inputs.size(), 0);
+  for (const Instruction& i : program.code) {
+    if (i.op == Operation::input) place[i.a] = 1;
+  }
+  std::vector<InputSlot> used;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) continue;
+    place[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(program.inputs[i]);
+  }
+  for (Instruction& i : program.code) {
+    if (i.op == Operation::input) i.a = place[i.a];
+  }
+  program.inputs = std::move(used);
+  return program;
+}
+
 Program optimize(Program program) {
   const Cost given = cost(program);
   Rewriting sparing(CommonPairs::spared);

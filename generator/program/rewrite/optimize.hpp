@@ -11,4 +11,7 @@ namespace alembert {
 /// that 0*x and x - x are 0 whatever x is.
 Program optimize(Program program);
 
+/// Programs are lowered with every argument that there is; what a function does not use is no argument of it.
+Program without_unused_inputs(Program program);
+
 }  // namespace alembert

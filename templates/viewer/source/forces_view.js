@@ -98,6 +98,12 @@ export class ForcesView {
     for (const dot of this.dots) this.group.add(dot.mesh);
   }
 
+  /// Thickness beside the strongest so far, here or there.
+  measure(other) {
+    this.mostTension = Math.max(this.mostTension, other.mostTension, largest(this.lines.map(({ series }) => series)));
+    this.mostForce = Math.max(this.mostForce, other.mostForce, largest(this.dots.map(({ series }) => series)));
+  }
+
   seek(frame, share) {
     for (const line of this.lines) line.show(frame, share, this.size, this.mostTension);
     for (const dot of this.dots) dot.show(frame, share, this.size, this.mostForce);

@@ -42,7 +42,7 @@ export class LiveMode {
   }
 
   show() {
-    this.stage.showLive(this.motions.map((motion) => motion?.poses()));
+    this.stage.showLive(this.motions.map((motion, i) => motion && { poses: motion.poses(), forces: this.records[i].now }));
     this.grab.show();
   }
 

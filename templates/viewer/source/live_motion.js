@@ -34,6 +34,7 @@ export class LiveMotion {
     const nc = m.constraint_names.length;
     this.nc = nc;
     this.direct = m.forward_dynamics !== undefined;
+    this.timed = /\bgiven\.t\b/.test(live.module);  // motion prescribed in time does work
     this.stiff = m.inverse_dynamics_derivatives !== undefined;
     this.statePlaces = m.state_names.map((name) => m.parameter_names.indexOf(name));
     const numbers = (n) => new Float64Array(n);
@@ -321,9 +322,9 @@ export class LiveMotion {
     this.problem = problem;
     return false;
   }
-  /// Not where reactions may do work: rows may prescribe a motion in time.
+  /// Not told where something else than the hand may do work.
   isInexact([kinetic, potential], work) {
-    if (this.stiff || this.nc > 0) return false;
+    if (this.stiff || this.timed || this.nc > 0) return false;
     const [after, place] = this.energy();
     const gained = after + place - kinetic - potential;
     return Math.abs(gained - (this.work - work)) > kExact * Math.max(kinetic, after);

@@ -89,7 +89,8 @@ class MechanismView {
       new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max)).applyMatrix4(this.group.matrixWorld);
     this.box = box(data.bounds);
     this.firstBox = box(data.first_bounds);
-    this.forces = new ForcesView(data, this.firstBox.getSize(new Vector3()).length());
+    this.forces = this.recordedForces = new ForcesView(data, this.firstBox.getSize(new Vector3()).length());
+    this.liveForces = null;
     this.group.add(this.forces.group);
   }
 
@@ -140,18 +141,28 @@ class MechanismView {
       }
       node.quaternion.normalize();
     });
+    if (this.liveForces) this.liveForces.group.visible = false;
+    this.forces = this.recordedForces;
     this.forces.group.visible = true;
     this.forces.seek(frame, share);
   }
 
-  /// Bodies at poses [R p], row by row; forces are those of the recorded motion, and not shown.
-  place(W) {
+  /// Bodies at poses [R p], row by row, and forces as they are now (live_record.js).
+  place(W, forces) {
     const matrix = new Matrix4();
     const size = new Vector3();
     this.bodies.forEach((node, i) => {
       matrix.set(...W.subarray(12 * i, 12 * i + 12), 0, 0, 0, 1).decompose(node.position, node.quaternion, size);
     });
-    this.forces.group.visible = false;
+    this.recordedForces.group.visible = false;
+    if (!this.liveForces) {
+      this.liveForces = new ForcesView(forces, this.recordedForces.size);
+      this.group.add(this.liveForces.group);
+    }
+    this.forces = this.liveForces;
+    this.forces.group.visible = true;
+    this.forces.measure(this.recordedForces);
+    this.forces.seek(0, 0);
   }
 
   showTrails(visible) {
@@ -360,9 +371,9 @@ export class Stage {
     this.draw();
   }
 
-  /// The same with bodies at these poses, by mechanism.
-  showLive(poses) {
-    this.mechanisms.forEach((mechanism, i) => poses[i] && mechanism.place(poses[i]));
+  /// The same of mechanisms as they are now: poses of the bodies and forces, where there are.
+  showLive(moments) {
+    this.mechanisms.forEach((mechanism, i) => moments[i] && mechanism.place(moments[i].poses, moments[i].forces));
     if (this.follows) this.follow();
     this.draw();
   }
