@@ -55,6 +55,19 @@ TEST(Generate, CIsOneHeaderAndOneSource) {
   EXPECT_EQ(alembert(folder, arguments + " --language pascal").exit_code, 1);
 }
 
+TEST(Generate, JavaScriptIsOneModule) {
+  const TemporaryFolder folder;
+  const std::string arguments =
+      "generate " + mechanism_file("pendulum") + " --language javascript --out-dir " + (folder / "out");
+  EXPECT_EQ(alembert(folder, arguments + " --print-outputs").out, (folder / "out/javascript/pendulum.mjs\n"));
+  ASSERT_EQ(alembert(folder, arguments).exit_code, 0);
+  EXPECT_EQ(alembert(folder, arguments + " --check").exit_code, 0);
+  EXPECT_THAT(read_text(folder / "out/javascript/pendulum.mjs"),
+              HasSubstr("\nexport {\n  name, version, nq"));
+  for (const char* option : {"--scalars float", "--batch default", "--parts 2", "--namespace a"})
+    EXPECT_EQ(alembert(folder, arguments + " " + option).exit_code, 1) << option;
+}
+
 TEST(Generate, TouchesNothingThatIsUpToDate) {
   const TemporaryFolder folder;
   const std::string arguments = "generate " + mechanism_file("pendulum") + " --out-dir " + (folder / "out");

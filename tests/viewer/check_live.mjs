@@ -18,9 +18,9 @@ async function livePage(browser, description, more = []) {
   return opened;
 }
 
-/// Every function of the page's module at random states against `evaluate`.
-async function checkValues(browser, description) {
-  const { page, wrong } = await livePage(browser, description);
+/// Every function of the page's module at random states against `evaluate`, but for what it reads off forces (check_page.mjs).
+async function checkValues(browser, description, more = []) {
+  const { page, wrong } = await livePage(browser, description, more);
   const { states, values } = await page.evaluate(() => {
     const { module: m, start, inputs } = window.viewer.live.motions[0];
     let seed = 1;
@@ -35,7 +35,7 @@ async function checkValues(browser, description) {
       }
       const [qd, qdd] = [0, 1].map(() => Array.from({ length: m.nv }, random));
       states.push({ t: 0.25 * k, q, qd, qdd, tau: qdd });
-      values.push(Object.fromEntries(m.function_names.map((name) => {
+      values.push(Object.fromEntries(m.function_names.filter((name) => name !== "readings").map((name) => {
         const given = { t: 0.25 * k, parameters: inputs.parameters };
         const args = name === "coordinate_rates" ? [q, qd] : [...[q, qd, qdd].slice(0, m[name].length - 2), given];
         const found = m[name](...args);
@@ -63,6 +63,21 @@ async function checkValues(browser, description) {
   assert.ok(worst < 1e-12);
   assert.deepEqual(wrong, []);
   return page;
+}
+
+/// Steps of the page against those of `simulate`, from the same state by the same method.
+async function checkSteps(page, description, integrator, more = []) {
+  const csv = run(["simulate", description, "--duration", "0.1", "--step", "0.01", "--every", "10", "--integrator", integrator, ...more]);
+  const { q, u, problem } = await page.evaluate(() => {
+    const motion = window.viewer.live.motions[0];
+    motion.reset();
+    for (let k = 0; k < 10; ++k) motion.step(0.01, 0);
+    return { q: [...motion.q], u: [...motion.u], problem: motion.problem };
+  });
+  const row = csv.trim().split("\n").at(-1).split(",").map(Number);
+  const error = [...q, ...u].reduce((most, x, i) => Math.max(most, Math.abs(x - row[i + 1]) / Math.max(1, Math.abs(x))), 0);
+  console.log(`after ten steps off by ${error.toExponential(1)}`);
+  assert.ok(problem === "" && error < 1e-8);
 }
 
 /// Steps without pictures: energy stays, or changes by the work of the hand; constraints are kept.
@@ -214,19 +229,26 @@ forces:
 
 const browser = await startBrowser();
 try {
-  const swings = await checkValues(browser, `${mechanisms}/double_pendulum.yaml`);
+  const aside = ["--q", "0.4,-0.7"];
+  const swings = await checkValues(browser, `${mechanisms}/double_pendulum.yaml`, aside);
   await checkMotion(swings, { conserves: true, body: "lower", by: [0.3, 0, 0.2] });
+  await checkSteps(swings, `${mechanisms}/double_pendulum.yaml`, "rk4", aside);
   await swings.close();
   const floats = await checkValues(browser, `${mechanisms}/free_body.yaml`);
   await checkMotion(floats, { conserves: true, body: "body", by: [0.8, 0.4, 0.4] });
+  await checkSteps(floats, `${mechanisms}/free_body.yaml`, "rk4");
   await floats.close();
   const closed = await checkValues(browser, `${mechanisms}/paper/five_bar.yaml`);
   await checkMotion(closed, { conserves: true, body: "left_lower", by: [0.4, 0, 0.3] });
+  await checkSteps(closed, `${mechanisms}/paper/five_bar.yaml`, "rk4");
   await closed.close();
   const hops = await checkValues(browser, `${mechanisms}/forces/hopping_leg.yaml`);
   await checkMotion(hops, { conserves: false, body: "trunk", by: [0, 0, 0.2] });
+  await checkSteps(hops, `${mechanisms}/forces/hopping_leg.yaml`, "linearly-implicit");
   await hops.close();
-  await (await checkValues(browser, `${mechanisms}/forces/elbow_elastic_tendons.yaml`)).close();
+  const elastic = await checkValues(browser, `${mechanisms}/forces/elbow_elastic_tendons.yaml`);
+  await checkSteps(elastic, `${mechanisms}/forces/elbow_elastic_tendons.yaml`, "linearly-implicit");
+  await elastic.close();
   await checkHand(browser);
   await checkSliders(browser);
 } finally {

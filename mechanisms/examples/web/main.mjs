@@ -1,4 +1,4 @@
-// A pole that is balanced on a cart, in JavaScript: for node, and for the page index.html.
+// A pole that is balanced on a cart by state feedback, in JavaScript.
 //   node main.mjs PATH/cart.mjs
 import { pathToFileURL } from "node:url";
 

@@ -4,13 +4,11 @@
 // Without forces in the description, steps are RK4, by forward_dynamics where there are no constraints; with forces, which may
 // be stiff, they are linearly implicit as linearly_implicit_euler_step of the runtime. Constraints are kept by projecting the state after each step.
 import { ConstrainedEquations } from "./linear_equations.js";
+import { Pull } from "./pull.js";
 
 const kSteps = [1 / 960, 1 / 480, 1 / 240, 1 / 120, 1 / 60];  // s
 const kShare = 0.5;       // of the time that passes may be taken by computing
 const kMostTime = 14;     // ms of computing at once: then time passes more slowly
-const kPull = 16;         // rad/s, of the spring from the pointer
-const kDamping = 0.7;     // of it, of the critical one
-const kHeaviest = 8;      // times the mass that is felt at the point is what the pull is strong enough for
 const kLeastMobility = 1e-6;  // of that without constraints: what has less is held fast
 const kProjections = 6;
 const kHalvings = 5;      // of a step
@@ -44,9 +42,7 @@ export class LiveMotion {
     this.dynamics = { M: numbers(nv * nv), c: numbers(nv) };
     this.rows = { P: numbers(nc * nv), gamma: numbers(nc), velocity: numbers(nc), position: numbers(nc) };
     this.derivatives = { tau_q: numbers(nv * nv), tau_qd: numbers(nv * nv) };
-    this.jacobians = numbers(6 * nv * bodies.length);
     this.W = numbers(12 * bodies.length);
-    this.J = numbers(3 * nv);
     this.side = numbers(nc);
     this.A = numbers(nv * nv);
     this.tau = numbers(nv);
@@ -90,25 +86,24 @@ export class LiveMotion {
   /// Pulls a point of a body, given in the body's frame, towards a target in the world, until release(). A body that
   /// cannot move is not pulled.
   grab(body, point) {
-    this.pull = { body, point, target: null, at: [0, 0, 0], force: [0, 0, 0], stiffness: 0, damping: 0 };
-    this.movePoint(this.q, this.here());
-    this.pull.target = [...this.pull.at];
     const { nv } = this.module;
+    this.pull = null;
+    const pull = new Pull(this.module, this.bodies, body, point);
+    pull.move(this.q, this.here());
+    pull.target = [...pull.at];
     const response = this.responses();
     let [mobility, free] = [0, 0];  // 1/kg, with the constraints and without
     for (let a = 0; a < 3; ++a) {
-      const row = this.J.subarray(a * nv, (a + 1) * nv);
+      const row = pull.J.subarray(a * nv, (a + 1) * nv);
       const { x, y } = response(row);
       for (let i = 0; i < nv; ++i) {
         mobility += row[i] * x[i];
         free += row[i] * y[i];
       }
     }
-    if (!(mobility > kLeastMobility * free) || !(free > 0)) return this.release();
-    const all = this.bodies.reduce((sum, { mass }) => sum + mass, 0);
-    const mass = Math.min(Math.sqrt(Math.max(all, 1 / mobility) / mobility), kHeaviest / mobility);
-    this.pull.stiffness = kPull * kPull * mass;
-    this.pull.damping = 2 * kDamping * Math.sqrt(this.pull.stiffness / mobility);
+    if (!(mobility > kLeastMobility * free) || !(free > 0)) return false;
+    pull.setStrength(mobility);
+    this.pull = pull;
     return true;
   }
   /// What generalized forces add to the rates of the speeds here: x, and without constraints y.
@@ -133,31 +128,6 @@ export class LiveMotion {
   }
   release() {
     this.pull = null;
-    return false;
-  }
-
-  /// Where the point is, and its Jacobian J.
-  movePoint(q, inputs) {
-    const { body, point, at } = this.pull;
-    const { nv } = this.module;
-    const W = this.module.body_poses(q, inputs, this.W).subarray(12 * body);
-    const jacobian = this.module.body_jacobians(q, inputs, this.jacobians).subarray(6 * nv * body);
-    const { center } = this.bodies[body];
-    const turned = (x, row) => W[4 * row] * x[0] + W[4 * row + 1] * x[1] + W[4 * row + 2] * x[2];
-    const arm = [0, 1, 2].map((row) => turned(point, row) - turned(center, row));
-    for (let a = 0; a < 3; ++a) {
-      at[a] = turned(point, a) + W[4 * a + 3];
-      const [b, c] = [(a + 1) % 3, (a + 2) % 3];
-      for (let i = 0; i < nv; ++i)
-        this.J[a * nv + i] = jacobian[(3 + a) * nv + i] + jacobian[b * nv + i] * arm[c] - jacobian[c * nv + i] * arm[b];
-    }
-  }
-  /// Velocity of the point, for speeds u.
-  pointVelocity(u, a) {
-    const { nv } = this.module;
-    let sum = 0;
-    for (let i = 0; i < nv; ++i) sum += this.J[a * nv + i] * u[i];
-    return sum;
   }
 
   evaluate(q, u, t, states) {
@@ -173,17 +143,8 @@ export class LiveMotion {
     const { nv } = this.module;
     const { tau } = this;
     tau.fill(0);
-    let power = 0;
-    if (this.pull) {
-      this.movePoint(q, inputs);
-      for (let a = 0; a < 3; ++a) {
-        const velocity = this.pointVelocity(u, a);
-        const force = this.pull.stiffness * (this.pull.target[a] - this.pull.at[a]) - this.pull.damping * velocity;
-        this.pull.force[a] = force;
-        power += force * velocity;
-        for (let i = 0; i < nv; ++i) tau[i] += this.J[a * nv + i] * force;
-      }
-    }
+    this.pull?.move(q, inputs);
+    const power = this.pull?.addTo(tau, u) ?? 0;
     if (this.direct) {
       this.module.forward_dynamics(q, u, tau, inputs, rate);
       return power;
@@ -217,7 +178,7 @@ export class LiveMotion {
 
   stepImplicitly(h) {
     const { nv } = this.module;
-    const { A, J, pull } = this;
+    const { A, pull } = this;
     const rate = new Float64Array(nv);
     this.accelerate(this.q, this.u, this.t + h, this.states, rate);
     const { M, c } = this.dynamics;
@@ -229,30 +190,11 @@ export class LiveMotion {
       for (let j = 0; j < nv; ++j) sum -= h * tau_q[i * nv + j] * this.u[j];
       change[i] = h * sum;
     }
-    if (pull) {
-      // Its force is that at the step's end.
-      const stiffer = h * pull.damping + h * h * pull.stiffness;
-      for (let a = 0; a < 3; ++a) {
-        const velocity = this.pointVelocity(this.u, a);
-        const force = pull.stiffness * (pull.target[a] - pull.at[a]) - (pull.damping + h * pull.stiffness) * velocity;
-        for (let i = 0; i < nv; ++i) {
-          const entry = J[a * nv + i];
-          if (entry === 0) continue;
-          change[i] += h * entry * force;
-          for (let j = 0; j < nv; ++j) A[i * nv + j] += stiffer * entry * J[a * nv + j];
-        }
-      }
-    }
+    pull?.addToStep(A, change, this.u, h);
     for (let r = 0; r < this.nc; ++r) this.side[r] = -h * this.rows.gamma[r];
     if (!this.equations.solve(A, change, this.rows.P, this.side)) this.problem = "the equations of a step are singular here";
     for (let i = 0; i < nv; ++i) this.u[i] += change[i];
-    if (pull)
-      for (let a = 0; a < 3; ++a) {
-        const after = this.pointVelocity(this.u, a);
-        const before = after - this.pointVelocity(change, a);
-        pull.force[a] = pull.stiffness * (pull.target[a] - pull.at[a] - h * after) - pull.damping * after;
-        this.work += (h * pull.force[a] * (before + after)) / 2;
-      }
+    this.work += pull?.workInStep(this.u, change, h) ?? 0;
     this.addRates(this.q, this.u, h);
     this.t += h;
     this.stepStates(h);

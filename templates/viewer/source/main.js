@@ -175,7 +175,7 @@ window.addEventListener("keydown", (event) => {
     event.preventDefault();
     if (state.playing) pause();
     else play();
-  } else if (event.key === "r" && live) {
+  } else if (event.key === "r" && live && !event.ctrlKey && !event.metaKey) {
     reset();
   } else if (event.key === "ArrowRight" || event.key === "ArrowLeft") {
     seek(state.time + (event.key === "ArrowRight" ? 1 : -1) / 60);
