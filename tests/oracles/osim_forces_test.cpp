@@ -255,5 +255,55 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
   EXPECT_GE(balanced, 1);
 }
 
+TEST(OsimConstraints, HoldPointsAndFrames) {
+  const std::string file = ALEMBERT_SOURCE_DIR "/tests/osim/models/constraints.osim";
+  const Imported imported(file);
+  OsimSkeleton skeleton(file);
+  std::mt19937_64 random(4);
+  std::vector<State> states;
+  for (int i = 0; i < 4; ++i) states.push_back(random_state(imported.description(), random));
+  const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(imported.description().nv));
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, imported.path(), states, tau, {"constraints"});
+  using SimTK::Vec3;
+  const auto weld = [](const OsimSkeleton& s, int row) {
+    const SimTK::Transform a = s.pose("weld_1", "weld"), b = s.pose("/bodyset/buoy", "");
+    if (row < 3) return a.p()[row] - b.p()[row];
+    const SimTK::Rotation R = ~a.R() * b.R();
+    return row == 3 ? R[1][0] : row == 4 ? R[2][0] : R[2][1];
+  };
+  const auto nail = [](const OsimSkeleton& s, int row) {
+    return (s.point("/bodyset/cart", Vec3(0.1, 0.2, 0)) - s.point("/bodyset/float", Vec3(0, 0, 0.1)))[row];
+  };
+  const auto rod = [](const OsimSkeleton& s) {
+    return (s.point("/ground", Vec3(0.4, 0.1, 0.2)) - s.point("/bodyset/float", Vec3(0.1, 0, 0))).normSqr() -
+           0.4 * 0.4;
+  };
+  // Half of the square of the distance to the line.
+  const auto rail = [](const OsimSkeleton& s) {
+    const Vec3 line = s.point("/bodyset/cart", Vec3(0, 0.1, 0)),
+               on = s.point("/bodyset/cart", Vec3(1, 2.1, 0.5));
+    const Vec3 off = s.point("/bodyset/lower", Vec3(0.1, 0, 0)) - line, along = (on - line).normalize();
+    return (off - SimTK::dot(off, along) * along).normSqr() / 2;
+  };
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion(imported.description(), states[i]);
+    motion.apply(skeleton);
+    const Eigen::MatrixXd P = found[i].at("constraints").at("P"),
+                          phi = found[i].at("constraints").at("position");
+    ASSERT_EQ(P.rows(), 12);
+    const auto expect = [&](int row, const std::function<double(const OsimSkeleton&)>& of) {
+      EXPECT_NEAR(phi(row), of(skeleton), 1e-9) << row;
+      expect_near("P", P.row(row).transpose(), numeric_gradient(skeleton, motion, of), kDifferences);
+    };
+    for (int row = 0; row < 6; ++row) expect(row, [&](const OsimSkeleton& s) { return weld(s, row); });
+    for (int row = 0; row < 3; ++row) expect(6 + row, [&](const OsimSkeleton& s) { return nail(s, row); });
+    expect(9, rod);
+    EXPECT_NEAR((phi(10) * phi(10) + phi(11) * phi(11)) / 2, rail(skeleton), 1e-9);
+    expect_near("P of the rail", (phi(10) * P.row(10) + phi(11) * P.row(11)).transpose(),
+                numeric_gradient(skeleton, motion, rail), kDifferences);
+  }
+}
+
 }  // namespace
 }  // namespace alembert::oracles

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "import/common/snapped_angle.hpp"
-#include "import/opensim/osim_coordinates.hpp"
 #include "import/opensim/osim_muscles.hpp"
 #include "import/opensim/osim_paths.hpp"
 #include "import/opensim/osim_sockets.hpp"
@@ -260,10 +259,6 @@ void add_osim_forces(OsimDescription& out) {
     else if (out.warnings.size() == before)
       out.left(force, "it cannot be read as it is written");
   }
-  for (const pugi::xml_node constraint : osim_constraints(out))
-    if (std::string_view(constraint.name()) != "CoordinateCouplerConstraint" &&
-        osim_is_enforced(out.xml, constraint))
-      out.left(constraint, "the equations are those without it", "add it to the description as a constraint");
   for (const auto& [set, why] : kOthers)
     for (const pugi::xml_node object : OsimXml::elements(out.model.element.child(set).child("objects")))
       out.left(object, why);
