@@ -10,6 +10,8 @@
 namespace alembert::oracles {
 namespace {
 
+using SimTK::Vec3;
+
 constexpr int kStates = 12;
 constexpr double kDifferences = 1e-7;
 
@@ -111,6 +113,26 @@ TEST(OsimForces, FollowTheirLaws) {
                  2;
         }),
         kDifferences);
+    // What a force or torque that stays as it is now does along a motion.
+    const auto of_force = [&](const char* body, const Vec3& place, const Vec3& force) {
+      return Eigen::VectorXd(
+          -of_energy([=](const OsimSkeleton& s) { return SimTK::dot(force, s.point(body, place)); }));
+    };
+    const auto of_torque = [&](const char* body, const Vec3& torque) {
+      const SimTK::Rotation now = at.pose(body, "").R();
+      return Eigen::VectorXd(-of_energy([=](const OsimSkeleton& s) {
+        const SimTK::Vec4 turn = (s.pose(body, "").R() * ~now).convertRotationToAngleAxis();
+        return turn[0] * SimTK::dot(torque, Vec3(turn[1], turn[2], turn[3]));
+      }));
+    };
+    const SimTK::Rotation lower = at.pose("lower", "").R();
+    expect("jet", of_force("lower", Vec3(0.1, -0.1, 0.05), lower * (2 * inputs.at("jet") * Vec3(1, 2, -2))),
+           kDifferences);
+    expect("crane", of_force("upper", Vec3(0, -0.3, 0), Vec3(0, 4 * inputs.at("crane"), 0)), kDifferences);
+    const Vec3 torque = lower * (inputs.at("wheel") * Vec3(0, 3, 4));
+    expect("wheel", of_torque("lower", torque), kDifferences);
+    expect("wheel_reaction", of_torque("upper", -torque), kDifferences);
+    expect("wind", of_torque("upper", inputs.at("wind") * std::sqrt(2.0) * Vec3(1, 0, 1)), kDifferences);
     expect("cable", rig.of_tension(motion, "cable", [&](double, double) { return 50 * inputs.at("cable"); }),
            kDifferences);
     expect("band",
@@ -121,7 +143,7 @@ TEST(OsimForces, FollowTheirLaws) {
            kDifferences);
   }
   EXPECT_GE(engaged, kStates / 3);
-  EXPECT_EQ(rig.imported.description().force_names.size(), 9U);  // that which is off is not there
+  EXPECT_EQ(rig.imported.description().force_names.size(), 14U);  // that which is off is not there
 }
 
 /// Thelen's curves, in optimal lengths and largest forces.
@@ -264,7 +286,6 @@ TEST(OsimConstraints, HoldPointsAndFrames) {
   for (int i = 0; i < 4; ++i) states.push_back(random_state(imported.description(), random));
   const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(imported.description().nv));
   const auto found = ask_functions(ALEMBERT_EXECUTABLE, imported.path(), states, tau, {"constraints"});
-  using SimTK::Vec3;
   const auto weld = [](const OsimSkeleton& s, int row) {
     const SimTK::Transform a = s.pose("weld_1", "weld"), b = s.pose("/bodyset/buoy", "");
     if (row < 3) return a.p()[row] - b.p()[row];

@@ -11,6 +11,7 @@
 #include "import/opensim/osim_muscles.hpp"
 #include "import/opensim/osim_paths.hpp"
 #include "import/opensim/osim_sockets.hpp"
+#include "import/opensim/osim_wrenches.hpp"
 
 namespace alembert {
 namespace {
@@ -207,6 +208,8 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"PointToPointSpring", add_point_spring},
                                      {"BushingForce", add_bushing},
                                      {"PathActuator", add_path_actuator},
+                                     {"PointActuator", add_point_actuator},
+                                     {"TorqueActuator", add_torque_actuator},
                                      {"PathSpring", add_path_spring},
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle}};
