@@ -10,6 +10,8 @@
 namespace alembert::oracles {
 namespace {
 
+using SimTK::Vec3;
+
 constexpr int kStates = 12;
 constexpr double kDifferences = 1e-7;
 
@@ -111,6 +113,26 @@ TEST(OsimForces, FollowTheirLaws) {
                  2;
         }),
         kDifferences);
+    // What a force or torque that stays as it is now does along a motion.
+    const auto of_force = [&](const char* body, const Vec3& place, const Vec3& force) {
+      return Eigen::VectorXd(
+          -of_energy([=](const OsimSkeleton& s) { return SimTK::dot(force, s.point(body, place)); }));
+    };
+    const auto of_torque = [&](const char* body, const Vec3& torque) {
+      const SimTK::Rotation now = at.pose(body, "").R();
+      return Eigen::VectorXd(-of_energy([=](const OsimSkeleton& s) {
+        const SimTK::Vec4 turn = (s.pose(body, "").R() * ~now).convertRotationToAngleAxis();
+        return turn[0] * SimTK::dot(torque, Vec3(turn[1], turn[2], turn[3]));
+      }));
+    };
+    const SimTK::Rotation lower = at.pose("lower", "").R();
+    expect("jet", of_force("lower", Vec3(0.1, -0.1, 0.05), lower * (2 * inputs.at("jet") * Vec3(1, 2, -2))),
+           kDifferences);
+    expect("crane", of_force("upper", Vec3(0, -0.3, 0), Vec3(0, 4 * inputs.at("crane"), 0)), kDifferences);
+    const Vec3 torque = lower * (inputs.at("wheel") * Vec3(0, 3, 4));
+    expect("wheel", of_torque("lower", torque), kDifferences);
+    expect("wheel_reaction", of_torque("upper", -torque), kDifferences);
+    expect("wind", of_torque("upper", inputs.at("wind") * std::sqrt(2.0) * Vec3(1, 0, 1)), kDifferences);
     expect("cable", rig.of_tension(motion, "cable", [&](double, double) { return 50 * inputs.at("cable"); }),
            kDifferences);
     expect("band",
@@ -121,7 +143,7 @@ TEST(OsimForces, FollowTheirLaws) {
            kDifferences);
   }
   EXPECT_GE(engaged, kStates / 3);
-  EXPECT_EQ(rig.imported.description().force_names.size(), 9U);  // that which is off is not there
+  EXPECT_EQ(rig.imported.description().force_names.size(), 14U);  // that which is off is not there
 }
 
 /// Thelen's curves, in optimal lengths and largest forces.
@@ -253,6 +275,55 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
   EXPECT_GE(extending, kStates / 3);
   EXPECT_GE(pulling, kStates / 2);
   EXPECT_GE(balanced, 1);
+}
+
+TEST(OsimConstraints, HoldPointsAndFrames) {
+  const std::string file = ALEMBERT_SOURCE_DIR "/tests/osim/models/constraints.osim";
+  const Imported imported(file);
+  OsimSkeleton skeleton(file);
+  std::mt19937_64 random(4);
+  std::vector<State> states;
+  for (int i = 0; i < 4; ++i) states.push_back(random_state(imported.description(), random));
+  const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(imported.description().nv));
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, imported.path(), states, tau, {"constraints"});
+  const auto weld = [](const OsimSkeleton& s, int row) {
+    const SimTK::Transform a = s.pose("weld_1", "weld"), b = s.pose("/bodyset/buoy", "");
+    if (row < 3) return a.p()[row] - b.p()[row];
+    const SimTK::Rotation R = ~a.R() * b.R();
+    return row == 3 ? R[1][0] : row == 4 ? R[2][0] : R[2][1];
+  };
+  const auto nail = [](const OsimSkeleton& s, int row) {
+    return (s.point("/bodyset/cart", Vec3(0.1, 0.2, 0)) - s.point("/bodyset/float", Vec3(0, 0, 0.1)))[row];
+  };
+  const auto rod = [](const OsimSkeleton& s) {
+    return (s.point("/ground", Vec3(0.4, 0.1, 0.2)) - s.point("/bodyset/float", Vec3(0.1, 0, 0))).normSqr() -
+           0.4 * 0.4;
+  };
+  // Half of the square of the distance to the line.
+  const auto rail = [](const OsimSkeleton& s) {
+    const Vec3 line = s.point("/bodyset/cart", Vec3(0, 0.1, 0)),
+               on = s.point("/bodyset/cart", Vec3(1, 2.1, 0.5));
+    const Vec3 off = s.point("/bodyset/lower", Vec3(0.1, 0, 0)) - line, along = (on - line).normalize();
+    return (off - SimTK::dot(off, along) * along).normSqr() / 2;
+  };
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion(imported.description(), states[i]);
+    motion.apply(skeleton);
+    const Eigen::MatrixXd P = found[i].at("constraints").at("P"),
+                          phi = found[i].at("constraints").at("position");
+    ASSERT_EQ(P.rows(), 12);
+    const auto expect = [&](int row, const std::function<double(const OsimSkeleton&)>& of) {
+      EXPECT_NEAR(phi(row), of(skeleton), 1e-9) << row;
+      expect_near("P", P.row(row).transpose(), numeric_gradient(skeleton, motion, of), kDifferences);
+    };
+    for (int row = 0; row < 6; ++row) expect(row, [&](const OsimSkeleton& s) { return weld(s, row); });
+    for (int row = 0; row < 3; ++row) expect(6 + row, [&](const OsimSkeleton& s) { return nail(s, row); });
+    expect(9, rod);
+    EXPECT_NEAR((phi(10) * phi(10) + phi(11) * phi(11)) / 2, rail(skeleton), 1e-9);
+    expect_near("P of the rail", (phi(10) * P.row(10) + phi(11) * P.row(11)).transpose(),
+                numeric_gradient(skeleton, motion, rail), kDifferences);
+  }
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ TEST_P(OsimFile, BecomesTheDescriptionBesideIt) {
 INSTANTIATE_TEST_SUITE_P(All, OsimFile, testing::ValuesIn(test::files_in("tests/osim/models", ".osim")),
                          [](const auto& test) { return test.param.stem().string(); });
 
+INSTANTIATE_TEST_SUITE_P(Doubtful, OsimFile,
+                         testing::ValuesIn(test::files_in("tests/osim/doubtful", ".osim")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
 class BadOsim : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadOsim, IsToldWhatIsWrong) {

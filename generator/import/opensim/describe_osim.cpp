@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "import/common/snapped_angle.hpp"
+#include "import/opensim/osim_constraints.hpp"
 #include "import/opensim/osim_coordinates.hpp"
 #include "import/opensim/osim_forces.hpp"
 #include "import/opensim/osim_sockets.hpp"
@@ -80,6 +81,7 @@ DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, co
   for (const pugi::xml_node marker : OsimXml::elements(model.element.child("MarkerSet").child("objects")))
     add_marker(out, marker);
   add_osim_forces(out);
+  add_osim_constraints(out);
   YamlNode& root = out.finish();
   return {Document(source, out.nodes.take(), root), std::move(out.warnings)};
 }

@@ -62,7 +62,7 @@ struct OsimDescription {
   DescriptionNodes nodes;
   Warnings warnings;
   FitNames names{"coordinate", warnings}, body_names{"body", warnings}, frame_names{"frame", warnings},
-      force_names{"force", warnings};
+      force_names{"force", warnings}, constraint_names{"constraint", warnings};
   OsimFactors factors;
   std::vector<std::string> bodies;                                ///< names by body; the ground is the world
   std::vector<std::string> coordinate_names;                      ///< by coordinate

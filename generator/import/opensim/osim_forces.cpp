@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "import/common/snapped_angle.hpp"
-#include "import/opensim/osim_coordinates.hpp"
 #include "import/opensim/osim_muscles.hpp"
 #include "import/opensim/osim_paths.hpp"
 #include "import/opensim/osim_sockets.hpp"
+#include "import/opensim/osim_wrenches.hpp"
 
 namespace alembert {
 namespace {
@@ -208,6 +208,8 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"PointToPointSpring", add_point_spring},
                                      {"BushingForce", add_bushing},
                                      {"PathActuator", add_path_actuator},
+                                     {"PointActuator", add_point_actuator},
+                                     {"TorqueActuator", add_torque_actuator},
                                      {"PathSpring", add_path_spring},
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle}};
@@ -260,10 +262,6 @@ void add_osim_forces(OsimDescription& out) {
     else if (out.warnings.size() == before)
       out.left(force, "it cannot be read as it is written");
   }
-  for (const pugi::xml_node constraint : osim_constraints(out))
-    if (std::string_view(constraint.name()) != "CoordinateCouplerConstraint" &&
-        osim_is_enforced(out.xml, constraint))
-      out.left(constraint, "the equations are those without it", "add it to the description as a constraint");
   for (const auto& [set, why] : kOthers)
     for (const pugi::xml_node object : OsimXml::elements(out.model.element.child(set).child("objects")))
       out.left(object, why);

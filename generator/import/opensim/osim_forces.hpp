@@ -5,8 +5,7 @@
 
 namespace alembert {
 
-/// All of the ForceSet, and what the model has besides: constraints other than couplers, controllers and the like are
-/// told as left out. Throws InputError at what cannot be understood.
+/// All of the ForceSet, and what the model has besides: controllers and the like are told as left out. Throws InputError at what cannot be understood.
 void add_osim_forces(OsimDescription& out);
 
 /// Forces that act and are taken, by their type.

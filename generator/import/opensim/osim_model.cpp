@@ -96,6 +96,8 @@ class SkeletonReader {
     }
     for (const pugi::xml_node force : xml_.objects(model_.element, "ForceSet"))
       collect_frames(force.child("frames"), "/forceset/" + OsimXml::name_of(force), false);
+    for (const pugi::xml_node constraint : xml_.objects(model_.element, "ConstraintSet"))
+      collect_frames(constraint.child("frames"), "/constraintset/" + OsimXml::name_of(constraint), false);
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);

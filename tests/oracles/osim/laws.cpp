@@ -146,17 +146,4 @@ Law Law::times(double factor) const {
   return out;
 }
 
-SimTK::Real LawFunction::calcValue(const SimTK::Vector& x) const {
-  std::vector<double> at(static_cast<std::size_t>(x.size()));
-  for (int i = 0; i < x.size(); ++i) at[static_cast<std::size_t>(i)] = x[i];
-  return law_.value(at);
-}
-
-SimTK::Real LawFunction::calcDerivative(const SimTK::Array_<int>& along, const SimTK::Vector& x) const {
-  std::vector<double> at(static_cast<std::size_t>(x.size()));
-  for (int i = 0; i < x.size(); ++i) at[static_cast<std::size_t>(i)] = x[i];
-  const auto i = static_cast<std::size_t>(along[0]);
-  return along.size() == 1 ? law_.first(at, i) : law_.second(at, i, static_cast<std::size_t>(along[1]));
-}
-
 }  // namespace alembert::oracles

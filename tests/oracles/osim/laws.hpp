@@ -1,8 +1,6 @@
 // Functions of a model file of OpenSim, with two derivatives: the oracle's own reading of them.
 #pragma once
 
-#include <Simbody.h>
-
 #include <array>
 #include <functional>
 #include <pugixml.hpp>
@@ -31,19 +29,5 @@ pugi::xml_node law_element(pugi::xml_node owner, const char* property);
 
 /// Numbers of an element's text.
 std::vector<double> numbers_in(pugi::xml_node element);
-
-/// A law as Simbody takes it.
-class LawFunction : public SimTK::Function {
- public:
-  LawFunction(Law law, std::size_t variables) : law_(std::move(law)), variables_(variables) {}
-  SimTK::Real calcValue(const SimTK::Vector& x) const override;
-  SimTK::Real calcDerivative(const SimTK::Array_<int>& along, const SimTK::Vector& x) const override;
-  int getArgumentSize() const override { return static_cast<int>(variables_); }
-  int getMaxDerivativeOrder() const override { return 2; }
-
- private:
-  Law law_;
-  std::size_t variables_;
-};
 
 }  // namespace alembert::oracles

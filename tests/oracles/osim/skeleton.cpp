@@ -198,27 +198,35 @@ MobilizedBody OsimSkeleton::add_mobilizers(pugi::xml_node joint, MobilizedBody i
     slots(pin, 3, 1);
     return MobilizedBody::Weld(pin, Transform(), body, out);
   }
-  if (type != "CustomJoint") throw std::runtime_error("the oracle knows no " + type);
-  SimTK::Array_<const SimTK::Function*> functions;
-  SimTK::Array_<SimTK::Array_<int>> indices;
-  SimTK::Array_<Vec3> axes;
+  if (type != "CustomJoint" || direction == MobilizedBody::Reverse)
+    throw std::runtime_error("the oracle knows no " + type);
+  // Simbody's FunctionBased has a wrong derivative of its hinges where a coordinate turns all three axes; here each axis
+  // has a slider or pin of its own, which follows the coordinates.
+  const std::string own = joint.attribute("name").value();
+  MobilizedBody on = inboard;
+  Transform before = in;
   for (const char* which :
-       {"rotation1", "rotation2", "rotation3", "translation1", "translation2", "translation3"}) {
+       {"translation1", "translation2", "translation3", "rotation1", "rotation2", "rotation3"}) {
     const pugi::xml_node axis =
         joint.child("SpatialTransform").find_child_by_attribute("TransformAxis", "name", which);
-    SimTK::Array_<int> of;
-    for (const std::string& name : words_in(axis.child("coordinates")))
-      of.push_back(static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));
-    const pugi::xml_node function = law_element(axis, "function");
+    const std::vector<std::string> of = words_in(axis.child("coordinates"));
     Law law;
     law.weights.assign(of.size(), 1);
-    if (function) law = read_law(function, of.size());
-    functions.push_back(new LawFunction(law, of.size()));
-    indices.push_back(of);
-    axes.push_back(vec3(axis.child("axis")));
+    if (const pugi::xml_node function = law_element(axis, "function")) law = read_law(function, of.size());
+    followers_.push_back({own + "/" + which, of, law, of.empty()});
+    const bool turns = which[0] == 'r', last = std::string(which) == "rotation3";
+    const SimTK::CoordinateAxis which_axis(turns ? 2 : 0);
+    const Transform along(Rotation(SimTK::UnitVec3(vec3(axis.child("axis"))), which_axis));
+    const SimTK::Body carried = last ? body : SimTK::Body(SimTK::Body::Massless());
+    const Transform outboard = last ? out * along : along;
+    if (turns)
+      on = MobilizedBody::Pin(on, before * along, carried, outboard);
+    else
+      on = MobilizedBody::Slider(on, before * along, carried, outboard);
+    slots_[own + "/" + which] = {on, 0};
+    before = Transform();
   }
-  return all(MobilizedBody::FunctionBased(inboard, in, body, out, static_cast<int>(names.size()), functions,
-                                          indices, axes, direction));
+  return on;
 }
 
 void OsimSkeleton::read_followers() {
@@ -229,7 +237,7 @@ void OsimSkeleton::read_followers() {
     joints.push_back(joint);
   for (const pugi::xml_node joint : joints)
     for (const pugi::xml_node c : coordinate_elements(joint)) {
-      Follower follower{c.attribute("name").value(), {}, {}};
+      Follower follower{c.attribute("name").value(), {}, {}, false};
       follower.law.offset = c.child("default_value").text().as_double();
       follower.law.weights = {0};
       if (is_true(c, "prescribed") && !is_true(c, "locked"))
@@ -244,36 +252,56 @@ void OsimSkeleton::read_followers() {
     const std::vector<std::string> of = words_in(coupler.child("independent_coordinate_names"));
     followers_.push_back({text_of(coupler, "dependent_coordinate_name"), of,
                           read_law(law_element(coupler, "coupled_coordinates_function"), of.size())
-                              .times(coupler.child("scale_factor").text().as_double(1))});
+                              .times(coupler.child("scale_factor").text().as_double(1)),
+                          false});
   }
+  // Those that others follow come first.
+  std::vector<Follower> ordered;
+  while (!followers_.empty()) {
+    std::vector<Follower> later;
+    for (const Follower& follower : followers_) {
+      const bool waits = std::any_of(follower.of.begin(), follower.of.end(), [&](const std::string& name) {
+        return std::any_of(followers_.begin(), followers_.end(),
+                           [&](const Follower& f) { return f.name == name; });
+      });
+      (waits ? later : ordered).push_back(follower);
+    }
+    if (later.size() == followers_.size()) throw std::runtime_error("coordinates that follow themselves");
+    followers_ = later;
+  }
+  followers_ = ordered;
 }
 
 void OsimSkeleton::set(const std::map<std::string, double>& q, const std::map<std::string, double>& u,
                        double time) {
   values_.clear();
   for (const auto& [name, value] : q) values_[name] = {value, u.at(name), 0, {{name, 1.0}}};
-  for (std::size_t round = 0; round <= followers_.size(); ++round)
-    for (const Follower& follower : followers_) {
-      std::vector<double> x;
-      Value out;
-      if (follower.of.empty()) {
-        x = {time};
-        out.u = follower.law.first(x, 0);
-        out.rate = follower.law.second(x, 0, 0);
-      }
-      for (const std::string& name : follower.of) x.push_back(values_[name].q);
-      out.q = follower.law.value(x);
-      for (std::size_t i = 0; i < follower.of.size(); ++i) {
-        const Value& of = values_[follower.of[i]];
-        const double slope = follower.law.first(x, i);
-        out.u += slope * of.u;
-        out.rate += slope * of.rate;
-        for (const auto& [name, by] : of.by) out.by[name] += slope * by;
-        for (std::size_t j = 0; j < follower.of.size(); ++j)
-          out.rate += follower.law.second(x, i, j) * of.u * values_[follower.of[j]].u;
-      }
+  for (const Follower& follower : followers_) {
+    std::vector<double> x;
+    Value out;
+    if (follower.constant) {
+      out.q = follower.law.value({});
       values_[follower.name] = out;
+      continue;
     }
+    if (follower.of.empty()) {
+      x = {time};
+      out.u = follower.law.first(x, 0);
+      out.rate = follower.law.second(x, 0, 0);
+    }
+    for (const std::string& name : follower.of) x.push_back(values_[name].q);
+    out.q = follower.law.value(x);
+    for (std::size_t i = 0; i < follower.of.size(); ++i) {
+      const Value& of = values_[follower.of[i]];
+      const double slope = follower.law.first(x, i);
+      out.u += slope * of.u;
+      out.rate += slope * of.rate;
+      for (const auto& [name, by] : of.by) out.by[name] += slope * by;
+      for (std::size_t j = 0; j < follower.of.size(); ++j)
+        out.rate += follower.law.second(x, i, j) * of.u * values_[follower.of[j]].u;
+    }
+    values_[follower.name] = out;
+  }
   SimTK::Vector rates(state_.getNQ(), 0.0), u_of(state_.getNU());
   for (const auto& [name, slot] : slots_) state_.updQ()[place(slot)] = values_[name].q;
   system_.realize(state_, SimTK::Stage::Position);

@@ -48,6 +48,7 @@ class OsimSkeleton {
     std::string name;
     std::vector<std::string> of;  ///< empty: of time
     Law law;
+    bool constant = false;
   };
   /// Its value and speed, what its rate is without rates of free ones, and its gradient by them.
   struct Value {

@@ -1,0 +1,150 @@
+#include "import/opensim/osim_constraints.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/opensim/osim_coordinates.hpp"
+#include "import/opensim/osim_sockets.hpp"
+
+namespace alembert {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// A point of a constraint in the axes of a frame, and points off it.
+class Anchor {
+ public:
+  Anchor(OsimDescription& out, pugi::xml_node constraint, std::initializer_list<const char*> socket,
+         const Point& point, std::string suffix)
+      : out_(out),
+        at_(out.xml.where(constraint)),
+        name_(OsimXml::name_of(constraint) + std::move(suffix)),
+        point_(point) {
+    frame_ =
+        resolve_osim_frame(out.model, OsimXml::text(constraint, socket),
+                           "/constraintset/" + OsimXml::name_of(constraint), at_, OsimXml::title(constraint));
+    origin_ = frame("", {});
+  }
+  const std::string& origin() const { return origin_; }
+  /// Name of a frame that is so far off.
+  std::string frame(const std::string& suffix, const Point& off) const {
+    std::array<std::string, 3> text;
+    for (std::size_t i = 0; i < 3; ++i) text[i] = number_text(point_[i] + off[i]);
+    return out_.add_frame(name_ + suffix, frame_, text, at_);
+  }
+
+ private:
+  OsimDescription& out_;
+  SourceLocation at_;
+  std::string name_, origin_;
+  Point point_;
+  std::size_t frame_ = 0;
+};
+
+std::string difference(const std::string& a, const std::string& b, char axis) {
+  return fmt::format("position({}).{} - position({}).{}", a, axis, b, axis);
+}
+
+/// (b - a) . (d - c)
+std::string product_of_lines(const std::string& a, const std::string& b, const std::string& c,
+                             const std::string& d) {
+  std::vector<std::string> terms;
+  for (const char axis : {'x', 'y', 'z'})
+    terms.push_back(fmt::format("({})*({})", difference(b, a, axis), difference(d, c, axis)));
+  return sum_text(terms);
+}
+
+std::vector<std::string> meeting(const Anchor& a, const Anchor& b) {
+  std::vector<std::string> out;
+  for (const char axis : {'x', 'y', 'z'}) out.push_back(difference(a.origin(), b.origin(), axis));
+  return out;
+}
+
+std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
+  const Anchor a(out, element, {"socket_frame1"}, {}, "_1"), b(out, element, {"socket_frame2"}, {}, "_2");
+  std::vector<std::string> equations = meeting(a, b);
+  const std::string ay = a.frame("_y", {0, 1, 0}), az = a.frame("_z", {0, 0, 1}),
+                    bx = b.frame("_x", {1, 0, 0}), by = b.frame("_y", {0, 1, 0});
+  equations.push_back(product_of_lines(a.origin(), ay, b.origin(), bx));
+  equations.push_back(product_of_lines(a.origin(), az, b.origin(), bx));
+  equations.push_back(product_of_lines(a.origin(), az, b.origin(), by));
+  return equations;
+}
+
+std::vector<std::string> point(OsimDescription& out, pugi::xml_node element) {
+  const Point first = out.xml.vector<3>(element, "location_body_1", {}),
+              second = out.xml.vector<3>(element, "location_body_2", {});
+  const Anchor a(out, element, {"socket_body_1", "body_1"}, first, "_1");
+  const Anchor b(out, element, {"socket_body_2", "body_2"}, second, "_2");
+  return meeting(a, b);
+}
+
+std::vector<std::string> distance(OsimDescription& out, pugi::xml_node element) {
+  const Point first = out.xml.vector<3>(element, "location_body_1", {}),
+              second = out.xml.vector<3>(element, "location_body_2", {});
+  const double length = out.xml.required_number(element, "constant_distance");
+  const Anchor a(out, element, {"socket_body_1", "body_1"}, first, "_1");
+  const Anchor b(out, element, {"socket_body_2", "body_2"}, second, "_2");
+  return {product_of_lines(a.origin(), b.origin(), a.origin(), b.origin()) + " - " +
+          number_text(length * length)};
+}
+
+std::vector<std::string> point_on_line(OsimDescription& out, pugi::xml_node element) {
+  const Point on_line = out.xml.vector<3>(element, "point_on_line", {}),
+              follower = out.xml.vector<3>(element, "point_on_follower", {}),
+              along = out.xml.vector<3>(element, "line_direction_vec", {0, 0, 1});
+  const Eigen::Vector3d direction(along[0], along[1], along[2]);
+  if (direction.norm() == 0)
+    throw InputError(out.xml.where(element), OsimXml::title(element) + " has a line without direction");
+  const Anchor line(out, element, {"socket_line_body", "line_body"}, on_line, "_line");
+  const Anchor point(out, element, {"socket_follower_body", "follower_body"}, follower, "_point");
+  // Nothing of the point is across the line, in either direction.
+  const Eigen::Vector3d u = direction.unitOrthogonal(), v = direction.normalized().cross(u);
+  const std::string to_u = line.frame("_u", {u.x(), u.y(), u.z()}),
+                    to_v = line.frame("_v", {v.x(), v.y(), v.z()});
+  return {product_of_lines(line.origin(), point.origin(), line.origin(), to_u),
+          product_of_lines(line.origin(), point.origin(), line.origin(), to_v)};
+}
+
+struct ConstraintType {
+  std::string_view name;
+  std::vector<std::string> (*equations)(OsimDescription&, pugi::xml_node);
+};
+constexpr ConstraintType kConstraintTypes[] = {{"WeldConstraint", weld},
+                                               {"PointConstraint", point},
+                                               {"ConstantDistanceConstraint", distance},
+                                               {"PointOnLineConstraint", point_on_line}};
+
+}  // namespace
+
+void add_osim_constraints(OsimDescription& out) {
+  for (const pugi::xml_node element : osim_constraints(out)) {
+    if (std::string_view(element.name()) == "CoordinateCouplerConstraint" ||
+        !osim_is_enforced(out.xml, element))
+      continue;
+    const auto type =
+        std::ranges::find(kConstraintTypes, std::string_view(element.name()), &ConstraintType::name);
+    // Before 4.0 welds give places on bodies.
+    const bool old =
+        type != std::end(kConstraintTypes) && type->equations == weld && !element.child("socket_frame1");
+    if (type == std::end(kConstraintTypes) || old) {
+      out.left(element, "the equations are those without it", "add it to the description as a constraint");
+      continue;
+    }
+    const SourceLocation at = out.xml.where(element);
+    YamlNode& node = out.nodes.mapping(at);
+    out.put(node, "name", out.constraint_names.add(OsimXml::name_of(element), at), at);
+    out.put(node, "type", "holonomic", at);
+    YamlNode& list = out.nodes.sequence(at);
+    for (const std::string& equation : type->equations(out, element))
+      list.items.push_back(&out.nodes.text(equation, at));
+    out.nodes.put(node, "equations", list);
+    out.sections["constraints"]->items.push_back(&node);
+    out.took(element.name());
+  }
+}
+
+}  // namespace alembert
