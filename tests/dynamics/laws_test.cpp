@@ -222,7 +222,8 @@ TEST_P(Laws, PeeledPlacedRegroupedAndScaledLinksGiveTheSameDynamics) {
   }
 }
 
-/// M^-1 (Q - c) are the rates. A coordinate that moves several bodies cannot be taken at one of them.
+/// M^-1 (Q - c) are the rates. A coordinate that moves several bodies is taken where their branches meet, unless
+/// others move bodies on the way.
 TEST_P(Laws, ArticulatedBodiesGiveTheRates) {
   std::vector<Expr> right_side, rates;
   for (std::size_t k = 0; k < nv; ++k) {
@@ -245,9 +246,11 @@ TEST_P(Laws, ArticulatedBodiesGiveTheRates) {
     if (solved) expect_equal(*solved, rates, 1e-9);
     return solved.has_value();
   };
-  EXPECT_EQ(solve(kinematics.tree), !shared);
+  // One coordinate turns a finger and a thumb there.
+  const bool must = !shared || loaded.mechanism->name == "tree_every_joint";
+  EXPECT_TRUE(solve(kinematics.tree) || !must);
   if (kinematics.peeled) {
-    EXPECT_EQ(solve(*kinematics.peeled), !shared);
+    EXPECT_TRUE(solve(*kinematics.peeled) || !must);
   }
   // Regrouping may leave mass between two motions of one speed.
   solve(*equations.articulated);

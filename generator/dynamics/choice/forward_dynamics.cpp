@@ -16,8 +16,8 @@
 namespace alembert {
 namespace {
 
-/// By articulated bodies, over the tree that the equations' search found or the given one; nothing where a speed
-/// moves several bodies' joints.
+/// By articulated bodies, over the tree that the equations' search found or the given one; nothing where that is
+/// impossible.
 std::optional<std::vector<Expr>> articulated(const Kinematics& kinematics, const EquationsOfMotion& equations,
                                              const std::vector<Expr>& right_side) {
   std::optional<std::vector<Expr>> found;

@@ -13,12 +13,16 @@
 //
 // An armature of the speed is added to D.
 //
-// Several speeds in one frame are taken one after another, as if frames without mass lay between them.
+// Several speeds in one frame are taken one after another, as if frames without mass lay between them. A speed
+// that moves several bodies, such as a mimic joint's, is taken in the frame where their branches meet, with
+// U = sum I s, D = sum s^T I s and sum s^T p over them.
 #include "dynamics/recursions/articulated_bodies.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "dynamics/recursions/armature.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
@@ -129,10 +133,70 @@ struct Joint {
   Twist twist;  ///< in the axes of the frame where it is taken
 };
 
-/// Joints of each node. A speed that several nodes depend on is taken at the outermost, with the sum of their
-/// twists: only that frame's motion matters if there is no mass, and no branch, on the way from the
-/// innermost. Otherwise nothing.
-std::optional<std::vector<std::vector<Joint>>> joints_of(const MotionTree& tree, int nv, ExprGraph& g) {
+/// A speed that moves several bodies otherwise: those outward of `base` on `path`, by their own twists.
+struct SharedJoint {
+  int speed;
+  int base;                           ///< -1: world
+  std::map<std::size_t, Twist> path;  ///< nodes from the base outward to all that the speed moves, own axes
+};
+
+struct Joints {
+  std::vector<std::vector<Joint>> of_node;
+  std::vector<SharedJoint> shared;
+};
+
+Twist own_twist(const MotionNode& node, int speed, ExprGraph& g) {
+  Twist twist = zero_twist(g);
+  for (const TwistPartial& partial : node.partials)
+    if (partial.speed == speed) twist = twist + twist_along(node.motion, partial.direction);
+  return twist;
+}
+
+/// The speed as one joint at the outermost of its nodes, with the sum of their twists: only that frame's motion
+/// matters if there is no mass, and no branch, on the way from the innermost. Otherwise nothing.
+std::optional<Joint> taken_outermost(const MotionTree& tree, const std::vector<int>& children, int speed,
+                                     std::vector<std::size_t> nodes, ExprGraph& g) {
+  Twist sum = zero_twist(g);
+  std::vector<std::size_t> path;  // from the outermost to the frame before
+  for (std::size_t at = nodes.back();;) {
+    if (at == nodes.back()) {
+      Twist twist = own_twist(tree.nodes[at], speed, g);
+      for (std::size_t k = path.size(); k-- > 0;) twist = outward(tree.nodes[path[k]].motion, twist);
+      sum = sum + twist;
+      nodes.pop_back();
+      if (nodes.empty()) return Joint{speed, sum};
+    }
+    path.push_back(at);
+    if (tree.nodes[at].parent < 0) return std::nullopt;  // the rest is on another branch
+    at = static_cast<std::size_t>(tree.nodes[at].parent);
+    if (children[at] != 1 || !tree.masses[at].is_zero()) return std::nullopt;
+  }
+}
+
+/// Nothing if another speed moves a node on the way.
+std::optional<SharedJoint> taken_together(const MotionTree& tree, int nv, int speed,
+                                          const std::vector<std::size_t>& nodes, ExprGraph& g) {
+  const auto parent = [&](int node) { return tree.nodes[static_cast<std::size_t>(node)].parent; };
+  // Parents have smaller numbers: the meeting frame is found by always going on from the larger.
+  int base = tree.nodes[nodes[0]].parent;
+  for (const std::size_t node : nodes)
+    for (int other = tree.nodes[node].parent; other != base;) {
+      int& larger = other > base ? other : base;
+      larger = parent(larger);
+    }
+  SharedJoint joint{speed, base, {}};
+  for (const std::size_t node : nodes)
+    for (int at = static_cast<int>(node); at != base; at = parent(at)) {
+      const MotionNode& on_way = tree.nodes[static_cast<std::size_t>(at)];
+      for (const TwistPartial& partial : on_way.partials)
+        if (partial.speed != speed && partial.speed != nv) return std::nullopt;
+      joint.path.try_emplace(static_cast<std::size_t>(at), own_twist(on_way, speed, g));
+    }
+  return joint;
+}
+
+/// Nothing if two speeds share bodies in a way that neither of these covers.
+std::optional<Joints> joints_of(const MotionTree& tree, int nv, ExprGraph& g) {
   const std::size_t count = tree.nodes.size();
   std::vector<int> children(count, 0);
   std::vector<std::vector<std::size_t>> nodes_of(static_cast<std::size_t>(nv));
@@ -145,29 +209,22 @@ std::optional<std::vector<std::vector<Joint>>> joints_of(const MotionTree& tree,
       if (nodes.empty() || nodes.back() != i) nodes.push_back(i);
     }
   }
-  std::vector<std::vector<Joint>> joints(count);
+  Joints joints{std::vector<std::vector<Joint>>(count), {}};
+  std::vector<bool> on_way(count, false);
   for (int speed = 0; speed < nv; ++speed) {
-    std::vector<std::size_t> nodes = nodes_of[static_cast<std::size_t>(speed)];
+    const std::vector<std::size_t>& nodes = nodes_of[static_cast<std::size_t>(speed)];
     if (nodes.empty()) return std::nullopt;
-    const std::size_t outermost = nodes.back();
-    Twist sum = zero_twist(g);
-    std::vector<std::size_t> path;  // from the outermost to the frame before
-    for (std::size_t at = outermost;;) {
-      if (at == nodes.back()) {
-        Twist twist = zero_twist(g);
-        for (const TwistPartial& partial : tree.nodes[at].partials)
-          if (partial.speed == speed) twist = twist + twist_along(tree.nodes[at].motion, partial.direction);
-        for (std::size_t k = path.size(); k-- > 0;) twist = outward(tree.nodes[path[k]].motion, twist);
-        sum = sum + twist;
-        nodes.pop_back();
-        if (nodes.empty()) break;
-      }
-      path.push_back(at);
-      if (tree.nodes[at].parent < 0) return std::nullopt;  // the rest is on another branch
-      at = static_cast<std::size_t>(tree.nodes[at].parent);
-      if (children[at] != 1 || !tree.masses[at].is_zero()) return std::nullopt;
+    if (const auto joint = taken_outermost(tree, children, speed, nodes, g)) {
+      joints.of_node[nodes.back()].push_back(*joint);
+      continue;
     }
-    joints[outermost].push_back({speed, sum});
+    std::optional<SharedJoint> shared = taken_together(tree, nv, speed, nodes, g);
+    if (!shared) return std::nullopt;
+    for (const auto& [node, twist] : shared->path) {
+      if (on_way[node]) return std::nullopt;
+      on_way[node] = true;
+    }
+    joints.shared.push_back(std::move(*shared));
   }
   return joints;
 }
@@ -210,7 +267,7 @@ ArticulatedInertia without(const ArticulatedInertia& I, const Wrench& U, const W
 std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, const MotionTree& tree,
                                                    std::span<const Expr> right_side, ExprGraph& graph) {
   const std::size_t count = tree.nodes.size();
-  const auto joints = joints_of(tree, mechanism.nv, graph);
+  const std::optional<Joints> joints = joints_of(tree, mechanism.nv, graph);
   if (!joints) return std::nullopt;
 
   struct Solved {
@@ -222,10 +279,33 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
   std::vector<Wrench> forces(count, zero_wrench(graph));
   std::vector<std::vector<Solved>> solved(count);
   const std::vector<Expr> armature = armatures(mechanism);
+  // Of a shared joint, as far as it is outward of a node: sums of I s, s^T I s and s^T p over what it moves.
+  struct Moved {
+    Wrench U;
+    Expr D, sp;
+  };
+  const Moved nothing{zero_wrench(graph), graph.zero(), graph.zero()};
+  std::vector<std::vector<Moved>> moved(joints->shared.size(), std::vector<Moved>(count + 1, nothing));
+  std::vector<Solved> shared_solved(joints->shared.size(), {zero_wrench(graph), graph.zero()});
+  const auto place = [](int node) { return static_cast<std::size_t>(node + 1); };
+  const auto solve_shared = [&](std::size_t k) {
+    const SharedJoint& joint = joints->shared[k];
+    const Moved& m = moved[k][place(joint.base)];
+    const std::size_t speed = static_cast<std::size_t>(joint.speed);
+    const Expr inverse_D = graph.one() / (m.D + armature[speed]);
+    const Expr u = right_side[speed] - m.sp;
+    shared_solved[k] = {inverse_D * m.U, inverse_D * u};
+    if (joint.base < 0) return;
+    const std::size_t base = static_cast<std::size_t>(joint.base);
+    inertias[base] = without(inertias[base], m.U, shared_solved[k].U_over_D, 6);
+    forces[base] = forces[base] + u * shared_solved[k].U_over_D;
+  };
   for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t k = 0; k < joints->shared.size(); ++k)
+      if (joints->shared[k].base == static_cast<int>(i)) solve_shared(k);
     ArticulatedInertia& I = inertias[i];
     Wrench& p = forces[i];
-    for (const Joint& joint : (*joints)[i]) {
+    for (const Joint& joint : joints->of_node[i]) {
       const Twist& s = joint.twist;
       const Wrench U = I * s;
       const Expr a = armature[static_cast<std::size_t>(joint.speed)];
@@ -241,6 +321,17 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
       solved[i].push_back({U_over_D, inverse_D * u});
     }
     const MotionNode& node = tree.nodes[i];
+    for (std::size_t k = 0; k < joints->shared.size(); ++k) {
+      const auto own = joints->shared[k].path.find(i);
+      if (own == joints->shared[k].path.end()) continue;
+      const Twist& s = own->second;
+      const Moved& outer = moved[k][place(static_cast<int>(i))];
+      const Wrench U = outer.U + I * s;
+      Moved& inner = moved[k][place(node.parent)];
+      inner.U = inner.U + inward(node.motion, U);
+      inner.D += outer.D + dot(s, outer.U + U);
+      inner.sp += outer.sp + dot(s, p);
+    }
     if (node.parent < 0) continue;
     const std::size_t parent = static_cast<std::size_t>(node.parent);
     inertias[parent] = plus(inertias[parent], carried_inward(I, node.motion));
@@ -248,17 +339,30 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
   }
 
   std::vector<Expr> rates(static_cast<std::size_t>(mechanism.nv), graph.zero());
+  const auto take_shared = [&](int base, const Twist& y) {
+    for (std::size_t k = 0; k < joints->shared.size(); ++k)
+      if (joints->shared[k].base == base)
+        rates[static_cast<std::size_t>(joints->shared[k].speed)] =
+            shared_solved[k].u_over_D - dot(y, shared_solved[k].U_over_D);
+  };
+  for (std::size_t k = 0; k < joints->shared.size(); ++k)
+    if (joints->shared[k].base < 0) solve_shared(k);
+  take_shared(-1, zero_twist(graph));
   std::vector<Twist> accelerations;
   for (std::size_t i = 0; i < count; ++i) {
     const MotionNode& node = tree.nodes[i];
     Twist y = node.parent < 0 ? zero_twist(graph)
                               : outward(node.motion, accelerations[static_cast<std::size_t>(node.parent)]);
-    for (std::size_t k = (*joints)[i].size(); k-- > 0;) {
-      const Joint& joint = (*joints)[i][k];
+    for (const SharedJoint& joint : joints->shared)
+      if (const auto own = joint.path.find(i); own != joint.path.end())
+        y = y + rates[static_cast<std::size_t>(joint.speed)] * own->second;
+    for (std::size_t k = joints->of_node[i].size(); k-- > 0;) {
+      const Joint& joint = joints->of_node[i][k];
       const Expr rate = solved[i][k].u_over_D - dot(y, solved[i][k].U_over_D);
       rates[static_cast<std::size_t>(joint.speed)] = rate;
       y = y + rate * joint.twist;
     }
+    take_shared(static_cast<int>(i), y);
     accelerations.push_back(y);
   }
   return rates;
