@@ -2,7 +2,7 @@
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
 // random forces of every kind, with states and outputs, on such mechanisms and on random trees, and --thirds asks for
-// the derivatives of forward dynamics, which take longest and are made of other functions, of every third only.
+// what takes longest, derivatives of forward dynamics, Coriolis matrices and regressors, of every third only.
 #include <unistd.h>
 
 #include <algorithm>
@@ -110,7 +110,9 @@ int main(int argc, char** argv) {
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
     std::ofstream(file) << mechanism.text;
     std::set<std::string> asked = comparable_functions(mechanism.description);
-    if (thirds && here % 3 != 0) asked.erase("forward_dynamics_derivatives");
+    if (thirds && here % 3 != 0)
+      for (const char* name : {"forward_dynamics_derivatives", "coriolis_matrix", "regressor"})
+        asked.erase(name);
     const std::vector<Reference> references =
         taylor_references(mechanism.description, mechanism.states, asked);
     std::vector<Comparison> lines = compare_functions(executable, file.string(), mechanism.description.name,
