@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "commands/warnings.hpp"
 #include "dynamics/choice/base_parameters.hpp"
@@ -124,19 +126,24 @@ std::string example(const Mechanism& mechanism, const BaseParameters& found, con
       joined += fmt::format("{}{}: {}", joined.empty() ? "" : ", ", parameter, rounded(coefficient));
     rows += fmt::format("({}, {{{}}}),  # {}\n", base.parameter, joined, sum_of(mechanism, base));
   }
-  return fill_template("identify.py", {{"name", mechanism.name}, {"file", file}, {"base", rows}});
+  return fill_template("identify.py",
+                       {{"name", mechanism.name}, {"file", nlohmann::json(file).dump()}, {"base", rows}});
 }
 
 }  // namespace
 
 int run_identify(const CommonOptions& common, const IdentifyOptions& options) {
+  if (common.file == "-" && !options.example.empty())
+    throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
+                     "the example loads the description, which must be a file");
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(read_source(common.file), graph);
   report_warnings(mechanism.warnings, common.strict);
   const BaseParameters found = base_parameters(symbolic_kinematics(mechanism, graph));
   fmt::print("{}", options.json ? json_of(mechanism, found) : table(mechanism, found));
   if (!options.example.empty()) {
-    std::filesystem::create_directories(options.example);
+    std::error_code ignored;  // what could not be made is not written to, which is told
+    std::filesystem::create_directories(options.example, ignored);
     write_file(std::filesystem::path(options.example) / ("identify_" + mechanism.name + ".py"),
                example(mechanism, found, common.file));
   }

@@ -40,6 +40,14 @@ def test_the_example_identifies(name, tmp_path):
     assert "by bodies that have them and could exist" in done.stdout
 
 
+def test_what_cannot_be_written_is_an_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    for file, folder in ((str(ROOT / "mechanisms" / "pendulum.yaml"), str(tmp_path / "file")), ("-", str(tmp_path))):
+        done = subprocess.run([alembert.executable(), "identify", file, "--example", folder], capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL)
+        assert done.returncode == 1 and "error" in done.stderr, done.stderr
+
+
 def test_base_columns_give_the_forces(tmp_path):
     name = "runtime_parameters"
     m = alembert.load(ROOT / "mechanisms" / f"{name}.yaml", "regressor", cache=tmp_path)
