@@ -2,10 +2,10 @@
 //
 //   X = M^-1 P^T,  S = P X = G E G^T,  v = M^-1 (tau - c),  S lambda = -gamma - P v,  du/dt = v + X lambda
 //
-// Rows are eliminated in their order. The pivot of a row over its entry in S is the square of the sine of the angle,
-// in the metric of M^-1, between the row and those before it. Where that is rounding, the row follows from those: it
-// is left out by a choice, without a branch, and has no reaction. The bounds are those of the runtime
-// (constraint_factorization.hpp), which takes the rows in another order.
+// Rows are eliminated in their order. The pivot E_r is the square of the length, in the metric of M^-1, of what the rows
+// before it leave of row r: S_rr less what cancels. It is made of N_r = S_rr + sum_a G_ra^2 N_a. Where it is rounding of
+// that, the row follows from those before it: it is left out by a choice, without a branch, and has no reaction. (The
+// runtime's constraint_factorization.hpp compares with S_rr alone, and takes rows that are nearly dependent last.)
 #include "dynamics/choice/constrained_dynamics.hpp"
 
 #include <fmt/format.h>
@@ -33,23 +33,24 @@ class SchurComplement {
  public:
   SchurComplement(std::vector<Expr> S, std::size_t rows, std::size_t speeds, ExprGraph& graph)
       : G_(std::move(S)), rows_(rows), inverse_pivots_(rows) {
-    const double most = static_cast<double>(std::max(rows, speeds));
-    const double dependent = 16 * most * std::numeric_limits<double>::epsilon();
-    std::vector<Expr> bounds;
+    const double dependent =
+        16 * static_cast<double>(std::max(rows, speeds)) * std::numeric_limits<double>::epsilon();
+    std::vector<Expr> made_of;  // N
     Expr sum = graph.zero();
     for (std::size_t r = 0; r < rows; ++r) {
-      bounds.push_back(graph.real(dependent) * entry(r, r));
+      made_of.push_back(entry(r, r));
       sum += entry(r, r);
     }
     const Expr nothing = graph.real(16 * dependent * dependent) * sum;  // a row of zeros, but for rounding
     for (std::size_t a = 0; a < rows; ++a) {
-      const Expr pivot = entry(a, a), clear = pivot - (bounds[a] + nothing);
+      const Expr pivot = entry(a, a), clear = pivot - (graph.real(dependent) * made_of[a] + nothing);
       const Expr divisor = if_positive(clear, pivot) + unless_positive(clear, graph.one());
       inverse_pivots_[a] = if_positive(clear, graph.one() / divisor);
       std::vector<Expr> factors(rows);
       for (std::size_t r = a + 1; r < rows; ++r) {
         factors[r] = entry(r, a) * inverse_pivots_[a];
         for (std::size_t s = a + 1; s <= r; ++s) entry(r, s) -= factors[r] * entry(s, a);
+        made_of[r] += factors[r] * factors[r] * made_of[a];
       }
       for (std::size_t r = a + 1; r < rows; ++r) entry(r, a) = factors[r];
     }
