@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/choice/base_parameters.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
@@ -307,8 +308,9 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
     return options.dump != nullptr && options.dump_stage == stage;
   };
 
-  compiled.mechanism =
-      std::make_unique<const Mechanism>(load_mechanism(std::move(source), graph, options.inputs));
+  auto loaded = std::make_unique<Mechanism>(load_mechanism(std::move(source), graph, options.inputs));
+  std::vector<int>& base_columns = loaded->base_columns;
+  compiled.mechanism = std::move(loaded);
   const Mechanism& mechanism = *compiled.mechanism;
   if (options.warn) options.warn(mechanism.warnings);
   log.done("load", fmt::format("{} bodies, {} coordinates", mechanism.bodies.size(), mechanism.nq));
@@ -326,6 +328,12 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
       *options.dump << "with screws peeled off:\n";
       dump_tree(*options.dump, *kinematics.peeled);
     }
+  }
+
+  if (std::ranges::find(options.functions, FunctionKind("base_regressor")) != options.functions.end()) {
+    for (const BaseParameter& parameter : base_parameters(kinematics).base)
+      base_columns.push_back(static_cast<int>(parameter.parameter));
+    log.done("base", fmt::format("{} base parameters", base_columns.size()));
   }
 
   const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);

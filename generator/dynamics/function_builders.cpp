@@ -234,6 +234,17 @@ Results build_inverse_dynamics_parameter_derivatives(const Ingredients& given) {
   return {value_number(derivatives_by(given.equations->Q, symbols_of(given, ParameterRole::parameter)))};
 }
 
+/// Columns of the regressor.
+Results build_base_regressor(const Ingredients& given) {
+  const std::vector<Expr> Y = for_shortest_tree(given, force_regressor).front();
+  const std::size_t columns = kStandardParameters * given.mechanism().bodies.size();
+  std::vector<Expr> out;
+  for (std::size_t row = 0; row * columns < Y.size(); ++row)
+    for (const int column : given.mechanism().base_columns)
+      out.push_back(Y[row * columns + static_cast<std::size_t>(column)]);
+  return {std::move(out)};
+}
+
 struct Builder {
   FunctionKind kind;
   bool of_equations;
@@ -306,13 +317,15 @@ constexpr Builder kBuilders[] = {
      [](const Ingredients& given) -> Results { return {body_inertias(given.mechanism())}; }},
     {FunctionKind("regressor"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, force_regressor); }},
+    {FunctionKind("base_regressor"), false, build_base_regressor},
     {FunctionKind("static_regressor"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, gravity_regressor); }},
     {FunctionKind("energy_regressor"), false,
      [](const Ingredients& given) { return for_shortest_tree(given, energy_regressor); }},
     {FunctionKind("inverse_dynamics_derivatives"), true, build_inverse_dynamics_derivatives},
     {FunctionKind("inverse_dynamics_second_derivatives"), true, build_inverse_dynamics_second_derivatives},
-    {FunctionKind("inverse_dynamics_parameter_derivatives"), true, build_inverse_dynamics_parameter_derivatives},
+    {FunctionKind("inverse_dynamics_parameter_derivatives"), true,
+     build_inverse_dynamics_parameter_derivatives},
     {FunctionKind("state_rates"), false,
      [](const Ingredients& given) -> Results { return {given.kinematics.applied.rates}; }},
     {FunctionKind("input_jacobian"), false, build_input_jacobian},

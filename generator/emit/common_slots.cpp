@@ -312,6 +312,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"namespace", full_namespace},
       {"nq", std::to_string(mechanism.nq)},
       {"nv", std::to_string(mechanism.nv)},
+      {"base_count", std::to_string(mechanism.base_columns.size())},
       {"body_count", std::to_string(names.bodies.size())},
       {"frame_count", std::to_string(names.frames.size())},
       {"output_count", std::to_string(names.outputs.size())},

@@ -27,6 +27,8 @@ std::string extent_constant(const Extent& extent) {
       return "kNparameters";
     case Extent::Of::inputs:
       return "kNinputs";
+    case Extent::Of::base_parameters:
+      return "kNbase";
     case Extent::Of::forces:
       return "kNforces";
     case Extent::Of::states:

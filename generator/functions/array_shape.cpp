@@ -28,6 +28,8 @@ std::size_t number_of(Extent::Of what, const Mechanism& mechanism) {
       return placed_parameters(mechanism, ParameterRole::parameter).size();
     case Extent::Of::inputs:
       return placed_parameters(mechanism, ParameterRole::input).size();
+    case Extent::Of::base_parameters:
+      return mechanism.base_columns.size();
     case Extent::Of::forces:
       return force_names(mechanism).size();
     case Extent::Of::states:

@@ -44,7 +44,8 @@ struct Extent {
     inputs,
     states,
     forces,
-    bodies
+    bodies,
+    base_parameters
   };
   Of of = Of::number;
   int number = 1;  ///< for each of them, if they are something
@@ -57,6 +58,7 @@ inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Ex
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
                         kPerParameter = Extent::Of::parameters, kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
                         kPerForce = Extent::Of::forces;
+inline constexpr Extent kPerBaseParameter = Extent::Of::base_parameters;
 /// Of a body: m, m c x y z, and its inertia about the origin of its frame xx yy zz xy xz yz, in its axes.
 inline constexpr Extent kPerStandardParameter{Extent::Of::bodies, 10};
 
@@ -299,6 +301,14 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "Columns of bodies without mass, and those of the inertia of a point mass in its origin, are zero.",
      "Atkeson, An and Hollerbach, Estimation of inertial parameters of manipulator loads and links, Int. J. Robotics Research 5, 1986",
      Needs::mass},
+    {"base_regressor", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
+     "Regressor of inverse dynamics in the base parameters: independent columns, of which the others are combinations.",
+     "inverse_dynamics = Y theta_base, less applied forces and wrenches, and the forces that armatures take",
+     {{"Y", "a column for each base parameter, in the order in which `alembert identify` lists them and the standard parameters "
+       "that each joins", kPerSpeed, kPerBaseParameter}},
+     "The columns are those of regressor that depend on none before them.",
+     "Gautier and Khalil, Direct calculation of minimum set of inertial parameters of serial robots, IEEE Trans. Robotics and "
+     "Automation 6, 1990", Needs::mass},
     {"static_regressor", Topic::dynamics, false, {ArgumentKind::q}, true,
      "Regressor of the gravity forces: what regressor is at rest.",
      "gravity = Y theta",

@@ -258,6 +258,7 @@ struct Mechanism {
   std::vector<FrameDistance> distances;     ///< likewise
   Expr time;                                ///< the symbol t
   int nq = 0, nv = 0;
+  std::vector<int> base_columns;  ///< those of the regressor that base_regressor has, once it is asked for
   Warnings warnings;  ///< what is doubtful in the description
   SourceLocation where;
 };

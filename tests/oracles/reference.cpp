@@ -54,6 +54,7 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
   if (function == "energy") return {values.topRows(1), values.bottomRows(1)};
   if (function == "body_inertias")
     return {columns(values, {0}), columns(values, {1, 2, 3}), columns(values, {4, 5, 6, 7, 8, 9})};
+  if (function == "base_regressor") return {unit.asDiagonal() * values};
   if (name == "Y") {
     // Columns by what they are multiplied with.
     Matrices all;

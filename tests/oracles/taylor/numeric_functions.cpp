@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <random>
 #include <utility>
 
 #include "oracles/taylor/applied_forces.hpp"
@@ -454,6 +455,38 @@ OutputsOf<double> outputs_of(const Quantities<R>& x) {
   return result;
 }
 
+/// Of the regressor: those of its columns that depend on none before them, told at states of no account.
+std::vector<Eigen::Index> independent_columns(const Description& description) {
+  using Wide = long double;
+  std::mt19937_64 random(11);
+  const Eigen::Index columns = 10 * static_cast<Eigen::Index>(description.bodies.size());
+  const Eigen::Index states = columns / description.nv + 4;
+  MatrixOf<Wide> stacked(states * description.nv, columns);
+  Eigen::Index have = 0;
+  for (int tries = 0; have < states && tries < 100 * states; ++tries) {
+    const State state = random_state(description, random);
+    const Quantities<Wide> there(description, state);
+    const Eigen::MatrixXd Y =
+        there.regressor(there.moving_poses(state.rates, [](const Jet<Wide>& entry) { return entry.second; }));
+    if (Y.allFinite()) stacked.middleRows(description.nv * have++, description.nv) = Y.cast<Wide>();
+  }
+  if (have < states) throw std::runtime_error("too few states have a regressor");
+  // What is zero and what depends on others is so to rounding.
+  const Wide rounding = 1e-14L * stacked.colwise().norm().maxCoeff();
+  std::vector<Eigen::Index> found;
+  std::vector<VectorOf<Wide>> basis;
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    VectorOf<Wide> rest = stacked.col(k);
+    const Wide before = rest.norm();
+    for (int twice = 0; twice < 2; ++twice)
+      for (const VectorOf<Wide>& direction : basis) rest -= direction.dot(rest) * direction;
+    if (!(rest.norm() > std::max(1e-10L * before, rounding))) continue;
+    basis.push_back(rest / rest.norm());
+    found.push_back(k);
+  }
+  return found;
+}
+
 template <class R>
 using Builders = std::map<std::string, std::function<Arrays(const Quantities<R>&)>>;
 
@@ -613,6 +646,16 @@ const Builders<R>& builders() {
          return Arrays{{"Y", x.regressor(x.moving_poses(x.state.rates,
                                                         [](const Jet<R>& entry) { return entry.second; }))}};
        }},
+      {"base_regressor",
+       [](From x) {
+         const Eigen::MatrixXd Y =
+             x.regressor(x.moving_poses(x.state.rates, [](const Jet<R>& entry) { return entry.second; }));
+         const std::vector<Eigen::Index> which = independent_columns(x.description);
+         Eigen::MatrixXd some(Y.rows(), static_cast<Eigen::Index>(which.size()));
+         for (Eigen::Index k = 0; k < some.cols(); ++k)
+           some.col(k) = Y.col(which[static_cast<std::size_t>(k)]);
+         return Arrays{{"Y", some}};
+       }},
       {"static_regressor",
        [](From x) {
          return Arrays{{"Y", x.regressor(std::vector<R>(12 * x.description.bodies.size(), R(0)))}};
@@ -715,7 +758,7 @@ std::set<std::string> functions_in_turn(const std::set<std::string>& functions, 
                                                "mass_matrix_and_bias", "forward_dynamics", "constraints"};
   static const std::set<std::string> long_ones = {
       "inverse_dynamics_second_derivatives", "forward_dynamics_derivatives", "constrained_forward_dynamics",
-      "constrained_forward_dynamics_derivatives"};
+      "constrained_forward_dynamics_derivatives", "base_regressor"};
   std::set<std::string> some;
   for (const std::string& name : functions) {
     if (always.count(name) != 0 || turn % (long_ones.count(name) != 0 ? 9 : 3) == 0) some.insert(name);
