@@ -21,7 +21,7 @@ namespace detail {
 
 /// Measured: of more speeds, M::forward_dynamics_derivatives is longer than a cache of code, and solving with M
 /// is faster.
-inline constexpr int kMostWrittenOut = 7;
+inline constexpr int kMostWrittenOut = 20;
 template <class M>
 inline constexpr bool kLinearizesByWriting = HasForwardDerivatives<M>::value &&
                                              (M::kNv <= kMostWrittenOut || !HasDerivatives<M>::value);
@@ -30,7 +30,7 @@ inline constexpr bool kLinearizesByWriting = HasForwardDerivatives<M>::value &&
 
 /// Linearizes forward dynamics, as if there were no constraints: with qdd = M^-1 (tau - c),
 /// d qdd = M^-1 (d tau - tau_q d q - tau_qd d qd), where tau_q and tau_qd are the derivatives of inverse
-/// dynamics at this qdd. Of up to seven speeds by the generated M::forward_dynamics_derivatives where M has it,
+/// dynamics at this qdd. Of up to 20 speeds by the generated M::forward_dynamics_derivatives where M has it,
 /// otherwise for all right-hand sides at once.
 ///
 /// \param q    coordinates, n_q x 1
