@@ -16,12 +16,12 @@ namespace {
 struct JointType {
   std::string_view name, coordinates;
 };
-constexpr JointType kJointTypes[] = {{"PinJoint", "r"},         {"SliderJoint", "t"},
-                                     {"WeldJoint", ""},         {"UniversalJoint", "rr"},
-                                     {"BallJoint", "rrr"},      {"GimbalJoint", "rrr"},
-                                     {"FreeJoint", "rrrttt"},   {"PlanarJoint", "rtt"},
-                                     {"EllipsoidJoint", "rrr"}, {"ScapulothoracicJoint", "rrrr"},
-                                     {"CustomJoint", "*"}};
+constexpr JointType kOsimJointTypes[] = {{"PinJoint", "r"},         {"SliderJoint", "t"},
+                                         {"WeldJoint", ""},         {"UniversalJoint", "rr"},
+                                         {"BallJoint", "rrr"},      {"GimbalJoint", "rrr"},
+                                         {"FreeJoint", "rrrttt"},   {"PlanarJoint", "rtt"},
+                                         {"EllipsoidJoint", "rrr"}, {"ScapulothoracicJoint", "rrrr"},
+                                         {"CustomJoint", "*"}};
 
 constexpr const char* kSpatialAxes[] = {"rotation1",    "rotation2",    "rotation3",
                                         "translation1", "translation2", "translation3"};
@@ -81,10 +81,10 @@ std::string negated(const std::string& angle) {
 
 void read_osim_coordinates(const OsimXml& xml, OsimJoint& joint, std::size_t index,
                            std::vector<OsimCoordinate>& all) {
-  const auto type = std::ranges::find(kJointTypes, std::string_view(joint.type), &JointType::name);
-  if (type == std::end(kJointTypes)) {
+  const auto type = std::ranges::find(kOsimJointTypes, std::string_view(joint.type), &JointType::name);
+  if (type == std::end(kOsimJointTypes)) {
     std::vector<std::string> names;
-    for (const JointType& known : kJointTypes) names.emplace_back(known.name);
+    for (const JointType& known : kOsimJointTypes) names.emplace_back(known.name);
     throw InputError(joint.where, fmt::format("a joint of unknown type <{}>{}", printable(joint.type),
                                               did_you_mean(joint.type, names)));
   }
