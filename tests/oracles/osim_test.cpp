@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTolerance = 1e-9;
-constexpr double kDifferences = 1e-7;  ///< of derivatives by differences
-constexpr int kStates = 6;
+constexpr double kArmTolerance = 1e-7;  ///< of derivatives by differences
+constexpr int kModelStates = 6;
 
 /// The model with inertias that bodies can have, in a file of its own: Simbody refuses others.
 class Possible {
@@ -69,7 +69,7 @@ std::string name_of(const testing::TestParamInfo<fs::path>& test) {
 std::vector<State> random_states(const Description& description) {
   std::mt19937_64 random(27);
   std::vector<State> out;
-  for (int i = 0; i < kStates; ++i) out.push_back(random_state(description, random));
+  for (int i = 0; i < kModelStates; ++i) out.push_back(random_state(description, random));
   return out;
 }
 
@@ -166,7 +166,7 @@ TEST_P(OsimModels, HaveTheLengthsAndMomentArmsOfTheirPaths) {
           << names[k];
       const Eigen::VectorXd arms = -numeric_gradient(
           skeleton, motion, [&](const OsimSkeleton& of) { return path_length(of, paths[k]); });
-      EXPECT_LE((contributions.row(row).transpose() - arms).cwiseAbs().maxCoeff(), kDifferences)
+      EXPECT_LE((contributions.row(row).transpose() - arms).cwiseAbs().maxCoeff(), kArmTolerance)
           << names[k] << ": " << contributions.row(row) << "\n for " << arms.transpose();
     }
   }

@@ -8,7 +8,6 @@ namespace alembert::oracles {
 namespace {
 
 using SimTK::MobilizedBody;
-using SimTK::Rotation;
 using SimTK::Transform;
 using SimTK::Vec3;
 
@@ -19,7 +18,8 @@ Vec3 vec3(pugi::xml_node element, const Vec3& otherwise = Vec3(0)) {
 
 Transform offset(pugi::xml_node shift, pugi::xml_node turn) {
   const Vec3 a = vec3(turn);
-  return {Rotation(SimTK::BodyRotationSequence, a[0], SimTK::XAxis, a[1], SimTK::YAxis, a[2], SimTK::ZAxis),
+  return {SimTK::Rotation(SimTK::BodyRotationSequence, a[0], SimTK::XAxis, a[1], SimTK::YAxis, a[2],
+                          SimTK::ZAxis),
           vec3(shift)};
 }
 
@@ -184,7 +184,7 @@ MobilizedBody OsimSkeleton::add_mobilizers(pugi::xml_node joint, MobilizedBody i
     return all(ellipsoid);
   }
   if (type == "ScapulothoracicJoint") {
-    const Rotation quarter(SimTK::Pi / 2, SimTK::ZAxis);
+    const SimTK::Rotation quarter(SimTK::Pi / 2, SimTK::ZAxis);
     const Vec3 r = vec3(joint.child("thoracic_ellipsoid_radii_x_y_z"));
     MobilizedBody::Ellipsoid on(inboard, in * Transform(quarter), SimTK::Body::Massless(),
                                 Transform(quarter));
@@ -192,7 +192,7 @@ MobilizedBody OsimSkeleton::add_mobilizers(pugi::xml_node joint, MobilizedBody i
     slots(on, 0, 3);
     const std::vector<double> o = numbers_in(joint.child("scapula_winging_axis_origin"));
     const double w = joint.child("scapula_winging_axis_direction").text().as_double();
-    const Transform wing(Rotation(SimTK::UnitVec3(-std::sin(w), std::cos(w), 0), SimTK::ZAxis),
+    const Transform wing(SimTK::Rotation(SimTK::UnitVec3(-std::sin(w), std::cos(w), 0), SimTK::ZAxis),
                          Vec3(o[0], o[1], 0));
     MobilizedBody::Pin pin(on, wing, SimTK::Body::Massless(), wing);
     slots(pin, 3, 1);
@@ -216,7 +216,7 @@ MobilizedBody OsimSkeleton::add_mobilizers(pugi::xml_node joint, MobilizedBody i
     followers_.push_back({own + "/" + which, of, law, of.empty()});
     const bool turns = which[0] == 'r', last = std::string(which) == "rotation3";
     const SimTK::CoordinateAxis which_axis(turns ? 2 : 0);
-    const Transform along(Rotation(SimTK::UnitVec3(vec3(axis.child("axis"))), which_axis));
+    const Transform along(SimTK::Rotation(SimTK::UnitVec3(vec3(axis.child("axis"))), which_axis));
     const SimTK::Body carried = last ? body : SimTK::Body(SimTK::Body::Massless());
     const Transform outboard = last ? out * along : along;
     if (turns)
