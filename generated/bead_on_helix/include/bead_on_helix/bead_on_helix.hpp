@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::bead_on_helix::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::bead_on_helix::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::bead_on_helix::kParameterCount - ::alembert::mechanisms::bead_on_helix::kInputCount - ::alembert::mechanisms::bead_on_helix::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::bead_on_helix::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::bead_on_helix::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::body_on_torus::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::body_on_torus::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::body_on_torus::kParameterCount - ::alembert::mechanisms::body_on_torus::kInputCount - ::alembert::mechanisms::body_on_torus::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::body_on_torus::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::body_on_torus::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;

@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::cart_pole::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::cart_pole::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::cart_pole::kParameterCount - ::alembert::mechanisms::cart_pole::kInputCount - ::alembert::mechanisms::cart_pole::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::cart_pole::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::cart_pole::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;

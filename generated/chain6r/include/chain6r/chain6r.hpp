@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::chain6r::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::chain6r::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::chain6r::kParameterCount - ::alembert::mechanisms::chain6r::kInputCount - ::alembert::mechanisms::chain6r::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::chain6r::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::chain6r::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r::kQuaternionOffsets;

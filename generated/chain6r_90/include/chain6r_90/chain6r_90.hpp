@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::chain6r_90::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::chain6r_90::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::chain6r_90::kParameterCount - ::alembert::mechanisms::chain6r_90::kInputCount - ::alembert::mechanisms::chain6r_90::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::chain6r_90::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::chain6r_90::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r_90::kQuaternionOffsets;

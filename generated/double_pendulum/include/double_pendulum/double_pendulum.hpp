@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::double_pendulum::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::double_pendulum::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::double_pendulum::kParameterCount - ::alembert::mechanisms::double_pendulum::kInputCount - ::alembert::mechanisms::double_pendulum::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::double_pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::double_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::double_pendulum::kQuaternionOffsets;

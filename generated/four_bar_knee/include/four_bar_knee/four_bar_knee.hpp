@@ -38,6 +38,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::four_bar_knee::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::four_bar_knee::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::four_bar_knee::kParameterCount - ::alembert::mechanisms::four_bar_knee::kInputCount - ::alembert::mechanisms::four_bar_knee::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::four_bar_knee::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::four_bar_knee::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;

@@ -38,6 +38,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::free_body::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::free_body::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::free_body::kParameterCount - ::alembert::mechanisms::free_body::kInputCount - ::alembert::mechanisms::free_body::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::free_body::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::free_body::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;

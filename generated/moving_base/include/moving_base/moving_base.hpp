@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::moving_base::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::moving_base::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::moving_base::kParameterCount - ::alembert::mechanisms::moving_base::kInputCount - ::alembert::mechanisms::moving_base::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::moving_base::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::moving_base::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::moving_base::kQuaternionOffsets;

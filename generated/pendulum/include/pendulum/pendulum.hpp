@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::pendulum::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::pendulum::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::pendulum::kParameterCount - ::alembert::mechanisms::pendulum::kInputCount - ::alembert::mechanisms::pendulum::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::pendulum::kQuaternionOffsets;

@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::puma560::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::puma560::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::puma560::kParameterCount - ::alembert::mechanisms::puma560::kInputCount - ::alembert::mechanisms::puma560::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::puma560::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::puma560::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::puma560::kQuaternionOffsets;

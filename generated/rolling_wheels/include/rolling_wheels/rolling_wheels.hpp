@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::rolling_wheels::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::rolling_wheels::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::rolling_wheels::kParameterCount - ::alembert::mechanisms::rolling_wheels::kInputCount - ::alembert::mechanisms::rolling_wheels::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::rolling_wheels::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::rolling_wheels::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;

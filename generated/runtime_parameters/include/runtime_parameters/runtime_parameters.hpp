@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::runtime_parameters::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::runtime_parameters::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::runtime_parameters::kParameterCount - ::alembert::mechanisms::runtime_parameters::kInputCount - ::alembert::mechanisms::runtime_parameters::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::runtime_parameters::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::runtime_parameters::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;

@@ -37,6 +37,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::spherical_pendulum::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::spherical_pendulum::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::spherical_pendulum::kParameterCount - ::alembert::mechanisms::spherical_pendulum::kInputCount - ::alembert::mechanisms::spherical_pendulum::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::spherical_pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::spherical_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::spherical_pendulum::kQuaternionOffsets;

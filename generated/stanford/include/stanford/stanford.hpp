@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::stanford::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::stanford::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::stanford::kParameterCount - ::alembert::mechanisms::stanford::kInputCount - ::alembert::mechanisms::stanford::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::stanford::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::stanford::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::stanford::kQuaternionOffsets;

@@ -36,6 +36,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::tori_mated::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::tori_mated::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::tori_mated::kParameterCount - ::alembert::mechanisms::tori_mated::kInputCount - ::alembert::mechanisms::tori_mated::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::tori_mated::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tori_mated::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;

@@ -38,6 +38,7 @@ struct Mechanism {
   static constexpr int kNoutputs = ::alembert::mechanisms::tree_every_joint::kOutputCount;
   static constexpr int kNforces = ::alembert::mechanisms::tree_every_joint::kForceCount;
   static constexpr int kNparameters = ::alembert::mechanisms::tree_every_joint::kParameterCount - ::alembert::mechanisms::tree_every_joint::kInputCount - ::alembert::mechanisms::tree_every_joint::kStateCount;
+  static constexpr int kNbase = 0;  ///< columns of base_regressor, where that is written
   static constexpr int kNinputs = ::alembert::mechanisms::tree_every_joint::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tree_every_joint::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
