@@ -11,8 +11,8 @@
 
 #include "emit/argument_lists.hpp"
 #include "emit/c99.hpp"
-#include "emit/cuda.hpp"
 #include "emit/common_slots.hpp"
+#include "emit/cuda.hpp"
 #include "emit/eigen_members.hpp"
 #include "emit/function_docs.hpp"
 #include "emit/javascript.hpp"

@@ -56,8 +56,8 @@ struct Extent {
 };
 inline constexpr Extent kPerCoordinate = Extent::Of::coordinates, kPerSpeed = Extent::Of::speeds,
                         kPerConstraintRow = Extent::Of::constraint_rows, kPerOutput = Extent::Of::outputs,
-                        kPerParameter = Extent::Of::parameters, kPerInput = Extent::Of::inputs, kPerState = Extent::Of::states,
-                        kPerForce = Extent::Of::forces;
+                        kPerParameter = Extent::Of::parameters, kPerInput = Extent::Of::inputs,
+                        kPerState = Extent::Of::states, kPerForce = Extent::Of::forces;
 inline constexpr Extent kPerBaseParameter = Extent::Of::base_parameters;
 /// Of a body: m, m c x y z, and its inertia about the origin of its frame xx yy zz xy xz yz, in its axes.
 inline constexpr Extent kPerStandardParameter{Extent::Of::bodies, 10};

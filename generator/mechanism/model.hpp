@@ -259,7 +259,7 @@ struct Mechanism {
   Expr time;                                ///< the symbol t
   int nq = 0, nv = 0;
   std::vector<int> base_columns;  ///< those of the regressor that base_regressor has, once it is asked for
-  Warnings warnings;  ///< what is doubtful in the description
+  Warnings warnings;              ///< what is doubtful in the description
   SourceLocation where;
 };
 

@@ -78,9 +78,9 @@ TEST(AppliedForces, WhatIsNotChosenSpoilsNoDerivative) {
 )yaml"));
   for (const double value : forced("inverse_dynamics_derivatives", {{"x", -0.3}, {"d(x)", 0.2}}))
     EXPECT_EQ(value, 0);
-for (const double value :
-     forced("inverse_dynamics_second_derivatives", {{"x", -0.3}, {"d(x)", 0.2}, {"mu(x)", 1}}))
-  EXPECT_EQ(value, 0);
+  for (const double value :
+       forced("inverse_dynamics_second_derivatives", {{"x", -0.3}, {"d(x)", 0.2}, {"mu(x)", 1}}))
+    EXPECT_EQ(value, 0);
 }
 
 TEST(AppliedForces, AlongPathsPullTheirEndsTogether) {

@@ -16,7 +16,8 @@ namespace {
 
 const char* const kTable = ALEMBERT_SOURCE_DIR "/tests/golden/operation_counts.txt";
 const char* const kHeader =
-    "mechanism                function                                   mul    add   div  trig other  formulation";
+    "mechanism                function                                   mul    add   div  trig other  "
+    "formulation";
 
 /// Rows of the table by mechanism.
 std::map<std::string, std::string> read_table() {
