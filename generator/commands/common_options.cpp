@@ -10,11 +10,11 @@
 #include <memory>
 #include <utility>
 
+#include "commands/run_import.hpp"
 #include "commands/warnings.hpp"
 #include "emit/argument_lists.hpp"
 #include "emit/statements/batch.hpp"
 #include "functions/function_table.hpp"
-#include "mechanism/source.hpp"
 
 namespace alembert {
 
@@ -37,7 +37,7 @@ constexpr std::size_t kBatchFactor = 12;
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
                           Inapplicable inapplicable) {
-  return compile(common, read_source(common.file), std::move(functions), inapplicable);
+  return compile(common, description_of(common.file, common.strict), std::move(functions), inapplicable);
 }
 
 CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,

@@ -20,8 +20,6 @@
 #include "commands/run_import.hpp"
 #include "commands/work_folder.hpp"
 #include "emit/bench_program.hpp"
-#include "import/importers.hpp"
-#include "mechanism/source.hpp"
 #include "program/time_shares.hpp"
 
 namespace alembert {
@@ -38,14 +36,6 @@ const std::map<std::string, std::vector<std::string>, std::less<>> kFlagsOfInstr
     {"avx2", {"-ffp-contract=off", "-mavx2", "-mfma"}},
     {"avx512", {"-ffp-contract=off", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mavx2", "-mfma"}},
     {"baseline", {"-ffp-contract=off"}}};
-
-/// A description, or the description of a robot in another format.
-std::shared_ptr<const SourceText> description_of(const CommonOptions& common) {
-  std::shared_ptr<const SourceText> source = read_source(common.file);
-  if (importer_unless_description(*source) == nullptr) return source;
-  return std::make_shared<const SourceText>(
-      SourceText{source->name + ", imported", imported_text(source, {}, common.strict)});
-}
 
 Compiler compiler_of(const BenchOptions& options) {
   const std::string advice = "the compiler is that of --compiler, or of the environment variable CXX, or c++";
@@ -215,7 +205,7 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
   const Compiler compiler = compiler_of(options);
   const FunctionChoice choice = function_choice(options.functions);
   const CompiledMechanism compiled =
-      compile(common, description_of(common), choice.kinds, choice.inapplicable);
+      compile(common, description_of(common.file, common.strict), choice.kinds, choice.inapplicable);
   EmitOptions emit;
   emit.scalars = {"double"};
   set_batch(emit, common, options.batch);

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "commands/common_options.hpp"
+#include "commands/run_import.hpp"
 #include "commands/warnings.hpp"
 #include "dynamics/checks/constraint_checks.hpp"
 #include "dynamics/checks/plain_equations.hpp"
@@ -17,7 +18,6 @@
 #include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/load.hpp"
-#include "mechanism/source.hpp"
 #include "symbolic/error_bound.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/to_string.hpp"
@@ -181,7 +181,7 @@ void report_errors(const std::shared_ptr<const SourceText>& source, const Passes
 }  // namespace
 
 int run_check(const CommonOptions& common, const CheckOptions& options) {
-  const std::shared_ptr<const SourceText> source = read_source(common.file);
+  const std::shared_ptr<const SourceText> source = description_of(common.file, common.strict);
   try {
     const int result = check_laws(source, common.passes, common.strict);
     if (options.states > 0) report_errors(source, common.passes, options.states);

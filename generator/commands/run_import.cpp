@@ -32,7 +32,7 @@ DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const D
 }  // namespace
 
 std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
-                          bool strict) {
+                          bool strict, std::string* summary) {
   Warnings warnings;
   const DescribedRobot described = describe(source, options, warnings);
   // What the language refuses is shown where it stands in the file.
@@ -41,11 +41,21 @@ std::string imported_text(const std::shared_ptr<const SourceText>& source, const
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
   report_warnings(warnings, strict);
+  if (summary != nullptr) *summary = described.summary;
   return yaml_text(described.document.root());
 }
 
+std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict) {
+  std::shared_ptr<const SourceText> source = read_source(file);
+  if (importer_unless_description(*source) == nullptr) return source;
+  return std::make_shared<const SourceText>(
+      SourceText{source->name + ", imported", imported_text(source, {}, strict)});
+}
+
 int run_import(const CommonOptions& common, const ImportOptions& options) {
-  const std::string text = imported_text(read_source(common.file), options.describe, common.strict);
+  std::string summary;
+  const std::string text = imported_text(read_source(common.file), options.describe, common.strict, &summary);
+  if (!summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, summary));
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

@@ -16,7 +16,10 @@ struct ImportOptions {
 
 /// The description, as text, of a robot in another format; checked as any other. Tells warnings.
 std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
-                          bool strict);
+                          bool strict, std::string* summary = nullptr);
+
+/// The text of a description, or that which is imported from a robot's file in another format.
+std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict);
 
 int run_import(const CommonOptions& common, const ImportOptions& options);
 

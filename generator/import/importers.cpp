@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "import/mjcf/describe_model.hpp"
+#include "import/mjcf/mjcf_model.hpp"
 #include "import/opensim/describe_osim.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
@@ -10,13 +12,30 @@
 namespace alembert {
 namespace {
 
+/// The name of the first element of an XML text; nothing if there is none.
+std::string_view root_of(std::string_view text) {
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    const std::string_view rest = text.substr(at + 1);
+    if (rest.starts_with("!--")) {
+      at = text.find("-->", at);
+      if (at == std::string_view::npos) break;
+    } else if (!rest.starts_with('?') && !rest.starts_with('!')) {
+      return rest.substr(0, rest.find_first_of(" \t\r\n/>"));
+    }
+  }
+  return {};
+}
+
 constexpr Importer kImporters[] = {
-    {"URDF", ".urdf", [](std::string_view text) { return text.find("<robot") != std::string_view::npos; },
+    {"URDF", ".urdf", [](std::string_view text) { return root_of(text) == "robot"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
      }},
-    {"OpenSim", ".osim",
-     [](std::string_view text) { return text.find("<OpenSimDocument") != std::string_view::npos; },
+    {"MJCF", ".mjcf", [](std::string_view text) { return root_of(text) == "mujoco"; },
+     [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
+       return describe_model(read_mjcf(source, warnings), source, options);
+     }},
+    {"OpenSim", ".osim", [](std::string_view text) { return root_of(text) == "OpenSimDocument"; },
      describe_osim},
 };
 

@@ -7,6 +7,7 @@ namespace alembert::test {
 namespace {
 
 const std::string kRobot = ALEMBERT_SOURCE_DIR "/tests/urdf/robots/every_joint.urdf";
+const std::string kModel = ALEMBERT_SOURCE_DIR "/tests/mjcf/models/tendons.xml";
 
 TEST(Import, WritesADescriptionThatOtherCommandsRead) {
   const TemporaryFolder folder;
@@ -19,6 +20,27 @@ TEST(Import, WritesADescriptionThatOtherCommandsRead) {
   const CommandResult checked = alembert(folder, "check " + file);
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
   EXPECT_THAT(checked.out, testing::HasSubstr("every_joint: 13 coordinates, 12 speeds, 9 bodies"));
+}
+
+TEST(Import, IsWhatOtherCommandsDoBeforeTheyBegin) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "robot.yaml";
+  for (const std::string& robot : {kRobot, kModel}) {
+    ASSERT_EQ(alembert(folder, "import " + robot + " --out " + file).exit_code, 0);
+    for (const std::string command : {"report --functions mass_matrix ", "check "}) {
+      const CommandResult direct = alembert(folder, command + robot);
+      EXPECT_EQ(direct.exit_code, 0) << direct.err;
+      EXPECT_EQ(direct.out, alembert(folder, command + file).out);
+    }
+  }
+}
+
+TEST(Import, SaysWhatItTookOfAModel) {
+  const TemporaryFolder folder;
+  const CommandResult result = alembert(folder, "import " + kModel);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, testing::HasSubstr(
+                              "note: taken: 2 bodies, 3 joints, 4 frames, 2 inputs, 9 forces, 2 outputs;"));
 }
 
 TEST(Import, TakesAFloatingRoot) {

@@ -10,58 +10,24 @@
 #include <string>
 #include <vector>
 
-#include "golden/golden_file.hpp"
 #include "import/common/fit_names.hpp"
 #include "import/common/snapped_angle.hpp"
-#include "import/common/yaml.hpp"
-#include "import/importers.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
-#include "mechanism/load.hpp"
 #include "mechanism/source.hpp"
+#include "urdf/imported.hpp"
 
 namespace alembert {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Imported {
-  std::string text;
-  std::vector<std::string> warnings;
-};
-
-Imported import(std::shared_ptr<const SourceText> source, const DescribeOptions& options = {}) {
-  Warnings warnings;
-  const DescribedRobot described = describe_robot(read_urdf(source, warnings), source, options);
-  ExprGraph graph;
-  const Mechanism mechanism = load_mechanism(described.document, graph);
-  warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
-  warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
-  Imported out{yaml_text(described.document.root()), {}};
-  for (const Warning& w : one_of_each_kind(warnings))
-    out.warnings.push_back(warning_text(w.where, w.message, w.note));
-  return out;
-}
+using test::import, test::Imported, test::same, test::warnings_of;
 
 std::shared_ptr<const SourceText> source_of(std::string text) {
   return std::make_shared<const SourceText>(SourceText{"robot.urdf", std::move(text)});
 }
 
-/// Whether both trees have the same kinds and texts.
-bool same(const YamlNode& a, const YamlNode& b) {
-  if (a.kind != b.kind || a.text != b.text || a.items.size() != b.items.size()) return false;
-  for (std::size_t i = 0; i < a.items.size(); ++i)
-    if (!same(*a.items[i], *b.items[i])) return false;
-  return true;
-}
-
 class UrdfFile : public testing::TestWithParam<fs::path> {};
-
-std::string warnings_of(const Imported& imported, const fs::path& file) {
-  std::string text;
-  for (const std::string& warning : imported.warnings) text += test::without_folder(warning, file) + "\n";
-  return text;
-}
 
 TEST_P(UrdfFile, BecomesTheDescriptionBesideIt) {
   const Imported imported = import(read_source(GetParam()));
@@ -298,6 +264,8 @@ TEST(Importers, AreChosenByExtensionAndByText) {
     EXPECT_THAT(importable_formats(), testing::HasSubstr(std::string(importer.format)));
   }
   EXPECT_EQ(importer_of({"<stdin>", "<?xml version='1.0'?><robot name='r'/>"}).format, "URDF");
+  EXPECT_EQ(importer_of({"robot.xml", "<!-- <robot> --><mujoco model='m'/>"}).format, "MJCF");
+  EXPECT_EQ(importer_of({"robot.xml", "<robot name='r'><mujoco/></robot>"}).format, "URDF");
   EXPECT_EQ(importer_of({"notes.txt", "neither"}).format, "URDF");
 }
 

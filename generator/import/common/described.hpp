@@ -14,6 +14,9 @@ enum class Massless {
   drop       ///< they are left out, and what they move with them
 };
 
+/// Where friction is tanh 1 of its largest, rad/s or m/s: robots' formats have no such width.
+inline constexpr double kFrictionVelocity = 0.01;
+
 struct DescribeOptions {
   bool floating = false;       ///< the root moves freely, by a position and a quaternion
   double snap_angles = 1e-10;  ///< angles of origins so near to a multiple of pi/12 are that multiple, rad
@@ -24,7 +27,8 @@ struct DescribeOptions {
 
 struct DescribedRobot {
   Document document;
-  Warnings warnings;  ///< what is doubtful or left out
+  Warnings warnings;         ///< what is doubtful or left out
+  std::string summary = {};  ///< what was taken, in a line; empty where the description says it
 };
 
 }  // namespace alembert

@@ -10,8 +10,10 @@ YamlNode& DescriptionNodes::make(YamlNode::Kind kind, const SourceLocation& wher
   YamlNode& node = nodes_.emplace_back();
   node.kind = kind;
   node.plain = true;
-  node.line = where.line;
-  node.column = where.column;
+  const auto place = places_.find(where.source.get());
+  const SourceLocation& at = place == places_.end() ? where : place->second;
+  node.line = at.line;
+  node.column = at.column;
   return node;
 }
 

@@ -1,10 +1,12 @@
-// The nodes of a description while it is being made, each with a place in the URDF.
+// The nodes of a description while it is being made, each with a place in the file that it is made from.
 #pragma once
 
 #include <array>
 #include <deque>
 #include <initializer_list>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "mechanism/document.hpp"
 
@@ -12,6 +14,10 @@ namespace alembert {
 
 class DescriptionNodes {
  public:
+  /// `places`: where in the file the texts stand that it includes.
+  explicit DescriptionNodes(std::map<const SourceText*, SourceLocation> places = {})
+      : places_(std::move(places)) {}
+
   YamlNode& mapping(const SourceLocation& where) { return make(YamlNode::Kind::mapping, where); }
   YamlNode& sequence(const SourceLocation& where) { return make(YamlNode::Kind::sequence, where); }
   const YamlNode& text(std::string value, const SourceLocation& where);
@@ -27,6 +33,7 @@ class DescriptionNodes {
  private:
   YamlNode& make(YamlNode::Kind kind, const SourceLocation& where);
 
+  std::map<const SourceText*, SourceLocation> places_;
   std::deque<YamlNode> nodes_;
 };
 

@@ -16,12 +16,6 @@
 namespace alembert {
 namespace {
 
-/// Elements and attributes that the equations are made of.
-constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
-                                       "parent", "child", "axis",       "mimic",  "value", "ixx",
-                                       "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
-                                       "rpy",    "type",  "multiplier", "offset"};
-
 bool is_among(std::string_view name, std::initializer_list<std::string_view> known) {
   return std::ranges::find(known, name) != known.end();
 }
@@ -29,10 +23,6 @@ bool is_among(std::string_view name, std::initializer_list<std::string_view> kno
 std::string nearest(std::string_view name, std::initializer_list<std::string_view> known) {
   const std::vector<std::string> names(known.begin(), known.end());
   return nearest_name(name, names);
-}
-
-bool is_vital(std::string_view name) {
-  return std::ranges::find(kVital, name) != std::end(kVital);
 }
 
 /// A message without what it quotes: alike for warnings that say the same of different names.
@@ -48,8 +38,9 @@ std::string without_quotes(std::string_view message) {
 
 }  // namespace
 
-XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings)
-    : source_(std::move(source)),
+XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, const XmlFormat& format)
+    : format_(format),
+      source_(std::move(source)),
       line_starts_(line_starts(source_->text)),
       buffer_(source_->text),
       warnings_(&warnings) {
@@ -60,10 +51,11 @@ XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings)
     throw InputError(place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))),
                      fmt::format("not well-formed XML: {}", result.description()));
   const pugi::xml_node first = root();
-  if (!first) throw InputError({source_, 1, 1}, "no XML element; expected a <robot>");
+  if (!first) throw InputError({source_, 1, 1}, fmt::format("no XML element; expected a <{}>", format_.root));
   for (pugi::xml_node other = first.next_sibling(); other; other = other.next_sibling())
     if (other.type() == pugi::node_element)
-      throw InputError(where(other), "a second root element; a file holds one robot");
+      throw InputError(where(other),
+                       fmt::format("a second root element; a file holds one <{}>", format_.root));
   check_duplicate_attributes();
 }
 
@@ -112,6 +104,11 @@ SourceLocation XmlText::place_of(const char* in_buffer, std::size_t before) cons
   return place(static_cast<std::size_t>(in_buffer - begin) - before);
 }
 
+bool XmlText::holds(const char* name) const {
+  const std::less<> less;
+  return !less(name, buffer_.data()) && less(name, buffer_.data() + buffer_.size());
+}
+
 SourceLocation XmlText::where(pugi::xml_node element) const {
   return place_of(element.name(), 1);
 }
@@ -140,7 +137,8 @@ void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
     if (!near.empty())
       message += is_element ? fmt::format(" (did you mean <{}>?)", near)
                             : fmt::format(" (did you mean '{}'?)", near);
-    if (is_vital(near)) throw InputError(std::move(place), message);
+    if (std::ranges::find(format_.vital, near) != format_.vital.end())
+      throw InputError(std::move(place), message);
     warn({std::move(place),
           message + "; it is passed over",
           {},
@@ -182,23 +180,25 @@ pugi::xml_attribute XmlText::require_attribute(pugi::xml_node element, const cha
   return found;
 }
 
-void XmlText::read_numbers(pugi::xml_attribute attribute, std::string_view what, double* out,
-                           std::size_t count) const {
+std::vector<double> XmlText::number_list(pugi::xml_attribute attribute, std::string_view what,
+                                         std::size_t least, std::size_t most) const {
   const std::string_view text = attribute.value();
   const auto fail = [&] {
     if (text.find("${") != std::string_view::npos)
       return InputError(where(attribute), fmt::format("'{}' is of xacro, not of URDF", printable(text)),
                         kExpandXacro);
-    return InputError(
-        where(attribute),
-        fmt::format("expected {} as {}, found '{}'",
-                    count == 1 ? "a number" : fmt::format("{} numbers", count), what, printable(text)));
+    return InputError(where(attribute),
+                      fmt::format("expected {} as {}, found '{}'",
+                                  most == 1       ? "a number"
+                                  : least == most ? fmt::format("{} numbers", most)
+                                                  : fmt::format("{} to {} numbers", least, most),
+                                  what, printable(text)));
   };
   const auto skip_space = [&](std::size_t at) {
     while (at < text.size() && is_space(text[at])) ++at;
     return at;
   };
-  std::size_t found = 0;
+  std::vector<double> out;
   bool split = false;  // a sign and its number
   for (std::size_t i = skip_space(0); i < text.size(); i = skip_space(i)) {
     const bool minus = text[i] == '-';
@@ -209,15 +209,16 @@ void XmlText::read_numbers(pugi::xml_attribute attribute, std::string_view what,
     }
     std::size_t end = begin;
     while (end < text.size() && !is_space(text[end])) ++end;
-    if (found == count || begin == end || text[begin] == '-' || text[begin] == '+') throw fail();
+    if (out.size() == most || begin == end || text[begin] == '-' || text[begin] == '+') throw fail();
     double value = 0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, value);
     if (error != std::errc() || stop != text.data() + end || !std::isfinite(value)) throw fail();
-    out[found++] = minus ? -value : value;
+    out.push_back(minus ? -value : value);
     i = end;
   }
-  if (found != count) throw fail();
+  if (out.size() < least) throw fail();
   if (split) warn({where(attribute), fmt::format("a blank after a sign in {}", what), {}, "split sign"});
+  return out;
 }
 
 }  // namespace alembert

@@ -2,11 +2,13 @@
 // change the equations, and a warning elsewhere.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,17 +22,24 @@ namespace alembert {
 inline constexpr std::string_view kXacroPrefix = "xacro:";
 inline constexpr const char* kExpandXacro = "expand it first: xacro FILE > robot.urdf";
 
+/// What a format calls its root, and the elements and attributes that its equations are made of.
+struct XmlFormat {
+  std::string_view root;
+  std::span<const std::string_view> vital;
+};
+
 /// A parsed XML text.
 class XmlText {
  public:
   /// Throws InputError at what is not one well-formed element. Bytes that are no text count as question
   /// marks.
-  XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings);
+  XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, const XmlFormat& format);
 
   pugi::xml_node root() const { return document_.document_element(); }
   static constexpr std::size_t kMaximumWarnings = 20000;
   SourceLocation where(pugi::xml_node element) const;         ///< of its `<`
   SourceLocation where(pugi::xml_attribute attribute) const;  ///< of its value
+  bool holds(const char* name) const;  ///< whether the name of an element or attribute stands in this text
   const std::shared_ptr<const SourceText>& source() const { return source_; }
 
   /// Further ones than a great many are not kept.
@@ -66,9 +75,12 @@ class XmlText {
   template <std::size_t kCount>
   std::array<double, kCount> numbers(pugi::xml_attribute attribute, std::string_view what) const {
     std::array<double, kCount> out;
-    read_numbers(attribute, what, out.data(), kCount);
+    std::ranges::copy(number_list(attribute, what, kCount, kCount), out.begin());
     return out;
   }
+  /// From `least` to `most` of them.
+  std::vector<double> number_list(pugi::xml_attribute attribute, std::string_view what, std::size_t least,
+                                  std::size_t most) const;
   double number(pugi::xml_attribute attribute, std::string_view what) const {
     return numbers<1>(attribute, what)[0];
   }
@@ -78,11 +90,10 @@ class XmlText {
   void check_duplicate_attributes() const;
   void warn_instead(const InputError& error, const std::string& consequence) const;
   bool passed_over(std::string_view name, SourceLocation where) const;
-  void read_numbers(pugi::xml_attribute attribute, std::string_view what, double* out,
-                    std::size_t count) const;
   SourceLocation place(std::size_t offset) const;
   SourceLocation place_of(const char* in_buffer, std::size_t before) const;
 
+  XmlFormat format_;
   std::shared_ptr<const SourceText> source_;
   std::vector<std::size_t> line_starts_;
   std::string buffer_;  // parsed in place, so that names and values stay where they are in the text

@@ -13,6 +13,13 @@
 namespace alembert {
 namespace {
 
+constexpr std::string_view kVitalOsim[] = {"mass",        "mass_center", "inertia",      "inertia_xx",
+                                           "inertia_yy",  "inertia_zz",  "inertia_xy",   "inertia_xz",
+                                           "inertia_yz",  "location",    "orientation",  "translation",
+                                           "coordinates", "axis",        "coefficients", "default_value",
+                                           "parent_body", "Body",        "Coordinate",   "SpatialTransform"};
+constexpr XmlFormat kOsim{"OpenSimDocument", kVitalOsim};
+
 void add_body(OsimDescription& out, std::size_t index) {
   const OsimBody& body = out.model.bodies[index];
   const OsimJoint& joint = out.model.joints[out.model.joint_of[index]];
@@ -69,7 +76,7 @@ void add_marker(OsimDescription& out, pugi::xml_node marker) {
 
 DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
                              Warnings& warnings) {
-  const XmlText text(source, warnings);
+  const XmlText text(source, warnings, kOsim);
   const OsimXml xml(text);
   const OsimModel model = read_osim_model(xml, text.root());
   OsimDescription out(model, xml, options);

@@ -17,9 +17,6 @@
 namespace alembert {
 namespace {
 
-/// Where friction is tanh 1 of its largest, rad/s or m/s: URDF has no such width.
-constexpr double kFrictionVelocity = 0.01;
-
 class Describer {
  public:
   Describer(const UrdfRobot& robot, const DescribeOptions& options)

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "import/common/description_nodes.hpp"
+#include "import/common/transform_factors.hpp"
 #include "import/urdf/robot.hpp"
 
 namespace alembert {
@@ -12,26 +12,23 @@ namespace alembert {
 class JointFactors {
  public:
   /// Angles of origins within `snap_angles` radians of a multiple of pi/12 are that multiple.
-  JointFactors(DescriptionNodes& nodes, double snap_angles) : nodes_(nodes), snap_angles_(snap_angles) {}
+  JointFactors(DescriptionNodes& nodes, double snap_angles)
+      : nodes_(nodes), factors_(nodes, snap_angles), snap_angles_(snap_angles) {}
 
   /// Appends an origin: a shift and up to three turns.
   void add_origin(YamlNode& factors, const UrdfPose& pose) const;
   /// Appends a joint with these coordinates; that of a mimicking joint is a definition.
   void add_joint(YamlNode& factors, const UrdfJoint& joint, const std::vector<std::string>& names) const;
   /// Appends three shifts and a quaternion.
-  void add_free(YamlNode& factors, const std::vector<std::string>& names, const SourceLocation& where) const;
+  void add_free(YamlNode& factors, const std::vector<std::string>& names, const SourceLocation& where) const {
+    factors_.add_free(factors, names, where);
+  }
 
  private:
-  void add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,
-                    const SourceLocation& where) const;
-  void add_mimic(YamlNode& factors, const UrdfJoint& joint, const std::string& position) const;
   void add_planar(YamlNode& factors, const UrdfJoint& joint, const std::vector<std::string>& names) const;
-  const YamlNode& letter(std::size_t axis, const SourceLocation& where) const {
-    return nodes_.text(std::string(1, "xyz"[axis]), where);
-  }
-  const YamlNode& axis_of(const UrdfJoint& joint) const;
 
   DescriptionNodes& nodes_;
+  TransformFactors factors_;
   double snap_angles_;
 };
 

@@ -16,10 +16,16 @@ namespace {
 /// Elements that close chains. URDF has none, but some dialects do.
 constexpr std::string_view kLoops[] = {"loop_joint", "loop", "constraint"};
 
+constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
+                                       "parent", "child", "axis",       "mimic",  "value", "ixx",
+                                       "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
+                                       "rpy",    "type",  "multiplier", "offset"};
+constexpr XmlFormat kUrdf{"robot", kVital};
+
 class RobotReader {
  public:
   RobotReader(std::shared_ptr<const SourceText> source, Warnings& warnings)
-      : xml_(std::move(source), warnings) {}
+      : xml_(std::move(source), warnings, kUrdf) {}
 
   UrdfRobot read() {
     const pugi::xml_node root = xml_.root();

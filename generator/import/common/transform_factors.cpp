@@ -1,0 +1,87 @@
+#include "import/common/transform_factors.hpp"
+
+#include <cmath>
+
+#include "import/common/snapped_angle.hpp"
+
+namespace alembert {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kNoLength = 1e-12;
+
+Vector clean_axis(const Vector& axis) {
+  return without_rounding(axis, std::hypot(axis[0], axis[1], axis[2]));
+}
+
+}  // namespace
+
+Vector without_rounding(Vector v, double length) {
+  for (double& x : v)
+    if (std::abs(x) < kNoLength * length) x = 0;
+  return v;
+}
+
+std::optional<std::size_t> coordinate_axis_of(const Vector& v) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (v[i] > 0 && v[(i + 1) % 3] == 0 && v[(i + 2) % 3] == 0) return i;
+  return std::nullopt;
+}
+
+void TransformFactors::add_pose(YamlNode& factors, const Vector& xyz, const Vector& rpy,
+                                const SourceLocation& where) const {
+  const Vector shift = without_rounding(xyz, 1);
+  if (shift != Vector{}) factors.items.push_back(&nodes_.single("translate", nodes_.numbers(shift, where)));
+  for (const std::size_t axis : {2U, 1U, 0U}) {
+    const SnappedAngle angle(rpy[axis], snap_angles_);
+    if (!angle.is_zero()) add_rotation(factors, letter(axis, where), angle.text(), where);
+  }
+}
+
+void TransformFactors::add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,
+                                    const SourceLocation& where) const {
+  YamlNode& rotation = nodes_.mapping(where);
+  nodes_.put(rotation, "axis", axis);
+  nodes_.put(rotation, "angle", nodes_.text(std::move(angle), where));
+  factors.items.push_back(&nodes_.single("rotate", rotation));
+}
+
+void TransformFactors::add_shift_along(YamlNode& factors, const Vector& axis, const std::string& position,
+                                       const SourceLocation& where) const {
+  const Vector direction = clean_axis(axis);
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  const bool is_sum = position.find(' ') != std::string::npos;
+  const std::string factor = is_sum ? "(" + position + ")" : position;
+  const auto along = [&](double x) {
+    x /= length;
+    return x == 0 ? "0" : x == 1 ? position : x == -1 ? "-" + factor : number_text(x) + "*" + factor;
+  };
+  factors.items.push_back(&nodes_.single(
+      "translate", nodes_.list({along(direction[0]), along(direction[1]), along(direction[2])}, where)));
+}
+
+void TransformFactors::add_joint(YamlNode& factors, const char* type, const Vector& vector,
+                                 const std::string& coordinate, const SourceLocation& where) const {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "type", nodes_.text(type, where));
+  nodes_.put(node, "axis", axis(vector, where));
+  nodes_.put(node, "coordinates", nodes_.list({coordinate}, where));
+  factors.items.push_back(&nodes_.single("joint", node));
+}
+
+void TransformFactors::add_free(YamlNode& factors, const std::vector<std::string>& names,
+                                const SourceLocation& where) const {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "type", nodes_.text("free", where));
+  nodes_.put(node, "coordinates", nodes_.list({names[0], names[1], names[2], names[3]}, where));
+  factors.items.push_back(&nodes_.single("joint", node));
+}
+
+const YamlNode& TransformFactors::axis(const Vector& vector, const SourceLocation& where) const {
+  const Vector clean = clean_axis(vector);
+  const std::optional<std::size_t> along = coordinate_axis_of(clean);
+  return along ? letter(*along, where) : nodes_.numbers(clean, where);
+}
+
+}  // namespace alembert

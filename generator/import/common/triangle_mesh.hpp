@@ -1,0 +1,30 @@
+// Triangles of a surface, as files hold them; the mass properties of what they enclose.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "import/common/mass_properties.hpp"
+
+namespace alembert {
+
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+enum class MeshVolume {
+  exact,     ///< by signed volumes: right for every closed surface whose triangles are turned outwards
+  positive,  ///< every pyramid over a triangle counts as positive: as MuJoCo does unless it is told otherwise
+  shell      ///< of the surface, not of what it encloses
+};
+
+/// The triangles of a file that assimp reads (STL, OBJ and others). Throws std::runtime_error, in words.
+TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
+
+/// Of unit density, the mass being the volume, or the area of a shell.
+BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how);
+
+}  // namespace alembert

@@ -1,0 +1,211 @@
+#include "import/mjcf/actuators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace alembert {
+namespace {
+
+const std::vector<std::string> kTags = {"general",  "motor",  "position", "velocity", "intvelocity", "damper",
+                                        "cylinder", "muscle", "adhesion", "plugin",   "dcmotor"};
+
+/// The law of an actuator while the elements of its classes change it.
+struct Law {
+  enum Kind { fixed, affine, none, other };
+  Kind gain_type = fixed, bias_type = none;
+  std::array<double, 3> gain{1, 0, 0}, bias{};
+  double damping_ratio = 0, time_constant = 1, inherit_range = 0;
+  std::size_t dynamics = 0;  ///< none, integrator, filter, filterexact, muscle, user
+  bool limited_activation = false;
+  std::string left_out;  ///< what cannot be expressed
+};
+
+void copy_first(const std::vector<double>& from, std::array<double, 3>& to) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, from.size()); ++i) to[i] = from[i];
+}
+
+void apply_general(const MjcfElement& of, Law& law) {
+  if (of.has("gaintype")) {
+    const std::size_t type = of.word("gaintype", {"fixed", "affine", "muscle", "user", "dcmotor"}, 0);
+    law.gain_type = type == 0 ? Law::fixed : type == 1 ? Law::affine : Law::other;
+  }
+  if (of.has("biastype")) {
+    const std::size_t type = of.word("biastype", {"none", "affine", "muscle", "user", "dcmotor"}, 0);
+    law.bias_type = type == 0 ? Law::none : type == 1 ? Law::affine : Law::other;
+  }
+  if (of.has("dyntype"))
+    law.dynamics =
+        of.word("dyntype", {"none", "integrator", "filter", "filterexact", "muscle", "user", "dcmotor"}, 0);
+  copy_first(of.list("gainprm", 1, 20), law.gain);
+  copy_first(of.list("biasprm", 1, 20), law.bias);
+  if (const auto dynamics = of.list("dynprm", 1, 20); !dynamics.empty()) law.time_constant = dynamics[0];
+}
+
+/// kp and kv as MuJoCo's shortcuts have them.
+void apply_servo(const MjcfElement& of, Law& law, bool integrates) {
+  const double kp = of.number("kp", law.gain[0]);
+  law.gain = {kp, 0, 0};
+  law.bias[0] = 0;
+  law.bias[1] = -kp;
+  if (of.has("kv")) law.bias[2] = -of.number("kv", 0);
+  if (of.has("dampratio")) law.damping_ratio = of.number("dampratio", 0);
+  law.gain_type = Law::fixed;
+  law.bias_type = Law::affine;
+  law.inherit_range = of.number("inheritrange", law.inherit_range);
+  if (integrates) {
+    law.dynamics = 1;
+    law.limited_activation = true;
+  } else if (of.has("timeconst")) {
+    law.time_constant = of.number("timeconst", 0);
+    law.dynamics = law.time_constant == 0 ? 0 : 3;
+  }
+}
+
+void apply(const MjcfElement& of, Law& law) {
+  const std::string_view kind = of.node().name();
+  law.left_out.clear();
+  if (kind == "general") {
+    apply_general(of, law);
+  } else if (kind == "motor") {
+    law.gain_type = Law::fixed;
+    law.bias_type = Law::none;
+    law.gain = {1, 0, 0};
+    law.dynamics = 0;
+  } else if (kind == "position" || kind == "intvelocity") {
+    apply_servo(of, law, kind == "intvelocity");
+  } else if (kind == "velocity") {
+    const double kv = of.number("kv", law.gain[0]);
+    law.gain = {kv, 0, 0};
+    law.bias = {0, 0, -kv};
+    law.gain_type = Law::fixed;
+    law.bias_type = Law::affine;
+    law.dynamics = 0;
+  } else if (kind == "damper") {
+    const double kv = of.has("kv") ? of.number("kv", 0) : -law.gain[2];
+    law.gain = {0, 0, -kv};
+    law.gain_type = Law::affine;
+    law.bias_type = Law::none;
+    law.dynamics = 0;
+  } else if (kind == "cylinder") {
+    law.time_constant = of.number("timeconst", law.time_constant);
+    copy_first(of.list("bias", 3, 3), law.bias);
+    law.gain[0] = of.number("area", law.gain[0]);
+    if (of.has("diameter")) law.gain[0] = std::numbers::pi / 4 * std::pow(of.number("diameter", 0), 2);
+    law.gain_type = Law::fixed;
+    law.bias_type = Law::affine;
+    law.dynamics = 2;
+  } else {
+    law.left_out = fmt::format("<{}>", printable(kind));
+  }
+}
+
+Law law_of(const MjcfContext& context, const MjcfElement& of) {
+  Law law;
+  // From the outermost class to the element itself.
+  for (auto layer = of.layers().rbegin(); layer != of.layers().rend(); ++layer)
+    apply({context.text, {*layer}, of.what()}, law);
+  if (law.gain_type == Law::other || law.bias_type == Law::other || law.dynamics > 3)
+    if (law.left_out.empty())
+      law.left_out = "a law of gain, bias or activation that is neither fixed nor affine";
+  return law;
+}
+
+/// What it acts through, or why it cannot be expressed.
+std::string find_target(MjcfContext& context, const MjcfElement& of, MjcfActuator& actuator) {
+  if (of.has("joint") || of.has("jointinparent")) {
+    actuator.in_parent = !of.has("joint");
+    actuator.of =
+        context.find(of, actuator.in_parent ? "jointinparent" : "joint", "joint", context.tree.joints);
+    return "";
+  }
+  if (of.has("tendon")) {
+    actuator.through = MjcfTransmission::tendon;
+    actuator.of = context.find(of, "tendon", "tendon", context.tendons);
+    return "";
+  }
+  if (of.has("site")) {
+    actuator.through = MjcfTransmission::site;
+    actuator.of = context.find(of, "site", "site", context.tree.sites);
+    return of.has("refsite") ? "a refsite" : "";
+  }
+  return of.has("cranksite") ? "a slider and crank" : of.has("body") ? "a body" : "nothing";
+}
+
+/// The diagonal entry of M at the reference, of a hinge or slide.
+double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
+  const MjcfJoint& of = model.joints[joint];
+  const MjcfPose at = reference_pose(model, of.body);
+  const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = at.shift + at.turn * of.position;
+  std::vector<bool> moves(model.bodies.size(), false);
+  double sum = of.armature;
+  for (std::size_t b = of.body; b < model.bodies.size(); ++b) {
+    moves[b] = b == of.body || moves[model.bodies[b].parent];
+    if (!moves[b]) continue;
+    const MjcfPose pose = reference_pose(model, b);
+    const BodyMass mass = model.bodies[b].mass.moved(pose.turn.toRotationMatrix(), pose.shift);
+    sum += of.type == MjcfJointType::slide
+               ? mass.mass
+               : axis.dot(mass.inertia * axis) + mass.mass * axis.cross(mass.centre - anchor).squaredNorm();
+  }
+  return sum;
+}
+
+void read_actuator(MjcfContext& context, pugi::xml_node node) {
+  const MjcfElement of = context.defaults.element(node, kTags, {});
+  const Law law = law_of(context, of);
+  MjcfActuator actuator;
+  actuator.name = of.string("name");
+  actuator.where = of.has("name") ? of.where("name") : of.where();
+  std::string left_out = law.left_out;
+  if (left_out.empty()) left_out = find_target(context, of, actuator);
+  if (left_out.empty() && (of.number("armature", 0) != 0 || of.list("damping", 1, 3) > std::vector{0.0}))
+    throw of.error("armature", fmt::format("armature and damping of {} itself are not taken", of.what()),
+                   "those of joints are");
+  if (!left_out.empty()) {
+    context.text.warn(
+        {of.where(),
+         fmt::format("{} acts by {}, which cannot be expressed; it is left out", of.what(), left_out),
+         "its force is not in the equations; what it exerts is part of tau", "actuator " + left_out});
+    return;
+  }
+  const std::vector<double> gear = of.list("gear", 1, 6);
+  std::ranges::copy(gear, actuator.gear.begin());
+  actuator.gain = law.gain;
+  if (law.gain_type == Law::fixed) actuator.gain[1] = actuator.gain[2] = 0;
+  if (law.bias_type == Law::affine) actuator.bias = law.bias;
+  actuator.activation = law.dynamics == 0   ? MjcfActivation::none
+                        : law.dynamics == 1 ? MjcfActivation::integrator
+                                            : MjcfActivation::filter;
+  actuator.time_constant = law.time_constant;
+  actuator.inputs = context.range(of, "ctrlrange", "ctrllimited");
+  actuator.forces = context.range(of, "forcerange", "forcelimited");
+  actuator.activations = context.range(of, "actrange", "actlimited");
+  if (law.damping_ratio > 0 && law.bias_type == Law::affine) {
+    const bool single = actuator.through == MjcfTransmission::joint &&
+                        speed_count(context.model.joints[actuator.of].type) == 1;
+    if (!single)
+      throw of.error(
+          "dampratio",
+          fmt::format("dampratio of {}, which acts on no single joint, is not worked out", of.what()),
+          "give kv");
+    const double mass =
+        inertia_at_reference(context.model, actuator.of) / (actuator.gear[0] * actuator.gear[0]);
+    actuator.bias[2] = -2 * law.damping_ratio * std::sqrt(law.gain[0] * mass);
+  }
+  if (!actuator.name.empty() &&
+      !context.actuators.emplace(actuator.name, context.model.actuators.size()).second)
+    throw InputError(actuator.where, fmt::format("a second actuator '{}'", printable(actuator.name)));
+  context.model.actuators.push_back(std::move(actuator));
+}
+
+}  // namespace
+
+void read_actuators(MjcfContext& context) {
+  for (const pugi::xml_node top : context.text.children(context.text.root(), "actuator"))
+    for (const pugi::xml_node node : context.text.children(top)) read_actuator(context, node);
+}
+
+}  // namespace alembert

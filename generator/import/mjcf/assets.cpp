@@ -1,0 +1,113 @@
+#include "import/mjcf/assets.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace alembert {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+MjcfAssets::MjcfAssets(const MjcfText& text, const MjcfDefaults& defaults, const MjcfCompiler& compiler)
+    : compiler_(compiler) {
+  for (const pugi::xml_node section : text.children(text.root(), "asset")) {
+    for (const pugi::xml_node node : text.children(section)) {
+      const MjcfElement asset = defaults.element(node);
+      const std::string_view kind = node.name();
+      if (kind == "material") {
+        const std::vector<double> rgba = asset.list("rgba", 4, 4);
+        if (!rgba.empty()) colours_[asset.string("name")] = {rgba[0], rgba[1], rgba[2]};
+      } else if (kind == "mesh") {
+        std::string name = node.attribute("name").value();
+        if (name.empty()) name = fs::path(asset.string("file")).stem().string();
+        if (!meshes_.emplace(name, asset).second)
+          throw InputError(asset.where(), fmt::format("a second mesh '{}'", printable(name)));
+      }
+    }
+  }
+}
+
+std::optional<std::array<double, 3>> MjcfAssets::colour(const std::string& material) const {
+  const auto found = colours_.find(material);
+  return found == colours_.end() ? std::nullopt : std::optional(found->second);
+}
+
+TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
+  TriangleMesh out;
+  if (asset.has("vertex")) {
+    const std::vector<double> vertices = asset.list("vertex", 12, 3000000);
+    for (std::size_t i = 0; i + 2 < vertices.size(); i += 3)
+      out.vertices.emplace_back(vertices[i], vertices[i + 1], vertices[i + 2]);
+    const std::vector<double> faces = asset.list("face", 3, 3000000);
+    if (faces.empty())
+      throw InputError(asset.where(),
+                       fmt::format("{} has vertices and no faces: its hull is not worked out", asset.what()));
+    for (std::size_t i = 0; i + 2 < faces.size(); i += 3) {
+      std::array<std::size_t, 3> triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!(faces[i + k] >= 0 && faces[i + k] < static_cast<double>(out.vertices.size())))
+          throw asset.error("face", fmt::format("{} has no vertex {}", asset.what(), faces[i + k]));
+        triangle[k] = static_cast<std::size_t>(faces[i + k]);
+      }
+      out.triangles.push_back(triangle);
+    }
+  } else {
+    const std::string file = asset.string("file");
+    if (file.empty())
+      throw InputError(asset.where(), fmt::format("{} has neither a file nor vertices", asset.what()));
+    const fs::path name = compiler_.strip_path ? fs::path(file).filename() : fs::path(file);
+    const fs::path path =
+        asset.text().below((fs::path(compiler_.mesh_folder) / name).string(), asset.where("file"));
+    try {
+      out = read_triangle_mesh(path);
+    } catch (const std::runtime_error& error) {
+      throw InputError(asset.where("file"), fmt::format("'{}' {}", printable(file), error.what()),
+                       "inertias follow from it, since a body has no <inertial>");
+    }
+  }
+  const Eigen::Vector3d origin = asset.vector("refpos", Eigen::Vector3d::Zero());
+  const Eigen::Vector3d scale = asset.vector("scale", Eigen::Vector3d::Ones());
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  if (const std::vector<double> q = asset.list("refquat", 4, 4); !q.empty())
+    turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+  for (Eigen::Vector3d& v : out.vertices) v = scale.cwiseProduct(turn.conjugate() * (v - origin));
+  // What is mirrored is turned inside out.
+  if (scale.prod() < 0)
+    for (auto& triangle : out.triangles) std::swap(triangle[1], triangle[2]);
+  return out;
+}
+
+BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
+  const std::string name = geom.string("mesh");
+  const auto found = meshes_.find(name);
+  if (found == meshes_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [each, asset] : meshes_) known.push_back(each);
+    throw geom.error("mesh",
+                     fmt::format("there is no mesh '{}'{}", printable(name), did_you_mean(name, known)));
+  }
+  const MjcfElement& asset = found->second;
+  MeshVolume how = MeshVolume::positive;
+  switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, 2)) {
+    case 0:
+      throw asset.error("inertia", "the inertia of a convex hull is not worked out");
+    case 1:
+      how = MeshVolume::exact;
+      break;
+    case 3:
+      how = MeshVolume::shell;
+      break;
+    default:
+      break;
+  }
+  const BodyMass out = mass_properties(triangles(asset), shell ? MeshVolume::shell : how);
+  if (!(out.mass > 0))
+    throw InputError(asset.where(),
+                     fmt::format("{} encloses no volume, or is turned inside out", asset.what()));
+  return out;
+}
+
+}  // namespace alembert

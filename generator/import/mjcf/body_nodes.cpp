@@ -1,0 +1,285 @@
+#include "import/mjcf/body_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/mjcf/sums.hpp"
+
+namespace alembert {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector array_of(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Roll, pitch and yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll). About a coordinate axis, the angle about it.
+Vector angles_of(const Eigen::Quaterniond& turn) {
+  constexpr double kRounding = 1e-12;
+  const Eigen::Vector3d axis = turn.vec();
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(axis[(i + 1) % 3]) > kRounding || std::abs(axis[(i + 2) % 3]) > kRounding) continue;
+    Vector out{};
+    const double sign = turn.w() < 0 ? -1 : 1;
+    out[static_cast<std::size_t>(i)] = 2 * std::atan2(sign * axis[i], sign * turn.w());
+    return out;
+  }
+  Eigen::Matrix3d r = turn.toRotationMatrix();
+  for (double& entry : r.reshaped())
+    if (std::abs(entry) < kRounding) entry = 0;
+  const double yaw = std::atan2(r(1, 0), r(0, 0)), c = std::cos(yaw), s = std::sin(yaw);
+  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  // From what yaw leaves: right where yaw and roll turn about one axis, too.
+  return {std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1)), pitch, yaw};
+}
+
+/// Whether the sum of two shifts is none.
+Eigen::Vector3d cleaned(Eigen::Vector3d v, double scale) {
+  for (double& x : v)
+    if (std::abs(x) < 1e-12 * scale) x = 0;
+  return v;
+}
+
+}  // namespace
+
+void MjcfBodyNodes::add_pose(YamlNode& factors, const MjcfPose& pose, const SourceLocation& where) const {
+  factors_.add_pose(factors, array_of(pose.shift), angles_of(pose.turn), where);
+}
+
+double MjcfBodyNodes::armature(std::size_t joint) const {
+  double sum = model_.joints[joint].armature;
+  for (const std::size_t follower : naming_.followers()) {
+    const JointText& text = naming_.text(follower);
+    if (text.base == joint && text.constant_slope)
+      sum += *text.constant_slope * *text.constant_slope * model_.joints[follower].armature;
+  }
+  return sum;
+}
+
+void MjcfBodyNodes::add_coordinates(YamlNode& list) const {
+  std::size_t first = 0;
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    if (!naming_.follows(j)) add_coordinate(list, j, first);
+    first += position_count(model_.joints[j].type);
+  }
+}
+
+/// `first`: where its numbers begin in a keyframe.
+void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t first) const {
+  const MjcfJoint& joint = model_.joints[j];
+  const std::vector<std::string>& names = naming_.coordinates(j);
+  const SourceLocation& where = joint.where;
+  const bool free = joint.type == MjcfJointType::free, single = speed_count(joint.type) == 1;
+  std::vector<double> start;
+  if (!model_.start.empty()) {
+    start.assign(model_.start.begin() + static_cast<std::ptrdiff_t>(first),
+                 model_.start.begin() + static_cast<std::ptrdiff_t>(first + position_count(joint.type)));
+  } else if (free) {
+    const MjcfPose& pose = model_.bodies[joint.body].pose;
+    start = {pose.shift.x(), pose.shift.y(), pose.shift.z(), pose.turn.w(),
+             pose.turn.x(),  pose.turn.y(),  pose.turn.z()};
+  } else {
+    start = single ? std::vector{joint.reference} : std::vector{1.0, 0.0, 0.0, 0.0};
+  }
+  std::size_t speeds = 0;  // of the joints before it
+  for (std::size_t other = 0; other < j; ++other) speeds += speed_count(model_.joints[other].type);
+  const bool hinge = joint.type == MjcfJointType::hinge;
+  const auto text = [&](double value) {
+    return hinge ? SnappedAngle(value, 1e-12).text() : number_text(value);
+  };
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool quaternion = !single && k + 1 == names.size();
+    YamlNode& node = nodes_.mapping(where);
+    nodes_.put(node, "name", nodes_.text(names[k], where));
+    if (quaternion) {
+      nodes_.put(node, "type", nodes_.text("quaternion", where));
+      const std::size_t at = free ? 3 : 0;
+      Eigen::Quaterniond q(start[at], start[at + 1], start[at + 2], start[at + 3]);
+      q = q.norm() > 0 ? q.normalized() : Eigen::Quaterniond::Identity();
+      if (!(q.vec().isZero() && q.w() == 1))
+        nodes_.put(
+            node, "initial",
+            nodes_.list({number_text(q.x()), number_text(q.y()), number_text(q.z()), number_text(q.w())},
+                        where));
+    } else {
+      double initial = start[k];
+      if (joint.limits) {
+        initial = std::clamp(initial, (*joint.limits)[0], (*joint.limits)[1]);
+        if (initial != start[k])
+          warnings_.push_back(
+              {where,
+               fmt::format("joint '{}' starts outside its range; it is moved to its end", names[k]),
+               {},
+               "start outside the range"});
+      }
+      if (initial != 0) nodes_.put(node, "initial", nodes_.text(text(initial), where));
+      if (joint.limits)
+        nodes_.put(node, "limits", nodes_.list({text((*joint.limits)[0]), text((*joint.limits)[1])}, where));
+    }
+    if (!model_.start_speeds.empty()) {
+      const auto speed = model_.start_speeds.begin() + static_cast<std::ptrdiff_t>(speeds + k);
+      if (quaternion && (speed[0] != 0 || speed[1] != 0 || speed[2] != 0))
+        nodes_.put(node, "initial_speed", nodes_.numbers({speed[0], speed[1], speed[2]}, where));
+      if (!quaternion && speed[0] != 0)
+        nodes_.put(node, "initial_speed", nodes_.text(number_text(speed[0]), where));
+    }
+    const auto number = [&](const char* key, double value) {
+      if (value != 0) nodes_.put(node, key, nodes_.text(number_text(value), where));
+    };
+    number("armature", armature(j));
+    if (options_.resistance) number("damping", joint.damping);
+    number("stiffness", joint.stiffness);
+    if (joint.stiffness != 0 && joint.rest != 0)
+      nodes_.put(node, "rest", nodes_.text(text(joint.rest), where));
+    if (joint.effort) nodes_.put(node, "effort", nodes_.text(number_text(*joint.effort), where));
+    if (options_.resistance && joint.friction != 0) {
+      YamlNode& friction = nodes_.mapping(where);
+      nodes_.put(friction, "force", nodes_.text(number_text(joint.friction), where));
+      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
+      nodes_.put(node, "friction", friction);
+    }
+    list.items.push_back(node.items.size() == 2 ? node.items[1] : &node);
+  }
+}
+
+void MjcfBodyNodes::add_turn(YamlNode& factors, std::size_t j) const {
+  const MjcfJoint& joint = model_.joints[j];
+  const Vector axis = array_of(joint.axis);
+  if (joint.type == MjcfJointType::ball) {
+    factors.items.push_back(&nodes_.single(
+        "rotate", nodes_.single("quaternion", nodes_.text(naming_.quaternion(j), joint.where))));
+  } else if (!naming_.follows(j) && joint.reference == 0) {
+    factors_.add_joint(factors, joint.type == MjcfJointType::slide ? "prismatic" : "revolute", axis,
+                       naming_.coordinates(j)[0], joint.where);
+  } else {
+    const std::string position = less_angle(naming_.coordinates(j)[0], joint.reference);
+    if (joint.type == MjcfJointType::slide)
+      factors_.add_shift_along(factors, axis, position, joint.where);
+    else
+      factors_.add_rotation(factors, factors_.axis(axis, joint.where), position, joint.where);
+  }
+}
+
+void MjcfBodyNodes::add_joints(YamlNode& factors, const MjcfBody& body) const {
+  if (!body.joints.empty() && model_.joints[body.joints[0]].type == MjcfJointType::free)
+    return factors_.add_free(factors, naming_.coordinates(body.joints[0]), body.where);
+  // Shifts that follow each other are one.
+  MjcfPose pending = body.pose;
+  const auto flush = [&] {
+    add_pose(factors, pending, body.where);
+    pending = {};
+  };
+  for (const std::size_t j : body.joints) {
+    const MjcfJoint& joint = model_.joints[j];
+    const bool turns = joint.type != MjcfJointType::slide;
+    const double scale = std::max(1.0, joint.position.norm());
+    if (turns) {
+      if (!pending.turn.isApprox(Eigen::Quaterniond::Identity(), 1e-15) && !joint.position.isZero()) flush();
+      pending.shift = cleaned(pending.shift + joint.position, scale);
+    }
+    flush();
+    add_turn(factors, j);
+    if (turns) pending.shift = -joint.position;
+  }
+  flush();
+}
+
+void MjcfBodyNodes::add_mass(YamlNode& node, const MjcfBody& body) const {
+  const BodyMass& mass = body.mass;
+  if (mass.mass == 0 && mass.inertia.isZero()) return;
+  nodes_.put(node, "mass", nodes_.text(number_text(mass.mass), body.where));
+  if (const Vector com = without_rounding(array_of(mass.centre), 1); com != Vector{})
+    nodes_.put(node, "com", nodes_.numbers(com, body.where));
+  if (mass.inertia.isZero()) return;
+  YamlNode& entries = nodes_.mapping(body.where);
+  const double rounding = 1e-14 * mass.inertia.cwiseAbs().maxCoeff();
+  for (const std::string_view key : {"xx", "yy", "zz", "xy", "xz", "yz"}) {
+    const double value = mass.inertia(key[0] - 'x', key[1] - 'x');
+    if (key[0] == key[1] || std::abs(value) > rounding)
+      nodes_.put(entries, std::string(key), nodes_.text(number_text(value), body.where));
+  }
+  nodes_.put(node, "inertia", entries);
+}
+
+void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
+  // Those that MuJoCo's viewers show; of a body that has none, the others.
+  const bool any = std::ranges::any_of(body.shapes, [](const MjcfShape& shape) { return !shape.hidden; });
+  YamlNode& shapes = nodes_.sequence(body.where);
+  for (const MjcfShape& shape : body.shapes) {
+    if (any && shape.hidden) continue;
+    YamlNode& item = nodes_.mapping(shape.where);
+    const Vector& s = shape.sizes;
+    const auto put_radius_and_length = [&](std::string key) {
+      YamlNode& size = nodes_.mapping(shape.where);
+      nodes_.put(size, "radius", nodes_.text(number_text(s[0]), shape.where));
+      nodes_.put(size, "length", nodes_.text(number_text(s[1]), shape.where));
+      nodes_.put(item, std::move(key), size);
+    };
+    switch (shape.kind) {
+      case MjcfShapeKind::sphere:
+        nodes_.put(item, "sphere", nodes_.text(number_text(s[0]), shape.where));
+        break;
+      case MjcfShapeKind::box:
+        nodes_.put(item, "box", nodes_.numbers(s, shape.where));
+        break;
+      case MjcfShapeKind::ellipsoid:
+        nodes_.put(item, "ellipsoid", nodes_.numbers(s, shape.where));
+        break;
+      case MjcfShapeKind::cylinder:
+        put_radius_and_length("cylinder");
+        break;
+      case MjcfShapeKind::capsule:
+        put_radius_and_length("capsule");
+        break;
+      case MjcfShapeKind::none:
+        continue;
+    }
+    YamlNode& factors = nodes_.sequence(shape.where);
+    add_pose(factors, shape.pose, shape.where);
+    if (!factors.items.empty()) nodes_.put(item, "transform", factors);
+    if (shape.colour) nodes_.put(item, "color", nodes_.numbers(*shape.colour, shape.where));
+    shapes.items.push_back(&item);
+  }
+  if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
+}
+
+void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
+  const MjcfBody& body = model_.bodies[index];
+  YamlNode& node = nodes_.mapping(body.where);
+  nodes_.put(node, "name", nodes_.text(naming_.body(index), body.where));
+  if (body.parent != 0) nodes_.put(node, "parent", nodes_.text(naming_.body(body.parent), body.where));
+  YamlNode& factors = nodes_.sequence(body.where);
+  add_joints(factors, body);
+  if (!factors.items.empty()) nodes_.put(node, "transform", factors);
+  add_mass(node, body);
+  add_shapes(node, body);
+  list.items.push_back(&node);
+}
+
+void MjcfBodyNodes::add_scenery(YamlNode& list) const {
+  if (model_.bodies[0].shapes.empty()) return;
+  YamlNode& node = nodes_.mapping(model_.where);
+  std::string name = "scenery";
+  while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))
+    name += "_of_world";
+  nodes_.put(node, "name", nodes_.text(name, model_.where));
+  add_shapes(node, model_.bodies[0]);
+  list.items.push_back(&node);
+}
+
+void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body, const MjcfPose& pose,
+                              const SourceLocation& where) const {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "name", nodes_.text(name, where));
+  nodes_.put(node, "body", nodes_.text(naming_.body(body), where));
+  YamlNode& factors = nodes_.sequence(where);
+  add_pose(factors, pose, where);
+  if (!factors.items.empty()) nodes_.put(node, "transform", factors);
+  list.items.push_back(&node);
+}
+
+}  // namespace alembert

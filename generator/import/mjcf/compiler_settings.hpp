@@ -1,0 +1,39 @@
+// What <compiler> says of how a model is to be read; orientations, which depend on it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+
+#include "import/mjcf/element.hpp"
+
+namespace alembert {
+
+/// Shift, then rotation.
+struct MjcfPose {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+};
+MjcfPose operator*(const MjcfPose& first, const MjcfPose& then);
+MjcfPose inverse(const MjcfPose& pose);
+
+struct MjcfCompiler {
+  bool degrees = true;
+  std::string euler = "xyz";  ///< axes in order; capital ones do not move
+  bool autolimits = true;
+  enum class FromGeoms { no, yes, where_missing } inertia_from_geoms = FromGeoms::where_missing;
+  std::array<double, 2> inertia_groups{0, 5};
+  bool balance = false;
+  double least_mass = 0, least_inertia = 0, total_mass = -1;
+  bool strip_path = false;
+  std::string mesh_folder;
+
+  /// Radians of an angle as the model gives it.
+  double angle(double value) const;
+  MjcfPose pose(const MjcfElement& element) const;
+  Eigen::Quaterniond turn(const MjcfElement& element) const;
+};
+
+MjcfCompiler read_compiler(const MjcfText& text);
+
+}  // namespace alembert

@@ -1,0 +1,306 @@
+#include "import/mjcf/context.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+namespace alembert {
+namespace {
+
+using Words = std::initializer_list<std::string_view>;
+
+MjcfTendon read_fixed(const MjcfContext& context, pugi::xml_node node) {
+  MjcfTendon out;
+  out.fixed = true;
+  context.text.of(node).check_spelling(
+      node, "a fixed tendon", {"joint", "include"},
+      {"name", "class", "group", "limited", "actuatorfrclimited", "range", "actuatorfrcrange", "solreflimit",
+       "solimplimit", "solreffriction", "solimpfriction", "frictionloss", "springlength", "margin",
+       "stiffness", "damping", "armature", "user"});
+  for (const pugi::xml_node child : context.text.children(node, "joint")) {
+    const MjcfElement of(context.text, {child}, "the joint of a tendon");
+    const std::size_t joint = context.find(of, "joint", "joint", context.tree.joints);
+    if (speed_count(context.model.joints[joint].type) != 1)
+      throw of.error("joint", "a fixed tendon is of hinges and slides only");
+    out.terms.push_back({joint, of.number("coef", 0)});
+  }
+  if (out.terms.empty()) throw InputError(context.text.where(node), "a fixed tendon without joints");
+  return out;
+}
+
+MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
+  MjcfTendon out;
+  const MjcfText& text = context.text;
+  text.of(node).check_spelling(node, "a spatial tendon", {"site", "geom", "pulley", "include"},
+                               {"name",
+                                "class",
+                                "group",
+                                "limited",
+                                "range",
+                                "solreflimit",
+                                "solimplimit",
+                                "solreffriction",
+                                "solimpfriction",
+                                "actuatorfrclimited",
+                                "actuatorfrcrange",
+                                "frictionloss",
+                                "springlength",
+                                "width",
+                                "material",
+                                "margin",
+                                "stiffness",
+                                "damping",
+                                "armature",
+                                "rgba",
+                                "user"});
+  out.branches.emplace_back();
+  for (const pugi::xml_node child : text.children(node)) {
+    const MjcfElement of(text, {child}, fmt::format("the {} of a tendon", child.name()));
+    const std::string_view kind = child.name();
+    if (kind == "site") {
+      out.branches.back().sites.push_back(context.find(of, "site", "site", context.tree.sites));
+    } else if (kind == "pulley") {
+      const double divisor = of.number("divisor", 1);
+      if (!(divisor > 0)) throw of.error("divisor", "the divisor of a pulley is positive");
+      out.branches.push_back({{}, divisor});
+    } else if (kind == "geom") {
+      text.warn({of.where(),
+                 "a tendon wraps around a geom, which is left out: its path leads straight from site to site",
+                 "the equations differ where the tendon would touch the geom", "wrapping"});
+    }
+  }
+  std::erase_if(out.branches, [](const MjcfBranch& branch) { return branch.sites.empty(); });
+  for (const MjcfBranch& branch : out.branches)
+    if (branch.sites.size() < 2)
+      throw InputError(text.where(node), "a branch of a spatial tendon has one site: a path has two or more");
+  if (out.branches.empty()) throw InputError(text.where(node), "a spatial tendon without sites");
+  return out;
+}
+
+double length_at_rest(const MjcfModel& model, const MjcfTendon& tendon) {
+  double length = 0;
+  for (const MjcfTerm& term : tendon.terms) length += term.factor * model.joints[term.joint].rest;
+  for (const MjcfBranch& branch : tendon.branches) {
+    for (std::size_t i = 0; i + 1 < branch.sites.size(); ++i) {
+      const MjcfPlace &from = model.sites[branch.sites[i]], &to = model.sites[branch.sites[i + 1]];
+      const Eigen::Vector3d step =
+          (rest_pose(model, to.body) * to.pose).shift - (rest_pose(model, from.body) * from.pose).shift;
+      length += step.norm() / branch.divisor;
+    }
+  }
+  return length;
+}
+
+/// Sections below the root that have one kind of elements.
+template <class Read>
+void for_each_in(const MjcfContext& context, const char* section, Read read) {
+  for (const pugi::xml_node top : context.text.children(context.text.root(), section))
+    for (const pugi::xml_node node : context.text.children(top)) read(node);
+}
+
+void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEquality& equality) {
+  const bool weld = equality.type == MjcfEqualityType::weld;
+  MjcfModel& model = context.model;
+  if (of.has("site1") || of.has("site2")) {
+    const MjcfPlace& first = model.sites[context.find(of, "site1", "site", context.tree.sites)];
+    const MjcfPlace& second = model.sites[context.find(of, "site2", "site", context.tree.sites)];
+    equality.first = first.body;
+    equality.second = second.body;
+    equality.first_pose = first.pose;
+    equality.second_pose = second.pose;
+    return;
+  }
+  equality.first = context.find(of, "body1", "body", context.tree.bodies);
+  equality.second = of.has("body2") ? context.find(of, "body2", "body", context.tree.bodies) : 0;
+  const MjcfPose between =
+      inverse(reference_pose(model, equality.first)) * reference_pose(model, *equality.second);
+  const Eigen::Vector3d anchor = of.vector("anchor", Eigen::Vector3d::Zero());
+  if (weld) {
+    equality.second_pose.shift = anchor;
+    equality.first_pose = between * equality.second_pose;
+    if (const std::vector<double> given = of.list("relpose", 7, 7); !given.empty()) {
+      const Eigen::Quaterniond turn(given[3], given[4], given[5], given[6]);
+      if (turn.norm() > 0) equality.first_pose = {{given[0], given[1], given[2]}, turn.normalized()};
+    }
+  } else {
+    equality.first_pose.shift = anchor;
+    equality.second_pose.shift = (inverse(between) * equality.first_pose).shift;
+  }
+}
+
+}  // namespace
+
+std::size_t MjcfContext::find(const MjcfElement& element, const char* attribute, const char* noun,
+                              const MjcfNames& names) const {
+  if (!element.has(attribute))
+    throw InputError(element.where(), fmt::format("no attribute '{}' of {}", attribute, element.what()));
+  const std::string name = element.string(attribute);
+  const auto found = names.find(name);
+  if (found != names.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [each, index] : names) known.push_back(each);
+  throw element.error(attribute,
+                      fmt::format("there is no {} '{}'{}", noun, printable(name), did_you_mean(name, known)));
+}
+
+std::size_t MjcfContext::place(const MjcfElement& element, const char* type, const char* name) {
+  MjcfPlace place;
+  switch (element.word(type, {"body", "xbody", "geom", "site", "camera"}, 1)) {
+    case 0:
+    case 1:
+      place.body = find(element, name, "body", tree.bodies);
+      // The frame of `body` is that of its inertia; its origin is the centre of mass.
+      if (element.string(type) == "body") place.pose.shift = model.bodies[place.body].mass.centre;
+      break;
+    case 2:
+      place = tree.geom_places[find(element, name, "geom", tree.geoms)];
+      break;
+    case 3:
+      return find(element, name, "site", tree.sites);
+    default:
+      place = tree.camera_places[find(element, name, "camera", tree.cameras)];
+      break;
+  }
+  place.name = element.string(name);
+  place.where = element.where(name);
+  model.sites.push_back(place);
+  return model.sites.size() - 1;
+}
+
+std::optional<std::array<double, 2>> MjcfContext::range(const MjcfElement& element, const char* attribute,
+                                                        const char* limited) const {
+  const std::vector<double> values = element.list(attribute, 2, 2);
+  if (values.empty()) return std::nullopt;
+  const bool counts = element.flag_or_auto(limited).value_or(compiler.autolimits && values[0] < values[1]);
+  if (!counts) return std::nullopt;
+  if (!(values[0] < values[1]))
+    throw element.error(attribute, fmt::format("the {} of {} has no room", attribute, element.what()));
+  return std::array{values[0], values[1]};
+}
+
+void read_tendons(MjcfContext& context) {
+  for_each_in(context, "tendon", [&](pugi::xml_node node) {
+    const std::string_view kind = node.name();
+    const MjcfElement of = context.defaults.element(node, {"tendon"}, {});
+    if (kind != "fixed" && kind != "spatial") {
+      context.text.warn(
+          {of.where(), fmt::format("<{}> is no tendon that is known; it is left out", printable(kind))});
+      return;
+    }
+    MjcfTendon tendon = kind == "fixed" ? read_fixed(context, node) : read_spatial(context, node);
+    tendon.name = of.string("name");
+    tendon.where = of.has("name") ? of.where("name") : of.where();
+    for (const auto& [name, to] : {std::pair("stiffness", &tendon.stiffness), {"damping", &tendon.damping}}) {
+      const std::vector<double> values = of.list(name, 1, 3);
+      for (std::size_t i = 1; i < values.size(); ++i)
+        if (values[i] != 0)
+          throw of.error(name,
+                         fmt::format("the {} of {} is a polynomial, which is not taken", name, of.what()));
+      if (!values.empty()) *to = values[0];
+    }
+    tendon.friction = of.number("frictionloss", 0);
+    if (of.number("armature", 0) != 0)
+      throw of.error("armature", fmt::format("the armature of {} cannot be expressed", of.what()));
+    if (context.range(of, "range", "limited"))
+      context.text.warn({of.where("range"), "limits of tendons are left out", {}, "range of a tendon"});
+    const std::vector<double> rest = of.list("springlength", 1, 2);
+    tendon.rest = rest.empty() ? std::array{-1.0, -1.0} : std::array{rest.front(), rest.back()};
+    if (tendon.rest[0] == -1 && tendon.rest[1] == -1) tendon.rest.fill(length_at_rest(context.model, tendon));
+    if (!tendon.name.empty() && !context.tendons.emplace(tendon.name, context.model.tendons.size()).second)
+      throw InputError(tendon.where, fmt::format("a second tendon '{}'", printable(tendon.name)));
+    context.model.tendons.push_back(std::move(tendon));
+  });
+}
+
+void read_equalities(MjcfContext& context) {
+  for_each_in(context, "equality", [&](pugi::xml_node node) {
+    const MjcfElement of = context.defaults.element(node, {"equality"}, {});
+    MjcfEquality equality;
+    equality.name = of.string("name");
+    equality.where = of.where();
+    const std::string_view kind = node.name();
+    if (!of.flag("active", true)) {
+      context.text.warn(
+          {of.where("active"), fmt::format("{} is not active; it is left out", of.what()), {}, "inactive"});
+      return;
+    }
+    context.text.of(node).check_spelling(
+        node, of.what(), {},
+        {"name", "class", "active", "solref", "solimp", "body1", "body2", "site1", "site2", "anchor",
+         "relpose", "torquescale", "joint1", "joint2", "tendon1", "tendon2", "polycoef"});
+    const auto pair = [&](const char* first, const char* second, const char* noun, const MjcfNames& names) {
+      equality.first = context.find(of, first, noun, names);
+      if (of.has(second)) equality.second = context.find(of, second, noun, names);
+      const std::vector<double> polynomial = of.list("polycoef", 1, 5);
+      std::ranges::copy(polynomial, equality.polynomial.begin());
+    };
+    if (kind == "connect" || kind == "weld") {
+      equality.type = kind == "weld" ? MjcfEqualityType::weld : MjcfEqualityType::connect;
+      add_ends_of_bodies(context, of, equality);
+    } else if (kind == "joint") {
+      equality.type = MjcfEqualityType::joint;
+      pair("joint1", "joint2", "joint", context.tree.joints);
+      for (const std::size_t joint : {equality.first, equality.second.value_or(equality.first)})
+        if (speed_count(context.model.joints[joint].type) != 1)
+          throw InputError(of.where(), fmt::format("{} is of hinges and slides only", of.what()));
+    } else if (kind == "tendon") {
+      equality.type = MjcfEqualityType::tendon;
+      pair("tendon1", "tendon2", "tendon", context.tendons);
+    } else {
+      throw InputError(of.where(), fmt::format("the equality <{}> cannot be expressed", printable(kind)));
+    }
+    context.model.equalities.push_back(std::move(equality));
+  });
+}
+
+void read_sensors(MjcfContext& context) {
+  std::set<std::string, std::less<>> left_out;
+  for_each_in(context, "sensor", [&](pugi::xml_node node) {
+    const MjcfElement of(context.text, {node}, fmt::format("the sensor {}", printable(node.name())));
+    MjcfSensor sensor;
+    sensor.name = of.string("name");
+    sensor.kind = node.name();
+    sensor.where = of.where();
+    const auto is = [&](Words kinds) { return std::ranges::find(kinds, sensor.kind) != kinds.end(); };
+    if (is({"framepos", "framexaxis", "frameyaxis", "framezaxis", "framelinvel", "frameangvel"})) {
+      const bool axes = is({"framexaxis", "frameyaxis", "framezaxis"});
+      if (axes && of.string("objtype") == "body") {
+        context.text.warn({of.where(),
+                           "axes of a body's inertia are left out; xbody has its own axes",
+                           {},
+                           "inertial axes"});
+        return;
+      }
+      sensor.of = context.place(of, "objtype", "objname");
+      if (of.has("refname")) sensor.reference = context.place(of, "reftype", "refname");
+      if (sensor.reference && is({"framelinvel", "frameangvel"})) {
+        context.text.warn({of.where(),
+                           fmt::format("{} in a moving frame is left out", sensor.kind),
+                           {},
+                           "relative velocity"});
+        return;
+      }
+    } else if (is({"gyro", "velocimeter"})) {
+      sensor.of = context.find(of, "site", "site", context.tree.sites);
+    } else if (is({"jointpos", "jointvel"})) {
+      sensor.of = context.find(of, "joint", "joint", context.tree.joints);
+    } else if (is({"tendonpos", "tendonvel"})) {
+      sensor.of = context.find(of, "tendon", "tendon", context.tendons);
+    } else if (is({"actuatorpos", "actuatorvel"})) {
+      const auto found = context.actuators.find(of.string("actuator"));
+      if (found == context.actuators.end()) return;  // its actuator was left out with a warning
+      sensor.of = found->second;
+    } else if (!is({"clock"})) {
+      context.text.warn({of.where(),
+                         fmt::format("sensors <{}> are left out", printable(sensor.kind)),
+                         {},
+                         "sensor " + sensor.kind});
+      return;
+    }
+    context.model.sensors.push_back(std::move(sensor));
+  });
+}
+
+}  // namespace alembert

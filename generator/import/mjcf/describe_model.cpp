@@ -1,0 +1,90 @@
+// The sections of a description in order (see the header).
+#include "import/mjcf/describe_model.hpp"
+
+#include <fmt/format.h>
+
+#include "import/common/fit_names.hpp"
+#include "import/common/snapped_angle.hpp"
+#include "import/mjcf/relation_nodes.hpp"
+
+namespace alembert {
+namespace {
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+void warn_of_options(const MjcfModel& model, const DescribeOptions& options, Warnings& warnings) {
+  if (options.floating)
+    warnings.push_back({model.where, "--root says nothing of MJCF, whose free joints say what floats"});
+  if (options.massless != Massless::keep)
+    warnings.push_back(
+        {model.where, "--massless says nothing of MJCF: MuJoCo has no joints that move no mass"});
+}
+
+}  // namespace
+
+DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const SourceText> source,
+                              const DescribeOptions& options) {
+  Warnings warnings;
+  warn_of_options(model, options, warnings);
+  const SourceLocation& top = model.where;
+  DescriptionNodes nodes(model.places);
+  MjcfNaming naming(model, warnings);
+  const MjcfBodyNodes body_nodes(nodes, model, naming, options, warnings);
+  YamlNode &coordinates = nodes.sequence(top), &definitions = nodes.mapping(top),
+           &bodies = nodes.sequence(top), &frames = nodes.sequence(top), &inputs = nodes.sequence(top),
+           &states = nodes.sequence(top), &forces = nodes.sequence(top), &outputs = nodes.sequence(top),
+           &constraints = nodes.sequence(top);
+  body_nodes.add_coordinates(coordinates);
+  if (coordinates.items.empty())
+    throw InputError(top, "no joint of the model moves", "a <freejoint/> lets a body move");
+  for (const std::size_t joint : naming.followers())
+    nodes.put(definitions, naming.coordinates(joint)[0],
+              nodes.text(naming.definition(joint), model.joints[joint].where));
+  for (std::size_t b = 1; b < model.bodies.size(); ++b) body_nodes.add_body(bodies, b);
+  body_nodes.add_scenery(bodies);
+  for (std::size_t s = 0; s < model.sites.size(); ++s) {
+    const MjcfPlace& site = model.sites[s];
+    body_nodes.add_frame(frames, naming.frame(s), site.body, site.pose, site.where);
+  }
+  MjcfForceNodes force_nodes(nodes, model, naming, options, body_nodes, frames);
+  force_nodes.add_inputs(inputs);
+  force_nodes.add_states(states);
+  force_nodes.add_forces(forces);
+  MjcfRelationNodes relations(nodes, model, naming, body_nodes, force_nodes, frames, warnings);
+  relations.add_constraints(constraints);
+  relations.add_outputs(outputs);
+
+  YamlNode& root = nodes.mapping(top);
+  nodes.put(root, "alembert", nodes.text("1", top));
+  nodes.put(root, "name", nodes.text(fit_mechanism_name(model.name), top));
+  nodes.put(root, "description", nodes.text(fmt::format("MuJoCo model '{}'", printable(model.name)), top));
+  if (model.gravity != Eigen::Vector3d(0, 0, -9.81))
+    nodes.put(root, "gravity", nodes.numbers({model.gravity.x(), model.gravity.y(), model.gravity.z()}, top));
+  nodes.put(root, "coordinates", coordinates);
+  for (const auto& [key, section] : {std::pair("definitions", &definitions),
+                                     {"bodies", &bodies},
+                                     {"frames", &frames},
+                                     {"inputs", &inputs},
+                                     {"states", &states},
+                                     {"forces", &forces},
+                                     {"outputs", &outputs},
+                                     {"constraints", &constraints}})
+    if (!section->items.empty()) nodes.put(root, key, *section);
+  std::string summary = fmt::format(
+      "taken: {}, {}, {}", count_text(model.bodies.size() - 1, "body", "bodies"),
+      count_text(model.joints.size(), "joint", "joints"), count_text(model.sites.size(), "frame", "frames"));
+  const std::size_t followers = naming.followers().size();
+  if (followers > 0) summary += fmt::format(", of the joints {} as functions of others", followers);
+  for (const auto& [section, one, many] : {std::tuple(&inputs, "input", "inputs"),
+                                           {&states, "state", "states"},
+                                           {&forces, "force", "forces"},
+                                           {&outputs, "output", "outputs"},
+                                           {&constraints, "constraint", "constraints"}})
+    if (!section->items.empty()) summary += ", " + count_text(section->items.size(), one, many);
+  summary += "; left: contacts, meshes of viewers, cameras, lights and the solver's settings";
+  return {Document(std::move(source), nodes.take(), root), std::move(warnings), std::move(summary)};
+}
+
+}  // namespace alembert

@@ -1,0 +1,357 @@
+#include "import/mjcf/force_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/mjcf/sums.hpp"
+
+namespace alembert {
+namespace {
+
+std::string tanh_of(double force, const std::string& speed) {
+  return fmt::format("{}*tanh({}*{})", number_text(-force), number_text(1 / kFrictionVelocity),
+                     factor_text(speed));
+}
+
+/// Of a spring that is slack between two lengths.
+std::string spring_energy(double stiffness, const std::string& length, const std::array<double, 2>& rest) {
+  const std::string half = number_text(stiffness / 2);
+  if (rest[0] == rest[1])
+    return fmt::format("{}*{}^2", half, factor_text(sum_text({{1, length}, {-rest[0], ""}})));
+  return fmt::format("{}*(max(0, {})^2 + max(0, {})^2)", half, sum_text({{1, length}, {-rest[1], ""}}),
+                     sum_text({{-1, factor_text(length)}, {rest[0], ""}}));
+}
+
+}  // namespace
+
+YamlNode& MjcfForceNodes::add_named(YamlNode& list, const std::string& name,
+                                    const SourceLocation& where) const {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "name", nodes_.text(name, where));
+  list.items.push_back(&node);
+  return node;
+}
+
+/// A force along a joint, which acts on the coordinate that it follows.
+void MjcfForceNodes::add_on(YamlNode& list, const std::string& name, std::size_t joint,
+                            const std::string& value, const SourceLocation& where) {
+  const JointText& text = naming_.text(joint);
+  if (!text.base || (text.constant_slope && *text.constant_slope == 0)) return;
+  YamlNode& force = add_named(list, name, where);
+  nodes_.put(force, "on", nodes_.text(naming_.coordinates(*text.base)[0], where));
+  const std::string along = text.constant_slope ? product_text(*text.constant_slope, value)
+                                                : factor_text(text.slope) + "*" + factor_text(value);
+  nodes_.put(force, "value", nodes_.text(along, where));
+}
+
+void MjcfForceNodes::add_followers(YamlNode& list) {
+  for (const std::size_t j : naming_.followers()) {
+    const MjcfJoint& joint = model_.joints[j];
+    const JointText& text = naming_.text(j);
+    const std::string& name = naming_.coordinates(j)[0];
+    if (!text.base) continue;
+    if (options_.resistance && joint.damping != 0)
+      add_on(list, naming_.new_force(name + "_damping"), j, product_text(-joint.damping, text.speed),
+             joint.where);
+    if (options_.resistance && joint.friction != 0)
+      add_on(list, naming_.new_force(name + "_friction"), j, tanh_of(joint.friction, text.speed),
+             joint.where);
+    if (joint.stiffness == 0) continue;
+    YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), joint.where);
+    nodes_.put(
+        spring, "potential",
+        nodes_.text(spring_energy(joint.stiffness, text.position, {joint.rest, joint.rest}), joint.where));
+  }
+}
+
+std::string MjcfForceNodes::length(std::size_t tendon) const {
+  std::vector<SumTerm> terms;
+  const MjcfTendon& of = model_.tendons[tendon];
+  for (const MjcfTerm& term : of.terms) terms.push_back({term.factor, naming_.text(term.joint).position});
+  if (!of.fixed)
+    for (std::size_t b = 0; b < of.branches.size(); ++b)
+      terms.push_back({1 / of.branches[b].divisor, fmt::format("length({})", paths_.at(tendon)[b])});
+  return sum_text(terms);
+}
+
+std::string MjcfForceNodes::rate(std::size_t tendon) const {
+  std::vector<SumTerm> terms;
+  const MjcfTendon& of = model_.tendons[tendon];
+  for (const MjcfTerm& term : of.terms)
+    if (naming_.text(term.joint).base) terms.push_back({term.factor, naming_.text(term.joint).speed});
+  if (!of.fixed)
+    for (std::size_t b = 0; b < of.branches.size(); ++b)
+      terms.push_back({1 / of.branches[b].divisor, fmt::format("rate({})", paths_.at(tendon)[b])});
+  return sum_text(terms);
+}
+
+/// `pull`: what actuators add along its length, or nothing.
+void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull) {
+  const MjcfTendon& of = model_.tendons[tendon];
+  const std::string& name = naming_.tendon(tendon);
+  std::vector<SumTerm> along;
+  if (!pull.empty()) along.push_back({1, pull});
+  if (options_.resistance && of.damping != 0) along.push_back({-of.damping, factor_text(rate(tendon))});
+  if (options_.resistance && of.friction != 0) along.push_back({1, tanh_of(of.friction, rate(tendon))});
+  std::string sum;
+  for (const SumTerm& term : along) sum += (sum.empty() ? "" : " + ") + product_text(term.factor, term.of);
+  if (of.fixed) {
+    for (const MjcfTerm& term : of.terms)
+      if (!sum.empty() && term.factor != 0)
+        add_on(list, naming_.new_force(fmt::format("{}_{}", name, naming_.coordinates(term.joint)[0])),
+               term.joint, product_text(term.factor, sum), of.where);
+  } else {
+    for (std::size_t b = 0; b < of.branches.size(); ++b) {
+      YamlNode& force = add_named(list, paths_[tendon][b], of.where);
+      YamlNode& path = nodes_.sequence(of.where);
+      const std::vector<std::size_t>& sites = of.branches[b].sites;
+      for (std::size_t i = 0; i < sites.size(); ++i)
+        if (i == 0 || sites[i] != sites[i - 1])
+          path.items.push_back(&nodes_.text(naming_.frame(sites[i]), of.where));
+      nodes_.put(force, "path", path);
+      nodes_.put(force, "tension",
+                 nodes_.text(sum.empty() ? "0" : product_text(-1 / of.branches[b].divisor, sum), of.where));
+    }
+  }
+  if (of.stiffness == 0) return;
+  YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), of.where);
+  nodes_.put(spring, "potential",
+             nodes_.text(spring_energy(of.stiffness, length(tendon), of.rest), of.where));
+}
+
+bool MjcfForceNodes::acts(std::size_t actuator) const {
+  const MjcfActuator& of = model_.actuators[actuator];
+  const auto any = [](const auto& values) {
+    return std::ranges::any_of(values, [](double v) { return v != 0; });
+  };
+  return any(of.gear) && (any(of.gain) || any(of.bias));
+}
+
+std::string MjcfForceNodes::actuator_length(const MjcfActuator& of) const {
+  if (of.through == MjcfTransmission::tendon) return product_text(of.gear[0], length(of.of));
+  if (of.through == MjcfTransmission::site || speed_count(model_.joints[of.of].type) != 1) return "0";
+  return product_text(of.gear[0], naming_.text(of.of).position);
+}
+
+std::string MjcfForceNodes::actuator_rate(const MjcfActuator& of) const {
+  if (of.through == MjcfTransmission::tendon) return product_text(of.gear[0], rate(of.of));
+  if (of.through == MjcfTransmission::site) return "0";
+  if (speed_count(model_.joints[of.of].type) == 1) return product_text(of.gear[0], naming_.text(of.of).speed);
+  std::vector<SumTerm> terms;
+  const std::vector<std::string>& names = naming_.coordinates(of.of);
+  const std::size_t shifts = names.size() - 1;
+  for (std::size_t k = 0; k < shifts; ++k) terms.push_back({of.gear[k], fmt::format("d({})", names[k])});
+  for (std::size_t k = 0; k < 3; ++k)
+    terms.push_back({of.gear[shifts + k], fmt::format("d({}).{}", names.back(), kAxes[k])});
+  return sum_text(terms);
+}
+
+/// gain*u + bias, within its range.
+std::string MjcfForceNodes::law(std::size_t actuator) const {
+  const MjcfActuator& of = model_.actuators[actuator];
+  const std::string& u =
+      of.activation == MjcfActivation::none ? naming_.input(actuator) : naming_.state(actuator);
+  const std::string l = actuator_length(of), v = actuator_rate(of);
+  std::string out;
+  const auto add = [&](double factor, const std::string& text) {
+    if (factor == 0 || text == "0") return;
+    const std::string size = number_text(std::abs(factor));
+    const std::string term = text.empty()            ? size
+                             : std::abs(factor) == 1 ? factor_text(text)
+                                                     : size + "*" + factor_text(text);
+    if (out.empty())
+      out = factor < 0 ? "-" + term : term;
+    else
+      out += (factor < 0 ? " - " : " + ") + term;
+  };
+  const auto of_input = [&](const std::string& text) { return u + "*" + factor_text(text); };
+  if (of.gain[0] != 0 && of.bias[1] == -of.gain[0] && l != "0") {
+    add(of.gain[0], fmt::format("{} - {}", u, factor_text(l)));
+  } else {
+    add(of.gain[0], u);
+    add(of.bias[1], l);
+  }
+  if (of.gain[1] != 0 && l != "0") add(of.gain[1], of_input(l));
+  if (of.gain[2] != 0 && v != "0") add(of.gain[2], of_input(v));
+  add(of.bias[0], "");
+  add(of.bias[2], v);
+  if (of.forces && !out.empty())
+    return fmt::format("clamp({}, {}, {})", out, number_text((*of.forces)[0]), number_text((*of.forces)[1]));
+  return out.empty() ? "0" : out;
+}
+
+void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
+  const MjcfActuator& of = model_.actuators[actuator];
+  const std::string& name = naming_.actuator(actuator);
+  const std::string force = law(actuator);
+  if (of.through == MjcfTransmission::site) {
+    YamlNode& node = add_named(list, name, of.where);
+    nodes_.put(node, "at", nodes_.text(naming_.frame(of.of), of.where));
+    for (const auto& [key, first] : {std::pair("force", std::size_t{0}), {"torque", std::size_t{3}}}) {
+      std::array<std::string, 3> entries;
+      bool any = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double gear = of.gear[first + k];
+        any = any || gear != 0;
+        entries[k] = gear == 0 ? "0" : product_text(gear, force);
+      }
+      if (any) nodes_.put(node, key, nodes_.list({entries[0], entries[1], entries[2]}, of.where));
+    }
+  } else if (speed_count(model_.joints[of.of].type) == 1) {
+    add_on(list, name, of.of, product_text(of.gear[0], force), of.where);
+  } else {
+    const std::vector<std::string>& names = naming_.coordinates(of.of);
+    std::vector<std::string> speeds(names.begin(), names.end() - 1);
+    for (const char* axis : kAxes) speeds.push_back(names.back() + "." + axis);
+    bool first = true;
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      if (of.gear[k] == 0) continue;
+      YamlNode& node = add_named(list, first ? name : naming_.new_force(name), of.where);
+      nodes_.put(node, "on", nodes_.text(speeds[k], of.where));
+      nodes_.put(node, "value", nodes_.text(product_text(of.gear[k], force), of.where));
+      first = false;
+    }
+  }
+}
+
+void MjcfForceNodes::add_forces(YamlNode& list) {
+  add_followers(list);
+  for (std::size_t t = 0; t < model_.tendons.size(); ++t) {
+    // Names of its branches stand in the laws of its actuators.
+    const MjcfTendon& of = model_.tendons[t];
+    if (!of.fixed) {
+      std::vector<std::string>& paths = paths_[t];
+      for (std::size_t b = 0; b < of.branches.size(); ++b)
+        paths.push_back(b == 0 ? naming_.tendon(t)
+                               : naming_.new_force(fmt::format("{}_branch{}", naming_.tendon(t), b + 1)));
+    }
+    std::string pull;
+    for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
+      const MjcfActuator& actuator = model_.actuators[a];
+      if (actuator.through != MjcfTransmission::tendon || actuator.of != t || !acts(a)) continue;
+      pull += (pull.empty() ? "" : " + ") + product_text(actuator.gear[0], law(a));
+    }
+    add_tendon(list, t, pull);
+  }
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a)
+    if (model_.actuators[a].through != MjcfTransmission::tendon && acts(a)) add_actuator(list, a);
+  add_borne_weight(list);
+  add_fluid(list);
+}
+
+void MjcfForceNodes::add_inputs(YamlNode& list) const {
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
+    const MjcfActuator& of = model_.actuators[a];
+    const bool used = std::ranges::any_of(of.gain, [](double v) { return v != 0; });
+    if (!acts(a) || !used) continue;
+    // MuJoCo takes an input to the end of its range, too.
+    double initial = model_.start_inputs.empty() ? 0 : model_.start_inputs[a];
+    if (of.inputs) initial = std::clamp(initial, (*of.inputs)[0], (*of.inputs)[1]);
+    YamlNode& node = add_named(list, naming_.input(a), of.where);
+    if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
+    if (of.inputs)
+      nodes_.put(node, "limits",
+                 nodes_.list({number_text((*of.inputs)[0]), number_text((*of.inputs)[1])}, of.where));
+    if (node.items.size() == 2) list.items.back() = node.items[1];
+  }
+}
+
+void MjcfForceNodes::add_states(YamlNode& list) const {
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
+    const MjcfActuator& of = model_.actuators[a];
+    if (of.activation == MjcfActivation::none || !acts(a)) continue;
+    const std::string &input = naming_.input(a), &state = naming_.state(a);
+    YamlNode& node = add_named(list, state, of.where);
+    nodes_.put(node, "rate",
+               nodes_.text(of.activation == MjcfActivation::integrator
+                               ? input
+                               : fmt::format("({} - {})/{}", input, state, number_text(of.time_constant)),
+                           of.where));
+    const double initial = of.activations ? std::clamp(0.0, (*of.activations)[0], (*of.activations)[1]) : 0;
+    if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
+    if (of.activations)
+      nodes_.put(
+          node, "limits",
+          nodes_.list({number_text((*of.activations)[0]), number_text((*of.activations)[1])}, of.where));
+  }
+}
+
+bool MjcfForceNodes::moves(std::size_t body) const {
+  for (; body != 0; body = model_.bodies[body].parent)
+    if (!model_.bodies[body].joints.empty()) return true;
+  return false;
+}
+
+void MjcfForceNodes::add_borne_weight(YamlNode& list) {
+  for (std::size_t b = 1; b < model_.bodies.size(); ++b) {
+    const MjcfBody& body = model_.bodies[b];
+    if (body.weightless == 0 || body.mass.mass == 0 || !moves(b)) continue;
+    const std::string frame = naming_.new_frame(naming_.body(b) + "_centre");
+    bodies_.add_frame(frames_, frame, b, {body.mass.centre, Eigen::Quaterniond::Identity()}, body.where);
+    YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_gravcomp"), body.where);
+    nodes_.put(node, "at", nodes_.text(frame, body.where));
+    nodes_.put(node, "axes", nodes_.text("world", body.where));
+    const Eigen::Vector3d lift = -body.weightless * body.mass.mass * model_.gravity;
+    nodes_.put(node, "force", nodes_.numbers({lift.x(), lift.y(), lift.z()}, body.where));
+  }
+}
+
+void MjcfForceNodes::add_fluid(YamlNode& list) {
+  if (model_.density <= 0 && model_.viscosity <= 0) return;
+  for (std::size_t b = 1; b < model_.bodies.size(); ++b) {
+    const MjcfBody& body = model_.bodies[b];
+    if (body.mass.mass == 0 || !moves(b)) continue;
+    if (body.fluid_shapes)
+      throw InputError(body.where, "the fluidshape of a geom cannot be expressed",
+                       "without it the fluid acts on a box of the body's inertia, which can");
+    add_fluid_on(list, b);
+  }
+}
+
+/// On a box of the body's inertia, as MuJoCo has it.
+void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
+  const MjcfBody& body = model_.bodies[b];
+  Eigen::Matrix3d axes;
+  if (body.inertial_turn)
+    axes = body.inertial_turn->toRotationMatrix();
+  else
+    axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.mass.inertia).eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) *= -1;
+  const Eigen::Vector3d i = (axes.transpose() * body.mass.inertia * axes).diagonal();
+  std::array<double, 3> box;
+  for (int k = 0; k < 3; ++k)
+    box[static_cast<std::size_t>(k)] = std::sqrt(std::max(1e-15, i.sum() - 2 * i[k]) / body.mass.mass * 6);
+  const std::string frame = naming_.new_frame(naming_.body(b) + "_fluid");
+  bodies_.add_frame(frames_, frame, b, {body.mass.centre, Eigen::Quaterniond(axes)}, body.where);
+  YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
+  nodes_.put(node, "at", nodes_.text(frame, body.where));
+  const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;
+  std::array<std::string, 3> force, torque;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
+                                fmt::format("rotation({}).y{}", frame, kAxes[k]),
+                                fmt::format("rotation({}).z{}", frame, kAxes[k])};
+    std::string v[3], w[3];
+    for (int m = 0; m < 3; ++m) {
+      v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
+      w[m] = fmt::format("angular_velocity({}).{}", frame, kAxes[m]);
+    }
+    const double a = box[(k + 1) % 3], c = box[(k + 2) % 3];
+    const auto drag = [&](const std::string& along, double linear, double square) {
+      const std::string speed = "(" + along + ")";
+      return sum_text({{-linear, speed}, {-square, "abs" + speed + "*" + speed}});
+    };
+    force[k] = drag(dot_text(row, v), 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
+    torque[k] = drag(dot_text(row, w), pi * std::pow(diameter, 3) * model_.viscosity,
+                     model_.density * box[k] * (std::pow(a, 4) + std::pow(c, 4)) / 64);
+  }
+  nodes_.put(node, "force", nodes_.list({force[0], force[1], force[2]}, body.where));
+  nodes_.put(node, "torque", nodes_.list({torque[0], torque[1], torque[2]}, body.where));
+}
+
+}  // namespace alembert

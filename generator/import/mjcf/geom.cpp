@@ -1,0 +1,178 @@
+#include "import/mjcf/geom.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace alembert {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+constexpr int kVisibleGroups = 3;  // 0, 1 and 2, as MuJoCo's viewers have it
+
+/// Inertia about the centre from integrals of x^2, y^2 and z^2.
+Eigen::Matrix3d from_squares(double xx, double yy, double zz) {
+  return Eigen::Vector3d(yy + zz, xx + zz, xx + yy).asDiagonal();
+}
+
+BodyMass solid(MjcfShapeKind kind, const std::array<double, 3>& s) {
+  const double a = s[0], b = s[1], c = s[2];
+  switch (kind) {
+    case MjcfShapeKind::sphere: {
+      const double m = 4 * kPi / 3 * a * a * a, each = m * a * a / 5;
+      return {m, {0, 0, 0}, from_squares(each, each, each)};
+    }
+    case MjcfShapeKind::ellipsoid: {
+      const double m = 4 * kPi / 3 * a * b * c / 5;
+      return {5 * m, {0, 0, 0}, from_squares(m * a * a, m * b * b, m * c * c)};
+    }
+    case MjcfShapeKind::box: {
+      const double m = 8 * a * b * c / 3;
+      return {3 * m, {0, 0, 0}, from_squares(m * a * a, m * b * b, m * c * c)};
+    }
+    case MjcfShapeKind::cylinder: {
+      const double m = 2 * kPi * a * a * b;
+      return {m, {0, 0, 0}, from_squares(m * a * a / 4, m * a * a / 4, m * b * b / 3)};
+    }
+    case MjcfShapeKind::capsule: {
+      // A cylinder, and two halves of a ball whose centres of mass lie 3/8 of the radius outside its ends.
+      const double m = 2 * kPi * a * a * b, ball = 4 * kPi / 3 * a * a * a;
+      const double across = m * a * a / 4 + ball * a * a / 5;
+      const double along = m * b * b / 3 + ball * (a * a / 5 + b * b + 3 * a * b / 4);
+      return {m + ball, {0, 0, 0}, from_squares(across, across, along)};
+    }
+    case MjcfShapeKind::none:
+      break;
+  }
+  return {};
+}
+
+/// Of the surface, the mass being the area.
+BodyMass surface(MjcfShapeKind kind, const std::array<double, 3>& s) {
+  const double a = s[0], b = s[1], c = s[2];
+  switch (kind) {
+    case MjcfShapeKind::sphere: {
+      const double m = 4 * kPi * a * a, each = m * a * a / 3;
+      return {m, {0, 0, 0}, from_squares(each, each, each)};
+    }
+    case MjcfShapeKind::box: {
+      const double x = 8 * b * c, y = 8 * a * c, z = 8 * a * b;  // areas of pairs of faces
+      return {x + y + z,
+              {0, 0, 0},
+              from_squares(a * a * (x + y / 3 + z / 3), b * b * (y + x / 3 + z / 3),
+                           c * c * (z + x / 3 + y / 3))};
+    }
+    case MjcfShapeKind::cylinder: {
+      const double side = 4 * kPi * a * b, ends = 2 * kPi * a * a;
+      const double across = side * a * a / 2 + ends * a * a / 4;
+      return {side + ends, {0, 0, 0}, from_squares(across, across, side * b * b / 3 + ends * b * b)};
+    }
+    case MjcfShapeKind::capsule: {
+      const double side = 4 * kPi * a * b, ball = 4 * kPi * a * a;
+      const double across = side * a * a / 2 + ball * a * a / 3;
+      const double along = side * b * b / 3 + ball * (a * a / 3 + b * b + a * b);
+      return {side + ball, {0, 0, 0}, from_squares(across, across, along)};
+    }
+    case MjcfShapeKind::ellipsoid:
+    case MjcfShapeKind::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+MjcfGeom::MjcfGeom(const MjcfElement& element, const MjcfPose& frame, const MjcfCompiler& compiler,
+                   const MjcfAssets& assets)
+    : element_(element), assets_(assets) {
+  shape_.where = element.where();
+  const std::size_t type = element.word(
+      "type", {"plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf"}, 2);
+  massless_kind_ = type < 2;
+  mesh_ = type >= 7;
+  constexpr MjcfShapeKind kKinds[] = {MjcfShapeKind::sphere, MjcfShapeKind::capsule, MjcfShapeKind::ellipsoid,
+                                      MjcfShapeKind::cylinder, MjcfShapeKind::box};
+  group_ = static_cast<int>(element.number("group", 0));
+  const bool primitive = type >= 2 && type < 7;
+  // A primitive with a mesh is fitted to that, which is for viewers and contacts.
+  if (primitive && !element.has("mesh")) shape_.kind = kKinds[type - 2];
+  MjcfPose pose = compiler.pose(element);
+  constexpr std::size_t kCounts[] = {1, 2, 3, 2, 3};
+  std::size_t count = primitive ? kCounts[type - 2] : 0;
+  if (const std::vector<double> ends = element.list("fromto", 6, 6);
+      !ends.empty() && primitive && type != 2) {
+    const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
+    const double length = (from - to).norm();
+    if (!(length > 0))
+      throw element.error("fromto", fmt::format("the ends of {} are one point", element.what()));
+    pose.shift = (from + to) / 2;
+    pose.turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), (from - to) / length);
+    if (shape_.kind != MjcfShapeKind::none) read_sizes(1);
+    half_[1] = length / 2;
+    if (count == 3) half_ = {half_[0], half_[0], length / 2};
+  } else if (shape_.kind != MjcfShapeKind::none) {
+    read_sizes(count);
+  }
+  shape_.pose = frame * pose;
+  shape_.hidden = group_ >= kVisibleGroups;
+  shape_.sizes = half_;
+  if (count == 2) shape_.sizes[1] *= 2;
+  if (shape_.kind == MjcfShapeKind::box)
+    for (double& size : shape_.sizes) size *= 2;
+  if (const std::vector<double> rgba = element.list("rgba", 4, 4); !rgba.empty())
+    shape_.colour = {rgba[0], rgba[1], rgba[2]};
+  else
+    shape_.colour = assets.colour(element.string("material"));
+  if (shape_.colour)
+    for (double& each : *shape_.colour) each = std::clamp(each, 0.0, 1.0);
+}
+
+void MjcfGeom::read_sizes(std::size_t count) {
+  if (!element_.has("size"))
+    throw InputError(element_.where(), fmt::format("no size of {}", element_.what()));
+  const std::vector<double> sizes = element_.list("size", count, 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(sizes[i] > 0))
+      throw element_.error("size",
+                           fmt::format("expected positive sizes of {}, found {}", element_.what(), sizes[i]));
+    half_[i] = sizes[i];
+  }
+}
+
+BodyMass MjcfGeom::of_unit_density(bool shell) const {
+  if (mesh_) {
+    const BodyMass mesh = assets_.mesh(element_, shell);
+    return mesh.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
+  }
+  if (shape_.kind == MjcfShapeKind::none)
+    throw element_.error(
+        "mesh", fmt::format("{} is fitted to a mesh: its inertia is not worked out", element_.what()),
+        "give the body an <inertial>");
+  if (shell && shape_.kind == MjcfShapeKind::ellipsoid)
+    throw element_.error("shellinertia", fmt::format("{} is the shell of an ellipsoid, whose inertia is not "
+                                                     "worked out",
+                                                     element_.what()));
+  const BodyMass out = shell ? surface(shape_.kind, half_) : solid(shape_.kind, half_);
+  return out.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
+}
+
+BodyMass MjcfGeom::mass() const {
+  if (massless_kind_) return {};
+  if (element_.has("mass")) {
+    const double mass = element_.number("mass", 0);
+    if (mass < 0) throw element_.error("mass", fmt::format("the mass of {} is negative", element_.what()));
+    if (mass == 0) return {};
+    const BodyMass unit = of_unit_density(element_.flag("shellinertia", false));
+    return unit.times(mass / unit.mass);
+  }
+  const double density = element_.number("density", 1000);
+  if (density < 0)
+    throw element_.error("density", fmt::format("the density of {} is negative", element_.what()));
+  if (density == 0) return {};
+  return of_unit_density(element_.flag("shellinertia", false)).times(density);
+}
+
+}  // namespace alembert

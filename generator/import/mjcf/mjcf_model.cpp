@@ -1,0 +1,148 @@
+// XML in, a model out: its sections in the order in which they need each other.
+#include "import/mjcf/mjcf_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "import/mjcf/actuators.hpp"
+#include "import/mjcf/context.hpp"
+#include "import/mjcf/spelling.hpp"
+
+namespace alembert {
+namespace {
+
+void read_option(const MjcfText& text, MjcfModel& model, std::vector<std::string>& disabled) {
+  for (const pugi::xml_node node : text.children(text.root(), "option")) {
+    const MjcfElement of(text, {node}, "the option");
+    check_attributes(text, node);
+    model.gravity = of.vector("gravity", model.gravity);
+    model.wind = of.vector("wind", model.wind);
+    model.density = of.number("density", model.density);
+    model.viscosity = of.number("viscosity", model.viscosity);
+    for (const pugi::xml_node flag : text.children(node, "flag"))
+      for (const pugi::xml_attribute each : flag.attributes())
+        if (std::string_view(each.value()) == "disable") disabled.emplace_back(each.name());
+  }
+}
+
+/// What the option's flags switch off.
+void disable(MjcfModel& model, const std::vector<std::string>& disabled) {
+  const auto is = [&](const char* name) { return std::ranges::find(disabled, name) != disabled.end(); };
+  const bool passive = is("passive"), springs = passive || is("spring"), dampers = passive || is("damper");
+  const bool constraint = is("constraint"), friction = constraint || is("frictionloss");
+  if (is("gravity")) model.gravity.setZero();
+  if (is("actuation")) model.actuators.clear();
+  if (constraint || is("equality")) model.equalities.clear();
+  const auto calm = [&](auto& of) {
+    if (springs) of.stiffness = 0;
+    if (dampers) of.damping = 0;
+    if (friction) of.friction = 0;
+  };
+  for (MjcfJoint& joint : model.joints) calm(joint);
+  for (MjcfTendon& tendon : model.tendons) calm(tendon);
+  if (passive || is("gravity"))
+    for (MjcfBody& body : model.bodies) body.weightless = 0;
+  if (passive) model.density = model.viscosity = 0;
+}
+
+void read_start(const MjcfText& text, MjcfModel& model) {
+  std::vector<pugi::xml_node> keys;
+  for (const pugi::xml_node section : text.children(text.root(), "keyframe"))
+    std::ranges::copy(text.children(section, "key"), std::back_inserter(keys));
+  if (keys.empty()) return;
+  const MjcfElement key(text, {keys[0]}, "the keyframe");
+  std::size_t positions = 0, speeds = 0;
+  for (const MjcfJoint& joint : model.joints) {
+    positions += position_count(joint.type);
+    speeds += speed_count(joint.type);
+  }
+  const auto read = [&](const char* name, std::size_t count, std::vector<double>& out) {
+    text.of(keys[0]).tolerate("it is left out", [&] {
+      if (key.has(name)) out = key.list(name, count, count);
+    });
+  };
+  read("qpos", positions, model.start);
+  read("qvel", speeds, model.start_speeds);
+  read("ctrl", model.actuators.size(), model.start_inputs);
+}
+
+void check_sections(const MjcfText& text) {
+  text.of(text.root())
+      .check_spelling(text.root(), "the model",
+                      {"compiler", "option", "size", "visual", "statistic", "default", "custom", "asset",
+                       "worldbody", "contact", "deformable", "equality", "tendon", "actuator", "sensor",
+                       "keyframe", "extension", "include"},
+                      {"model"});
+  for (const pugi::xml_node section : text.children(text.root(), "deformable"))
+    for (const pugi::xml_node flex : text.children(section, "flex"))
+      throw InputError(text.where(flex), "a flexible body (<flex>) cannot be expressed");
+}
+
+MjcfPose pose_at(const MjcfModel& model, std::size_t body, bool rest) {
+  MjcfPose out;
+  for (; body != 0; body = model.bodies[body].parent) {
+    MjcfPose own = model.bodies[body].pose;
+    for (const std::size_t j : model.bodies[body].joints) {
+      const MjcfJoint& joint = model.joints[j];
+      const double by = joint.rest - joint.reference;
+      if (!rest || by == 0) continue;
+      const Eigen::Vector3d axis = joint.axis.normalized();
+      if (joint.type == MjcfJointType::slide) own = own * MjcfPose{by * axis, Eigen::Quaterniond::Identity()};
+      if (joint.type != MjcfJointType::hinge) continue;
+      const Eigen::Quaterniond turn(Eigen::AngleAxisd(by, axis));
+      own = own * MjcfPose{joint.position - turn * joint.position, turn};
+    }
+    out = own * out;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::size_t position_count(MjcfJointType type) {
+  return type == MjcfJointType::free ? 7 : type == MjcfJointType::ball ? 4 : 1;
+}
+std::size_t speed_count(MjcfJointType type) {
+  return type == MjcfJointType::free ? 6 : type == MjcfJointType::ball ? 3 : 1;
+}
+
+MjcfPose reference_pose(const MjcfModel& model, std::size_t body) {
+  return pose_at(model, body, false);
+}
+
+MjcfPose rest_pose(const MjcfModel& model, std::size_t body) {
+  return pose_at(model, body, true);
+}
+
+MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, Warnings& warnings) {
+  const MjcfText text(std::move(source), warnings);
+  const pugi::xml_node root = text.root();
+  if (std::string_view(root.name()) != "mujoco")
+    throw InputError(text.where(root),
+                     fmt::format("expected a <mujoco>, found <{}>", printable(root.name())));
+  check_sections(text);
+  MjcfModel model;
+  const pugi::xml_attribute name = root.attribute("model");
+  model.name = name ? name.value() : "model";
+  model.where = name ? text.where(name) : text.where(root);
+  model.places = text.places();
+  std::vector<std::string> disabled;
+  read_option(text, model, disabled);
+  const MjcfCompiler compiler = read_compiler(text);
+  const MjcfDefaults defaults(text);
+  MjcfTree tree(text, defaults, compiler, model);
+  tree.read();
+  MjcfContext context{text, defaults, compiler, tree, model, {}, {}};
+  read_tendons(context);
+  read_equalities(context);
+  read_actuators(context);
+  read_sensors(context);
+  read_start(text, model);
+  disable(model, disabled);
+  return model;
+}
+
+}  // namespace alembert

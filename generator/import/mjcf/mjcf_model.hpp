@@ -1,0 +1,140 @@
+// What a model says: bodies, joints and sites, what acts between them, and where it starts. SI units, angles in
+// radians; names may be empty.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/common/mass_properties.hpp"
+#include "import/mjcf/geom.hpp"
+
+namespace alembert {
+
+enum class MjcfJointType { free, ball, slide, hinge };
+
+struct MjcfJoint {
+  std::string name;
+  MjcfJointType type = MjcfJointType::hinge;
+  std::size_t body = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(),
+                  axis = Eigen::Vector3d::UnitZ();  ///< in the body's frame
+  double reference = 0, rest = 0, stiffness = 0, damping = 0, armature = 0, friction = 0;
+  std::optional<std::array<double, 2>> limits;
+  std::optional<double> effort;
+  SourceLocation where;
+};
+
+struct MjcfBody {
+  std::string name;
+  std::size_t parent = 0;
+  MjcfPose pose;                                    ///< in its parent, where no joint has moved
+  BodyMass mass;                                    ///< in its own frame
+  std::optional<Eigen::Quaterniond> inertial_turn;  ///< axes of its inertia, if the model says them
+  double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
+  bool fluid_shapes = false;
+  std::vector<std::size_t> joints;
+  std::vector<MjcfShape> shapes;
+  SourceLocation where;
+};
+
+/// A site, or the frame of a geom or camera that something asks for.
+struct MjcfPlace {
+  std::string name;
+  std::size_t body = 0;
+  MjcfPose pose;
+  SourceLocation where;
+};
+
+struct MjcfTerm {
+  std::size_t joint;
+  double factor;
+};
+
+/// One branch of a path: sites, and what its length is divided by.
+struct MjcfBranch {
+  std::vector<std::size_t> sites;
+  double divisor = 1;
+};
+
+struct MjcfTendon {
+  std::string name;
+  bool fixed = false;
+  std::vector<MjcfTerm> terms;       ///< if fixed
+  std::vector<MjcfBranch> branches;  ///< if not
+  double stiffness = 0, damping = 0, friction = 0;
+  std::array<double, 2> rest{};  ///< between these lengths no spring acts
+  SourceLocation where;
+};
+
+enum class MjcfTransmission { joint, tendon, site };
+enum class MjcfActivation { none, integrator, filter };
+
+/// force = gain*u + bias, each an affine function of length and velocity, u being the input or a state.
+struct MjcfActuator {
+  std::string name;
+  MjcfTransmission through = MjcfTransmission::joint;
+  bool in_parent = false;  ///< of a ball or free joint: the torque is in the axes of the parent
+  std::size_t of = 0;
+  std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
+  std::array<double, 3> gain{1, 0, 0}, bias{};
+  double damping_ratio = 0;  ///< of a position actuator, in place of bias[2]
+  MjcfActivation activation = MjcfActivation::none;
+  double time_constant = 1;
+  std::optional<std::array<double, 2>> inputs, forces, activations;
+  SourceLocation where;
+};
+
+enum class MjcfEqualityType { connect, weld, joint, tendon };
+
+struct MjcfEquality {
+  std::string name;
+  MjcfEqualityType type = MjcfEqualityType::connect;
+  std::size_t first = 0;              ///< body, joint or tendon
+  std::optional<std::size_t> second;  ///< likewise
+  MjcfPose first_pose, second_pose;   ///< of connect and weld: what coincides, in the two bodies
+  std::array<double, 5> polynomial{0, 1, 0, 0, 0};
+  SourceLocation where;
+};
+
+struct MjcfSensor {
+  std::string name, kind;
+  std::size_t of = 0;                    ///< place, joint, tendon or actuator, as the kind has it
+  std::optional<std::size_t> reference;  ///< place
+  SourceLocation where;
+};
+
+struct MjcfModel {
+  std::string name;
+  Eigen::Vector3d gravity{0, 0, -9.81}, wind = Eigen::Vector3d::Zero();
+  double density = 0, viscosity = 0;  ///< of what is around
+  std::vector<MjcfBody> bodies;       ///< the first is the world
+  std::vector<MjcfJoint> joints;      ///< in the order of their coordinates
+  std::vector<MjcfPlace> sites;       ///< and other places, behind them
+  std::vector<MjcfTendon> tendons;
+  std::vector<MjcfActuator> actuators;
+  std::vector<MjcfEquality> equalities;
+  std::vector<MjcfSensor> sensors;
+  std::vector<double> start, start_speeds;  ///< of the first keyframe, quaternions w x y z; or empty
+  std::vector<double> start_inputs;
+  std::map<const SourceText*, SourceLocation> places;  ///< of included texts, in the model's own
+  SourceLocation where;
+};
+
+/// How many numbers of qpos and qvel a joint has.
+std::size_t position_count(MjcfJointType type);
+std::size_t speed_count(MjcfJointType type);
+
+/// Where a body is if no joint has moved, in the world.
+MjcfPose reference_pose(const MjcfModel& model, std::size_t body);
+
+/// The same where springs of joints are at rest.
+MjcfPose rest_pose(const MjcfModel& model, std::size_t body);
+
+/// Reads a model. `warnings` gets what is doubtful or left out and does not change the equations. Throws
+/// InputError at what is no MJCF, cannot be understood or cannot be expressed.
+MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, Warnings& warnings);
+
+}  // namespace alembert

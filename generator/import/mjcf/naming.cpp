@@ -1,0 +1,182 @@
+#include "import/mjcf/naming.hpp"
+
+#include <fmt/format.h>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/mjcf/sums.hpp"
+#include "mechanism/names.hpp"
+
+namespace alembert {
+namespace {
+
+bool is_single(MjcfJointType type) {
+  return type == MjcfJointType::hinge || type == MjcfJointType::slide;
+}
+
+bool is_linear(const std::array<double, 5>& p) {
+  return p[2] == 0 && p[3] == 0 && p[4] == 0;
+}
+
+}  // namespace
+
+MjcfNaming::MjcfNaming(const MjcfModel& model, Warnings& warnings)
+    : model_(model), equality_of_(model.joints.size(), kNone), texts_(model.joints.size()) {
+  name_bodies(warnings);
+  name_joints(warnings);
+  find_followers(warnings);
+  name_others();
+}
+
+std::string MjcfNaming::unique(Names& taken, const std::string& name) {
+  std::string fit = fit_name(name, "name");
+  const auto with = [&](const std::string& end) {
+    std::string start = fit.substr(0, kMaximumName - end.size());
+    while (start.ends_with('_')) start.pop_back();
+    return start + end;
+  };
+  std::string out = with("");
+  for (int i = 2; !taken.insert(out).second; ++i) out = with("_" + std::to_string(i));
+  return out;
+}
+
+std::string MjcfNaming::new_output(const std::string& name) {
+  return unique(variables_, variables_.contains(fit_name(name, "output")) ? name + "_output" : name);
+}
+
+void MjcfNaming::name_bodies(Warnings& warnings) {
+  FitNames names("body", warnings);
+  for (const MjcfBody& body : model_.bodies) names.reserve(body.name);
+  bodies_.emplace_back("world");
+  for (std::size_t i = 1; i < model_.bodies.size(); ++i) {
+    const MjcfBody& body = model_.bodies[i];
+    bodies_.push_back(names.add(body.name.empty() ? fmt::format("body_{}", i) : body.name, body.where));
+  }
+}
+
+void MjcfNaming::name_joints(Warnings& warnings) {
+  FitNames names("joint", warnings);
+  for (const MjcfJoint& joint : model_.joints)
+    if (is_single(joint.type)) names.reserve(joint.name);
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const MjcfJoint& joint = model_.joints[j];
+    const std::vector<std::size_t>& siblings = model_.bodies[joint.body].joints;
+    const std::string& body = bodies_[joint.body];
+    const bool free = joint.type == MjcfJointType::free;
+    std::string name = joint.name;
+    if (name.empty() && free) name = body;
+    if (name.empty())
+      name = siblings.size() == 1 ? body + "_joint" : fmt::format("{}_joint{}", body, j - siblings[0] + 1);
+    std::vector<std::string>& coordinates = coordinates_.emplace_back();
+    if (free)
+      for (const char* suffix : {"_x", "_y", "_z", "_rotation"})
+        coordinates.push_back(names.add(name, joint.where, suffix));
+    else
+      coordinates.push_back(names.add(name, joint.where));
+    for (const std::string& each : coordinates) variables_.insert(each);
+  }
+}
+
+void MjcfNaming::name_others() {
+  for (std::size_t i = 0; i < model_.sites.size(); ++i) {
+    const std::string& name = model_.sites[i].name;
+    sites_.push_back(new_frame(name.empty() ? fmt::format("site_{}", i + 1) : name));
+  }
+  for (std::size_t i = 0; i < model_.tendons.size(); ++i) {
+    const std::string& name = model_.tendons[i].name;
+    tendons_.push_back(new_force(name.empty() ? fmt::format("tendon_{}", i + 1) : name));
+  }
+  for (std::size_t i = 0; i < model_.actuators.size(); ++i) {
+    const MjcfActuator& of = model_.actuators[i];
+    const std::string name = of.name.empty() ? fmt::format("actuator_{}", i + 1) : of.name;
+    const std::string fit = fit_name(name, "actuator");
+    actuators_.push_back(new_force(name));
+    inputs_.push_back(unique(variables_, variables_.contains(fit) ? name + "_input" : name));
+    states_.push_back(of.activation == MjcfActivation::none ? "" : unique(variables_, name + "_activation"));
+  }
+}
+
+bool MjcfNaming::leads_to(std::size_t from, std::size_t to) const {
+  for (;;) {
+    if (from == to) return true;
+    if (equality_of_[from] == kNone) return false;
+    const std::optional<std::size_t>& next = model_.equalities[equality_of_[from]].second;
+    if (!next) return false;
+    from = *next;
+  }
+}
+
+void MjcfNaming::find_followers(Warnings& warnings) {
+  for (std::size_t e = 0; e < model_.equalities.size(); ++e) {
+    const MjcfEquality& of = model_.equalities[e];
+    if (of.type != MjcfEqualityType::joint) continue;
+    const bool bent = of.second && !is_linear(of.polynomial);
+    const char* why = nullptr;
+    if (equality_of_[of.first] != kNone) why = "its joint follows another already";
+    if (of.second && leads_to(*of.second, of.first)) why = "its joints would follow each other";
+    if (bent && model_.joints[of.first].armature != 0)
+      why = "its joint has an armature and follows no straight line";
+    if (why != nullptr) {
+      warnings.push_back({of.where,
+                          fmt::format("an equality of joints is a constraint and no function: {}", why),
+                          {},
+                          "equality as constraint"});
+      continue;
+    }
+    equality_of_[of.first] = e;
+    functions_.insert(e);
+  }
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) write_text(j);
+}
+
+void MjcfNaming::write_text(std::size_t joint) {
+  JointText& out = texts_[joint];
+  if (!out.position.empty() || !is_single(model_.joints[joint].type)) return;
+  const std::string& name = coordinates_[joint][0];
+  out.position = name;
+  if (!follows(joint)) {
+    out.speed = "d(" + name + ")";
+    out.base = joint;
+    out.constant_slope = 1;
+    return;
+  }
+  const MjcfEquality& equality = model_.equalities[equality_of_[joint]];
+  if (!equality.second) {
+    out.speed = "0";
+    out.constant_slope = 0;
+    followers_.push_back(joint);
+    return;
+  }
+  write_text(*equality.second);
+  followers_.push_back(joint);
+  const JointText& other = texts_[*equality.second];
+  const std::array<double, 5>& p = equality.polynomial;
+  out.base = other.base;
+  if (is_linear(p) && other.constant_slope) {
+    out.constant_slope = p[1] * *other.constant_slope;
+    out.slope = number_text(*out.constant_slope);
+  } else {
+    const std::string x = factor_text(less_angle(other.position, model_.joints[*equality.second].reference));
+    const std::string own = sum_text({{p[1], ""}, {2 * p[2], x}, {3 * p[3], x + "^2"}, {4 * p[4], x + "^3"}});
+    out.slope = other.slope.empty() ? factor_text(own) : factor_text(own) + "*" + factor_text(other.slope);
+  }
+  if (!out.base) {
+    out.speed = "0";
+    out.constant_slope = 0;
+    return;
+  }
+  out.speed = factor_text(out.slope) + "*" + texts_[*out.base].speed;
+}
+
+std::string MjcfNaming::definition(std::size_t joint) const {
+  const MjcfEquality& equality = model_.equalities[equality_of_[joint]];
+  const std::array<double, 5>& p = equality.polynomial;
+  const double own = model_.joints[joint].reference;
+  if (!equality.second) return number_text(own + p[0]);
+  const double other = model_.joints[*equality.second].reference;
+  const std::string& position = texts_[*equality.second].position;
+  if (is_linear(p)) return sum_text({{p[1], position}, {own + p[0] - p[1] * other, ""}});
+  const std::string x = factor_text(less_angle(position, other));
+  return sum_text({{own + p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
+}
+
+}  // namespace alembert

@@ -1,0 +1,199 @@
+#include "import/mjcf/relation_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include "import/common/snapped_angle.hpp"
+#include "import/mjcf/sums.hpp"
+
+namespace alembert {
+namespace {
+
+/// The scalar product of steps from one origin to another.
+std::string step_product(const std::string& a, const std::string& to_a, const std::string& b,
+                         const std::string& to_b) {
+  std::string out;
+  for (const char* axis : kAxes)
+    out += fmt::format("{}(position({}).{} - position({}).{})*(position({}).{} - position({}).{})",
+                       out.empty() ? "" : " + ", to_a, axis, a, axis, to_b, axis, b, axis);
+  return out;
+}
+
+}  // namespace
+
+/// The body that a body is fixed to, itself if it moves by joints of its own.
+std::size_t MjcfRelationNodes::rigid_root(std::size_t body) const {
+  while (body != 0 && model_.bodies[body].joints.empty()) body = model_.bodies[body].parent;
+  return body;
+}
+
+void MjcfRelationNodes::add_coincidence(std::vector<std::string>& equations, const MjcfEquality& equality,
+                                        const std::string& name) {
+  const SourceLocation& where = equality.where;
+  const auto frame = [&](int end, const char* suffix, const Eigen::Vector3d& offset) {
+    const std::size_t body = end == 1 ? equality.first : *equality.second;
+    MjcfPose pose = end == 1 ? equality.first_pose : equality.second_pose;
+    pose.shift += pose.turn * offset;
+    const std::string out = naming_.new_frame(fmt::format("{}_{}{}", name, end, suffix));
+    bodies_.add_frame(frames_, out, body, pose, where);
+    return out;
+  };
+  const std::string first = frame(1, "", {0, 0, 0}), second = frame(2, "", {0, 0, 0});
+  for (const char* axis : kAxes)
+    equations.push_back(fmt::format("position({}).{} - position({}).{}", first, axis, second, axis));
+  if (equality.type != MjcfEqualityType::weld) return;
+  // Axes of the one are at right angles to the next axes of the other.
+  std::string of_first[3], of_second[3];
+  for (int k = 0; k < 3; ++k) {
+    of_first[k] = frame(1, kAxes[k], Eigen::Vector3d::Unit(k));
+    of_second[k] = frame(2, kAxes[k], Eigen::Vector3d::Unit(k));
+  }
+  for (int k = 0; k < 3; ++k)
+    equations.push_back(step_product(first, of_first[k], second, of_second[(k + 1) % 3]));
+}
+
+void MjcfRelationNodes::add_function(std::vector<std::string>& equations,
+                                     const MjcfEquality& equality) const {
+  const std::array<double, 5>& p = equality.polynomial;
+  const std::string own =
+      less_angle(naming_.text(equality.first).position, model_.joints[equality.first].reference);
+  std::string value = sum_text({{p[0], ""}});
+  if (equality.second) {
+    const std::string x = factor_text(
+        less_angle(naming_.text(*equality.second).position, model_.joints[*equality.second].reference));
+    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
+  }
+  equations.push_back(fmt::format("{} - {}", own, factor_text(value)));
+}
+
+void MjcfRelationNodes::add_tendons(std::vector<std::string>& equations, const MjcfEquality& equality) const {
+  const auto length = [&](std::size_t tendon) {
+    const MjcfTendon& of = model_.tendons[tendon];
+    if (!of.fixed) throw InputError(equality.where, "an equality of spatial tendons cannot be expressed");
+    double reference = 0;
+    for (const MjcfTerm& term : of.terms) reference += term.factor * model_.joints[term.joint].reference;
+    const std::string text = forces_.length(tendon);
+    return reference == 0 ? text : fmt::format("{} - {}", text, factor_text(number_text(reference)));
+  };
+  const std::array<double, 5>& p = equality.polynomial;
+  std::string value = number_text(p[0]);
+  if (equality.second) {
+    const std::string x = factor_text(length(*equality.second));
+    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
+  }
+  equations.push_back(fmt::format("{} - {}", length(equality.first), factor_text(value)));
+}
+
+void MjcfRelationNodes::add_constraints(YamlNode& list) {
+  constexpr const char* kKinds[] = {"connect", "weld", "joint", "tendon"};
+  for (std::size_t e = 0; e < model_.equalities.size(); ++e) {
+    const MjcfEquality& equality = model_.equalities[e];
+    if (naming_.is_function(e)) continue;
+    const bool bodies = equality.type == MjcfEqualityType::connect || equality.type == MjcfEqualityType::weld;
+    if (bodies && rigid_root(equality.first) == rigid_root(*equality.second)) {
+      warnings_.push_back(
+          {equality.where, "an equality of bodies that are fixed together says nothing; it is left out"});
+      continue;
+    }
+    std::string name = equality.name;
+    if (name.empty()) name = fmt::format("{}_{}", kKinds[static_cast<std::size_t>(equality.type)], e + 1);
+    name = naming_.new_constraint(name);
+    std::vector<std::string> equations;
+    if (bodies)
+      add_coincidence(equations, equality, name);
+    else if (equality.type == MjcfEqualityType::joint)
+      add_function(equations, equality);
+    else
+      add_tendons(equations, equality);
+    YamlNode& node = nodes_.mapping(equality.where);
+    nodes_.put(node, "name", nodes_.text(name, equality.where));
+    nodes_.put(node, "type", nodes_.text("holonomic", equality.where));
+    YamlNode& rows = nodes_.sequence(equality.where);
+    for (const std::string& equation : equations)
+      rows.items.push_back(&nodes_.text(equation, equality.where));
+    nodes_.put(node, "equations", rows);
+    list.items.push_back(&node);
+  }
+}
+
+void MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
+                                   const SourceLocation& where) {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "name", nodes_.text(naming_.new_output(name), where));
+  nodes_.put(node, "value", nodes_.text(value, where));
+  list.items.push_back(&node);
+}
+
+void MjcfRelationNodes::add_vector(YamlNode& list, const std::string& name, const std::string (&values)[3],
+                                   const SourceLocation& where) {
+  for (int k = 0; k < 3; ++k) add_output(list, name + "_" + kAxes[k], values[k], where);
+}
+
+void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
+  const std::string& kind = sensor.kind;
+  std::string subject;
+  if (kind.starts_with("frame") || kind == "gyro" || kind == "velocimeter")
+    subject = naming_.frame(sensor.of);
+  if (kind.starts_with("joint")) subject = naming_.coordinates(sensor.of)[0];
+  if (kind.starts_with("tendon")) subject = naming_.tendon(sensor.of);
+  if (kind.starts_with("actuator")) subject = naming_.actuator(sensor.of);
+  const std::string name = !sensor.name.empty() ? sensor.name
+                           : subject.empty()    ? kind
+                                                : fmt::format("{}_{}", subject, kind);
+  const auto vector = [&](const char* quantity, std::string(&out)[3]) {
+    for (int k = 0; k < 3; ++k) out[k] = fmt::format("{}({}).{}", quantity, subject, kAxes[k]);
+  };
+  const auto in_axes_of = [&](const std::string& frame, std::string(&v)[3]) {
+    std::string turned[3];
+    for (int k = 0; k < 3; ++k) {
+      const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
+                                  fmt::format("rotation({}).y{}", frame, kAxes[k]),
+                                  fmt::format("rotation({}).z{}", frame, kAxes[k])};
+      turned[k] = dot_text(row, v);
+    }
+    for (int k = 0; k < 3; ++k) v[k] = turned[k];
+  };
+  std::string v[3];
+  if (kind == "framepos") {
+    vector("position", v);
+    if (sensor.reference)
+      for (int k = 0; k < 3; ++k)
+        v[k] += fmt::format(" - position({}).{}", naming_.frame(*sensor.reference), kAxes[k]);
+  } else if (kind == "framelinvel" || kind == "velocimeter") {
+    vector("velocity", v);
+  } else if (kind == "frameangvel" || kind == "gyro") {
+    vector("angular_velocity", v);
+  } else if (kind.starts_with("frame")) {  // framexaxis and so on
+    for (int k = 0; k < 3; ++k) v[k] = fmt::format("rotation({}).{}{}", subject, kAxes[k], kind[5]);
+  } else if (kind == "clock") {
+    return add_output(list, name, "t", sensor.where);
+  } else {
+    const bool rate = kind.ends_with("vel");
+    std::string value;
+    if (kind.starts_with("joint")) {
+      const JointText& text = naming_.text(sensor.of);
+      value = rate ? text.speed : text.position;
+    } else if (kind.starts_with("tendon")) {
+      value = rate ? forces_.rate(sensor.of) : forces_.length(sensor.of);
+    } else {
+      const MjcfActuator& of = model_.actuators[sensor.of];
+      value = rate ? forces_.actuator_rate(of) : forces_.actuator_length(of);
+    }
+    if (value.empty() || value == "0") {
+      warnings_.push_back({sensor.where,
+                           fmt::format("the sensor '{}' has no value here; it is left out", printable(name)),
+                           {},
+                           "sensor without value"});
+      return;
+    }
+    return add_output(list, name, value, sensor.where);
+  }
+  if (sensor.reference) in_axes_of(naming_.frame(*sensor.reference), v);
+  if (kind == "gyro" || kind == "velocimeter") in_axes_of(subject, v);
+  add_vector(list, name, v, sensor.where);
+}
+
+void MjcfRelationNodes::add_outputs(YamlNode& list) {
+  for (const MjcfSensor& sensor : model_.sensors) add_sensor(list, sensor);
+}
+
+}  // namespace alembert

@@ -1,0 +1,107 @@
+#include "import/mjcf/spelling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace alembert {
+namespace {
+
+using Attributes = std::initializer_list<std::string_view>;
+
+const Attributes kOfJoint = {"name",
+                             "class",
+                             "type",
+                             "group",
+                             "pos",
+                             "axis",
+                             "springdamper",
+                             "limited",
+                             "actuatorfrclimited",
+                             "solreflimit",
+                             "solimplimit",
+                             "solreffriction",
+                             "solimpfriction",
+                             "stiffness",
+                             "range",
+                             "actuatorfrcrange",
+                             "actuatorgravcomp",
+                             "margin",
+                             "ref",
+                             "springref",
+                             "armature",
+                             "damping",
+                             "frictionloss",
+                             "user"};
+const Attributes kOfGeom = {
+    "name",     "class",    "type", "contype",    "conaffinity",  "condim", "group",  "priority", "size",
+    "material", "friction", "mass", "density",    "shellinertia", "solmix", "solref", "solimp",   "margin",
+    "gap",      "fromto",   "pos",  "quat",       "axisangle",    "xyaxes", "zaxis",  "euler",    "hfield",
+    "mesh",     "fitscale", "rgba", "fluidshape", "fluidcoef",    "user"};
+const Attributes kOfSite = {"name",   "class",     "type",   "group", "pos",   "quat", "material", "size",
+                            "fromto", "axisangle", "xyaxes", "zaxis", "euler", "rgba", "user"};
+const Attributes kOfActuator = {
+    "name",         "class",        "group",         "nsample",    "interp",     "delay",       "ctrllimited",
+    "forcelimited", "actlimited",   "ctrlrange",     "forcerange", "actrange",   "lengthrange", "gear",
+    "cranklength",  "joint",        "jointinparent", "tendon",     "slidersite", "cranksite",   "site",
+    "refsite",      "body",         "user",          "actdim",     "dyntype",    "gaintype",    "biastype",
+    "dynprm",       "gainprm",      "biasprm",       "actearly",   "kp",         "kv",          "dampratio",
+    "timeconst",    "inheritrange", "area",          "diameter",   "bias",       "armature",    "damping"};
+const Attributes kOfOption = {"timestep",
+                              "apirate",
+                              "impratio",
+                              "tolerance",
+                              "ls_tolerance",
+                              "noslip_tolerance",
+                              "ccd_tolerance",
+                              "mpr_tolerance",
+                              "sleep_tolerance",
+                              "gravity",
+                              "wind",
+                              "magnetic",
+                              "density",
+                              "viscosity",
+                              "o_margin",
+                              "o_solref",
+                              "o_solimp",
+                              "o_friction",
+                              "integrator",
+                              "cone",
+                              "jacobian",
+                              "solver",
+                              "iterations",
+                              "ls_iterations",
+                              "noslip_iterations",
+                              "mpr_iterations",
+                              "ccd_iterations",
+                              "sdf_iterations",
+                              "sdf_initpoints",
+                              "actuatorgroupdisable",
+                              "collision"};
+
+struct KnownElement {
+  std::string_view name;
+  const Attributes* attributes;
+};
+
+const KnownElement kElements[] = {{"joint", &kOfJoint},       {"geom", &kOfGeom},
+                                  {"site", &kOfSite},         {"general", &kOfActuator},
+                                  {"motor", &kOfActuator},    {"position", &kOfActuator},
+                                  {"velocity", &kOfActuator}, {"intvelocity", &kOfActuator},
+                                  {"damper", &kOfActuator},   {"cylinder", &kOfActuator},
+                                  {"option", &kOfOption}};
+
+}  // namespace
+
+void check_attributes(const MjcfText& text, pugi::xml_node element) {
+  const auto known = std::ranges::find(kElements, std::string_view(element.name()), &KnownElement::name);
+  if (known == std::end(kElements)) return;
+  const char* name = element.attribute("name").value();
+  text.of(element).check_spelling(
+      element,
+      *name == '\0' ? fmt::format("a {}", known->name) : fmt::format("{} '{}'", known->name, printable(name)),
+      {"plugin", "flag", "include"}, *known->attributes);
+}
+
+}  // namespace alembert

@@ -1,0 +1,52 @@
+#include "import/mjcf/sums.hpp"
+
+#include <cmath>
+
+#include "import/common/snapped_angle.hpp"
+
+namespace alembert {
+
+std::string sum_text(const std::vector<SumTerm>& terms) {
+  std::string out;
+  for (const auto& [factor, of] : terms) {
+    if (factor == 0) continue;
+    const double size = std::abs(factor);
+    const std::string text = of.empty() ? number_text(size) : size == 1 ? of : number_text(size) + "*" + of;
+    if (out.empty())
+      out = factor < 0 ? "-" + text : text;
+    else
+      out += (factor < 0 ? " - " : " + ") + text;
+  }
+  return out.empty() ? "0" : out;
+}
+
+std::string factor_text(const std::string& text) {
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (depth == 0 && c == ' ') return "(" + text + ")";
+  }
+  return text.starts_with('-') ? "(" + text + ")" : text;
+}
+
+std::string product_text(double factor, const std::string& text) {
+  if (factor == 1) return text;
+  return number_text(factor) + "*" + factor_text(text);
+}
+
+std::string less_angle(const std::string& text, double offset) {
+  if (offset == 0) return text;
+  const std::string angle = SnappedAngle(std::abs(offset), 1e-12).text();
+  return text + (offset < 0 ? " + " : " - ") + angle;
+}
+
+std::string dot_text(const std::string (&row)[3], const std::string (&with)[3]) {
+  std::string out;
+  for (int i = 0; i < 3; ++i) {
+    if (row[i] == "0" || with[i] == "0") continue;
+    out += (out.empty() ? "" : " + ") + row[i] + "*" + factor_text(with[i]);
+  }
+  return out.empty() ? "0" : out;
+}
+
+}  // namespace alembert

@@ -1,0 +1,320 @@
+#include "import/mjcf/tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <numeric>
+
+#include "import/mjcf/inertial.hpp"
+
+namespace alembert {
+namespace {
+
+constexpr std::size_t kMaximumElements = 200000;
+
+using Words = std::initializer_list<std::string_view>;
+const Words kBodyChildren = {"inertial", "joint",     "freejoint", "geom",   "site",
+                             "body",     "camera",    "light",     "frame",  "replicate",
+                             "attach",   "composite", "flexcomp",  "plugin", "include"};
+const Words kBodyAttributes = {"name",  "childclass", "pos",      "quat",  "mocap", "axisangle", "xyaxes",
+                               "zaxis", "euler",      "gravcomp", "sleep", "user",  "class"};
+const Words kFrameAttributes = {"name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
+const Words kReplicateAttributes = {"count", "offset", "euler", "sep", "childclass"};
+}  // namespace
+
+MjcfTree::MjcfTree(const MjcfText& text, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
+                   MjcfModel& model)
+    : text_(text),
+      defaults_(defaults),
+      compiler_(compiler),
+      assets_(text, defaults, compiler),
+      model_(model) {}
+
+void MjcfTree::read() {
+  model_.bodies.emplace_back().name = "world";
+  bodies["world"] = 0;
+  geoms_.emplace_back();
+  for (const pugi::xml_node world : text_.children(text_.root(), "worldbody")) {
+    text_.of(world).check_spelling(world, "the worldbody", kBodyChildren, kBodyAttributes);
+    Scope scope;
+    if (const pugi::xml_attribute childclass = world.attribute("childclass")) {
+      defaults_.require(childclass);
+      scope.childclass = childclass.value();
+    }
+    read_children(world, scope);
+  }
+  for (const MjcfGeom& geom : geoms_[0])
+    if (geom.shape().kind != MjcfShapeKind::none) model_.bodies[0].shapes.push_back(geom.shape());
+  sort_joints();
+  set_total_mass();
+}
+
+std::string MjcfTree::add_name(pugi::xml_node element, const Scope& scope, MjcfNames& names,
+                               std::size_t index) const {
+  std::string name = element.attribute("name").value();
+  if (name.empty()) return name;
+  name += scope.suffix;
+  if (!names.emplace(name, index).second)
+    throw InputError(text_.where(element.attribute("name")),
+                     fmt::format("a second {} '{}'", element.name(), printable(name)));
+  return name;
+}
+
+void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
+  for (const pugi::xml_node child : text_.children(parent)) {
+    if (++count_ > kMaximumElements)
+      throw InputError(text_.where(child),
+                       fmt::format("the model has more than {} elements", kMaximumElements));
+    const std::string_view kind = child.name();
+    if (kind == "body") {
+      read_body(child, scope);
+    } else if (kind == "joint") {
+      read_joint(child, scope);
+    } else if (kind == "freejoint") {
+      read_free_joint(child, scope);
+    } else if (kind == "geom") {
+      read_geom(child, scope);
+    } else if (kind == "site") {
+      read_place(child, scope, model_.sites, sites);
+    } else if (kind == "camera") {
+      read_place(child, scope, camera_places, cameras);
+    } else if (kind == "frame") {
+      read_frame(child, scope);
+    } else if (kind == "replicate") {
+      read_replicate(child, scope);
+    } else if (kind == "attach" || kind == "composite" || kind == "flexcomp") {
+      throw InputError(text_.where(child),
+                       fmt::format("<{}> makes bodies that are not worked out here", kind),
+                       "MuJoCo can save the model with these bodies written out (mj_saveLastXML)");
+    } else if (kind == "plugin") {
+      text_.warn(
+          {text_.where(child), "a plugin is left out: its forces are not in the equations", {}, "plugin"});
+    }
+  }
+}
+
+void MjcfTree::read_frame(pugi::xml_node element, Scope scope) {
+  text_.of(element).check_spelling(element, "a frame", kBodyChildren, kFrameAttributes);
+  const pugi::xml_attribute childclass = element.attribute("childclass");
+  defaults_.require(childclass);
+  if (childclass) scope.childclass = childclass.value();
+  scope.frame = scope.frame * compiler_.pose({text_, {element}, "a frame"});
+  read_children(element, scope);
+}
+
+void MjcfTree::read_replicate(pugi::xml_node element, Scope scope) {
+  text_.of(element).check_spelling(element, "a replicate", kBodyChildren, kReplicateAttributes);
+  const MjcfElement of(text_, {element}, "a replicate");
+  const double count = of.number("count", 0);
+  if (!(count >= 1 && count <= static_cast<double>(kMaximumElements) && count == std::floor(count)))
+    throw of.error("count", fmt::format("expected a number of copies from 1 to {}", kMaximumElements));
+  const pugi::xml_attribute childclass = element.attribute("childclass");
+  defaults_.require(childclass);
+  if (childclass) scope.childclass = childclass.value();
+  MjcfPose step{of.vector("offset", Eigen::Vector3d::Zero()), compiler_.turn(of)};
+  const std::string outer = scope.suffix;
+  const std::size_t digits = std::to_string(static_cast<std::size_t>(count)).size();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    scope.suffix = fmt::format("{}{:0{}}{}", of.string("sep"), i, digits, outer);
+    read_children(element, scope);
+    scope.frame = scope.frame * step;
+  }
+}
+
+void MjcfTree::read_body(pugi::xml_node element, const Scope& scope) {
+  const MjcfElement of(text_, {element},
+                       fmt::format("body '{}'", printable(element.attribute("name").value())));
+  text_.of(element).check_spelling(element, of.what(), kBodyChildren, kBodyAttributes);
+  const std::size_t index = model_.bodies.size();
+  MjcfBody& body = model_.bodies.emplace_back();
+  geoms_.emplace_back();
+  body.parent = scope.body;
+  body.where = of.has("name") ? of.where("name") : of.where();
+  body.name = add_name(element, scope, bodies, index);
+  body.pose = scope.frame * compiler_.pose(of);
+  body.weightless = of.number("gravcomp", 0);
+  if (of.flag("mocap", false))
+    text_.warn({of.where("mocap"),
+                fmt::format("{} is moved from outside (mocap); it stands still here", of.what()),
+                {},
+                "mocap"});
+  const pugi::xml_attribute childclass = element.attribute("childclass");
+  defaults_.require(childclass);
+  const std::vector<pugi::xml_node> inertials = text_.children(element, "inertial");
+  if (inertials.size() > 1)
+    throw InputError(text_.where(inertials[1]), fmt::format("a second inertial of {}", of.what()));
+  read_children(element, {index, {}, childclass ? childclass.value() : scope.childclass, scope.suffix});
+  finish_body(index, of, inertials);
+}
+
+void MjcfTree::finish_body(std::size_t index, const MjcfElement& element,
+                           const std::vector<pugi::xml_node>& inertials) {
+  using FromGeoms = MjcfCompiler::FromGeoms;
+  MjcfBody& body = model_.bodies[index];
+  const std::vector<MjcfGeom>& own = geoms_[index];
+  for (const MjcfGeom& geom : own) {
+    if (geom.shape().kind != MjcfShapeKind::none) body.shapes.push_back(geom.shape());
+    body.fluid_shapes = body.fluid_shapes || geom.has_fluid_shape();
+  }
+  const FromGeoms from = compiler_.inertia_from_geoms;
+  if (from == FromGeoms::yes || (from == FromGeoms::where_missing && inertials.empty())) {
+    body.mass = mass_of_geoms(own, compiler_);
+  } else if (!inertials.empty()) {
+    const MjcfElement inertial(text_, {inertials[0]}, "the inertial of " + element.what());
+    body.mass = read_inertial(inertial, compiler_);
+    if (inertial.has("diaginertia")) body.inertial_turn = compiler_.turn(inertial);
+  }
+  body.mass = corrected(body.mass, compiler_, body.where, element.what());
+}
+
+void MjcfTree::read_free_joint(pugi::xml_node element, const Scope& scope) {
+  text_.of(element).check_spelling(element, "a freejoint", {}, {"name", "group", "align", "class"});
+  MjcfJoint joint;
+  joint.type = MjcfJointType::free;
+  joint.where = text_.where(element);
+  if (std::string_view(element.attribute("align").value()) == "true")
+    text_.warn({joint.where,
+                "align is passed over: the coordinates are those of the body's own frame",
+                {},
+                "align"});
+  add_joint(element, scope, std::move(joint));
+}
+
+void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
+  const MjcfElement of = defaults_.element(element, scope.childclass);
+  MjcfJoint joint;
+  joint.where = of.where();
+  joint.type = static_cast<MjcfJointType>(of.word("type", {"free", "ball", "slide", "hinge"}, 3));
+  const bool hinge = joint.type == MjcfJointType::hinge, single = hinge || joint.type == MjcfJointType::slide;
+  const auto radians = [&](double value) { return hinge ? compiler_.angle(value) : value; };
+  if (joint.type != MjcfJointType::free)
+    joint.position = scope.frame.shift + scope.frame.turn * of.vector("pos", {0, 0, 0});
+  if (single) {
+    joint.axis = scope.frame.turn * of.vector("axis", {0, 0, 1});
+    if (!(joint.axis.norm() > 1e-14)) throw of.error("axis", fmt::format("the axis of {} is 0", of.what()));
+    joint.reference = radians(of.number("ref", 0));
+    joint.rest = radians(of.number("springref", 0));
+  }
+  // Newer models may have the factors of higher powers behind the first.
+  const auto first_only = [&](const char* name) {
+    const std::vector<double> values = of.list(name, 1, 3);
+    for (std::size_t i = 1; i < values.size(); ++i)
+      if (values[i] != 0)
+        throw of.error(name,
+                       fmt::format("the {} of {} is a polynomial, which is not taken", name, of.what()));
+    if (!values.empty() && values[0] < 0)
+      throw of.error(name, fmt::format("the {} of {} is negative", name, of.what()));
+    return values.empty() ? 0 : values[0];
+  };
+  joint.stiffness = first_only("stiffness");
+  joint.damping = first_only("damping");
+  joint.armature = of.number("armature", 0);
+  joint.friction = of.number("frictionloss", 0);
+  for (const double value : of.list("springdamper", 2, 2))
+    if (value != 0)
+      throw of.error("springdamper", fmt::format("springdamper of {} is not worked out", of.what()),
+                     "give stiffness and damping");
+  if (joint.stiffness != 0 && !single)
+    throw of.error("stiffness",
+                   fmt::format("the stiffness of {}, which has no single position, is not taken", of.what()));
+  read_ranges(of, joint, single);
+  add_joint(element, scope, std::move(joint));
+}
+
+void MjcfTree::read_ranges(const MjcfElement& of, MjcfJoint& joint, bool single) {
+  const bool hinge = joint.type == MjcfJointType::hinge;
+  const std::vector<double> range = of.list("range", 2, 2), drive = of.list("actuatorfrcrange", 2, 2);
+  const auto is_limited = [&](const char* flag, const std::vector<double>& values) {
+    return !values.empty() && of.flag_or_auto(flag).value_or(compiler_.autolimits && values[0] < values[1]);
+  };
+  if (is_limited("limited", range)) {
+    if (!single)
+      text_.warn(
+          {of.where("range"), fmt::format("the range of {} is left out", of.what()), {}, "range of a ball"});
+    else if (!(range[0] < range[1]))
+      throw of.error("range", fmt::format("the range of {} has no room", of.what()));
+    else
+      joint.limits = {hinge ? compiler_.angle(range[0]) : range[0],
+                      hinge ? compiler_.angle(range[1]) : range[1]};
+  }
+  if (single && is_limited("actuatorfrclimited", drive))
+    joint.effort = std::max(std::abs(drive[0]), std::abs(drive[1]));
+}
+
+void MjcfTree::add_joint(pugi::xml_node element, const Scope& scope, MjcfJoint joint) {
+  const std::size_t index = model_.joints.size();
+  joint.body = scope.body;
+  if (const pugi::xml_attribute name = element.attribute("name")) joint.where = text_.where(name);
+  if (scope.body == 0) throw InputError(joint.where, "a joint of the world, which does not move");
+  MjcfBody& body = model_.bodies[scope.body];
+  std::size_t speeds = speed_count(joint.type);
+  for (const std::size_t other : body.joints) {
+    const MjcfJointType type = model_.joints[other].type;
+    speeds += speed_count(type);
+    if (type == MjcfJointType::free || joint.type == MjcfJointType::free)
+      throw InputError(joint.where, "a body with a free joint has no other one");
+    if (type == MjcfJointType::ball && joint.type != MjcfJointType::slide)
+      throw InputError(joint.where, "a rotation after a ball joint of the same body");
+  }
+  if (speeds > 6) throw InputError(joint.where, "the joints of one body have more than six speeds");
+  if (joint.type == MjcfJointType::free && body.parent != 0)
+    throw InputError(joint.where, "a free joint is of a child of the world only");
+  joint.name = add_name(element, scope, joints, index);
+  body.joints.push_back(index);
+  model_.joints.push_back(std::move(joint));
+}
+
+/// In the order of bodies, wherever joints stand in them.
+void MjcfTree::sort_joints() {
+  std::vector<std::size_t> order(model_.joints.size()), place(order.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t joint) { return model_.joints[joint].body; });
+  std::vector<MjcfJoint> sorted;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    sorted.push_back(model_.joints[order[i]]);
+  }
+  model_.joints = std::move(sorted);
+  for (auto& [name, joint] : joints) joint = place[joint];
+  for (MjcfBody& body : model_.bodies)
+    for (std::size_t& joint : body.joints) joint = place[joint];
+}
+
+void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vector<MjcfPlace>& places,
+                          MjcfNames& names) {
+  const MjcfElement of = defaults_.element(element, scope.childclass);
+  MjcfPlace place;
+  place.body = scope.body;
+  place.where = of.has("name") ? of.where("name") : of.where();
+  MjcfPose pose = compiler_.pose(of);
+  if (const std::vector<double> ends = of.list("fromto", 6, 6); !ends.empty()) {
+    const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
+    pose = {(from + to) / 2, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to)};
+  }
+  place.pose = scope.frame * pose;
+  place.name = add_name(element, scope, names, places.size());
+  places.push_back(std::move(place));
+}
+
+void MjcfTree::read_geom(pugi::xml_node element, const Scope& scope) {
+  const MjcfElement of = defaults_.element(element, scope.childclass);
+  MjcfGeom geom(of, scope.frame, compiler_, assets_);
+  MjcfPlace place;
+  place.body = scope.body;
+  place.where = of.where();
+  place.pose = geom.shape().pose;
+  place.name = add_name(element, scope, geoms, geom_places.size());
+  geom_places.push_back(std::move(place));
+  geoms_[scope.body].push_back(std::move(geom));
+}
+
+void MjcfTree::set_total_mass() {
+  if (!(compiler_.total_mass > 0)) return;
+  double sum = 0;
+  for (const MjcfBody& body : model_.bodies) sum += body.mass.mass;
+  if (!(sum > 0)) return;
+  for (MjcfBody& body : model_.bodies) body.mass = body.mass.times(compiler_.total_mass / sum);
+}
+
+}  // namespace alembert
