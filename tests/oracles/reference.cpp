@@ -101,21 +101,26 @@ Eigen::VectorXd unit_of(const Reference& state) {
   return diagonal.cwiseSqrt().cwiseInverse().cast<double>();
 }
 
-/// What the parts of an array are made of, where they may cancel to rounding at every state, as the angular
-/// accelerations of turns about parallel axes do: its largest entry times the largest speed, or the rates that the
-/// forces alone would give. Nothing, where there is no such array.
-std::vector<double> made_of(const std::string& function, const std::string& name, const Reference& state) {
+/// By function, the function and its array that an array is made of by differentiating once more.
+const std::map<std::string, std::pair<std::string, std::string>>& origins() {
   static const std::map<std::string, std::pair<std::string, std::string>> all{
       {"frame_bias_accelerations", {"frame_velocities", "V"}},
       {"frame_jacobian_rates", {"frame_jacobians", "J"}},
       {"coriolis_matrix", {"mass_matrix", "M"}},
       {"body_accelerations", {"body_velocities", "V"}},
       {"centroidal_momentum", {"centroidal_momentum", "h"}}};
+  return all;
+}
+
+/// What the parts of an array are made of, where they may cancel to rounding at every state, as the angular
+/// accelerations of turns about parallel axes do: its largest entry times the largest speed, or the rates that the
+/// forces alone would give. Nothing, where there is no such array.
+std::vector<double> made_of(const std::string& function, const std::string& name, const Reference& state) {
   const Eigen::VectorXd unit = unit_of(state);
   if (name == "qdd_q" || name == "qdd_qd")
     return {unit.cwiseProduct(state.exact.at("inverse_dynamics").at("tau")).cwiseAbs().maxCoeff()};
-  const auto from = all.find(function);
-  if (from == all.end() || (function == "centroidal_momentum" && name != "bias")) return {};
+  const auto from = origins().find(function);
+  if (from == origins().end() || (function == "centroidal_momentum" && name != "bias")) return {};
   const auto there = state.exact.find(from->second.first), rates = state.exact.find("coordinate_rates");
   if (there == state.exact.end() || rates == state.exact.end()) return {};
   const double fastest = rates->second.at("qdot").cwiseAbs().maxCoeff();
@@ -265,6 +270,8 @@ long double scaled_condition(const MatrixOf<long double>& M) {
 
 std::set<std::string> comparable_functions(const Description& description) {
   std::set<std::string> all = numeric_function_names(description);
+  // Which columns are independent, no rounding tells where axes nearly meet.
+  all.erase("base_regressor");
   for (auto name = all.begin(); name != all.end();) {
     const bool has_none = (name->rfind("frame_", 0) == 0 && description.frames.empty()) ||
                           (*name == "constraints" && description.constraints.empty());
@@ -277,6 +284,14 @@ std::vector<Reference> taylor_references(const Description& description, const s
                                          const std::set<std::string>& functions) {
   std::set<std::string> wanted = functions;
   wanted.insert("inverse_dynamics");
+  // What errors are measured by.
+  for (const std::string& function : functions) {
+    const auto from = origins().find(function);
+    if (from == origins().end()) continue;
+    wanted.insert(from->second.first);
+    wanted.insert("coordinate_rates");
+  }
+  if (functions.count("state_rates_derivatives") != 0) wanted.insert("state_rates");
   std::vector<Reference> all;
   for (const State& state : states) {
     all.push_back({numeric_functions<Wide>(description, state, wanted),
