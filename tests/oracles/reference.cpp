@@ -169,6 +169,12 @@ Judged judge_array(const std::string& function, const std::string& name, const s
       // weights in it is that rounding.
       if (function == "gravity")
         scale = std::max(scale, states[i].exact.at("inverse_dynamics").at("tau").cwiseAbs().maxCoeff());
+      // So are the columns at rest of those of a motion.
+      if (function == "static_regressor")
+        scale = std::max(
+            scale, parts("regressor", name, states[i].exact.at("regressor").at(name), unit_of(states[i]))[p]
+                       .cwiseAbs()
+                       .maxCoeff());
       const auto relative = [&](double x) { return x == 0 ? 0 : x / scale; };
       Judged here{relative(difference(subjects[p], exact[i][p])), kAgreement};
       const double by_plain = relative(difference(plain[p], exact[i][p]));
@@ -292,6 +298,7 @@ std::vector<Reference> taylor_references(const Description& description, const s
     wanted.insert("coordinate_rates");
   }
   if (functions.count("state_rates_derivatives") != 0) wanted.insert("state_rates");
+  if (functions.count("static_regressor") != 0) wanted.insert("regressor");
   std::vector<Reference> all;
   for (const State& state : states) {
     all.push_back({numeric_functions<Wide>(description, state, wanted),
