@@ -120,6 +120,9 @@ void append_functions(std::vector<Comparison>& lines, const Comparison& base, co
       }
     }
     lines.push_back(judged(line, function));
+    if (!expected.front().at(function).empty()) continue;
+    lines.back().verdict = Comparison::Verdict::not_expressible;
+    lines.back().note = "rounding does not tell what is independent";
   }
   for (std::size_t i = 0; i < states.size(); ++i) {
     subject[i] = {found[i].at("inverse_dynamics").at("tau"), found[i].at("mass_matrix").at("M"),

@@ -12,22 +12,26 @@
 int main(int argc, char** argv) {
   using alembert::oracles::Comparison;
   if (argc < 4) {
-    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS EQUIVALENTS [STATES]\n");
+    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS EQUIVALENTS [STATES] [--thirds]\n");
     return 2;
   }
   const std::string executable = std::string(argv[1]) == "-" ? "" : argv[1];
   const int states = argc > 4 ? std::atoi(argv[4]) : 20;
+  const bool thirds = argc > 5 && std::string(argv[5]) == "--thirds";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(argv[2])) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   std::vector<Comparison> lines;
+  std::uint64_t turn = 0;
   for (const auto& file : files) {
+    ++turn;
     const std::filesystem::path equivalent = std::filesystem::path(argv[3]) / file.filename();
     for (Comparison& line :
          alembert::oracles::compare(executable, file.string(), states, 2024,
-                                    std::filesystem::exists(equivalent) ? equivalent.string() : "")) {
+                                    std::filesystem::exists(equivalent) ? equivalent.string() : "", {},
+                                    thirds ? std::optional(turn) : std::nullopt)) {
       lines.push_back(std::move(line));
     }
   }

@@ -455,12 +455,13 @@ OutputsOf<double> outputs_of(const Quantities<R>& x) {
   return result;
 }
 
-/// Of the regressor: those of its columns that depend on none before them, told at states of no account.
-std::vector<Eigen::Index> independent_columns(const Description& description) {
+/// Of the regressor: those of its columns that depend on none before them, told at states of no account. None, where
+/// rounding leaves it open.
+std::optional<std::vector<Eigen::Index>> independent_columns(const Description& description) {
   using Wide = long double;
   std::mt19937_64 random(11);
   const Eigen::Index columns = 10 * static_cast<Eigen::Index>(description.bodies.size());
-  const Eigen::Index states = columns / description.nv + 4;
+  const Eigen::Index states = columns + 4;  // columns may be of one row each
   MatrixOf<Wide> stacked(states * description.nv, columns);
   Eigen::Index have = 0;
   for (int tries = 0; have < states && tries < 100 * states; ++tries) {
@@ -472,7 +473,7 @@ std::vector<Eigen::Index> independent_columns(const Description& description) {
   }
   if (have < states) throw std::runtime_error("too few states have a regressor");
   // What is zero and what depends on others is so to rounding.
-  const Wide rounding = 1e-14L * stacked.colwise().norm().maxCoeff();
+  const Wide rounding = 1e-16L * stacked.colwise().norm().maxCoeff();
   std::vector<Eigen::Index> found;
   std::vector<VectorOf<Wide>> basis;
   for (Eigen::Index k = 0; k < columns; ++k) {
@@ -480,7 +481,8 @@ std::vector<Eigen::Index> independent_columns(const Description& description) {
     const Wide before = rest.norm();
     for (int twice = 0; twice < 2; ++twice)
       for (const VectorOf<Wide>& direction : basis) rest -= direction.dot(rest) * direction;
-    if (!(rest.norm() > std::max(1e-10L * before, rounding))) continue;
+    if (before <= rounding || rest.norm() <= 1e-14L * before) continue;
+    if (!(rest.norm() > 1e-9L * before)) return std::nullopt;
     basis.push_back(rest / rest.norm());
     found.push_back(k);
   }
@@ -650,10 +652,11 @@ const Builders<R>& builders() {
        [](From x) {
          const Eigen::MatrixXd Y =
              x.regressor(x.moving_poses(x.state.rates, [](const Jet<R>& entry) { return entry.second; }));
-         const std::vector<Eigen::Index> which = independent_columns(x.description);
-         Eigen::MatrixXd some(Y.rows(), static_cast<Eigen::Index>(which.size()));
+         const std::optional<std::vector<Eigen::Index>> which = independent_columns(x.description);
+         if (!which) return Arrays{};
+         Eigen::MatrixXd some(Y.rows(), static_cast<Eigen::Index>(which->size()));
          for (Eigen::Index k = 0; k < some.cols(); ++k)
-           some.col(k) = Y.col(which[static_cast<std::size_t>(k)]);
+           some.col(k) = Y.col((*which)[static_cast<std::size_t>(k)]);
          return Arrays{{"Y", some}};
        }},
       {"static_regressor",
