@@ -130,8 +130,8 @@ std::map<std::string, Eigen::MatrixXd> second_derivatives_of_forces(const Descri
           {"tau_qqdd", q_rates.template cast<double>()}};
 }
 
-template <class R>
 Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, const State& state) {
+  using R = long double;
   Eigen::MatrixXd result(description.nv, static_cast<Eigen::Index>(description.runtime_parameters.size()));
   Eigen::Index column = 0;
   for (const auto& [name, value] : description.parameters) {
@@ -163,7 +163,5 @@ template std::map<std::string, Eigen::MatrixXd> second_derivatives_of_forces<dou
                                                                                      const State&);
 template std::map<std::string, Eigen::MatrixXd> second_derivatives_of_forces<long double>(const Description&,
                                                                                           const State&);
-template Eigen::MatrixXd parameter_derivatives_of_forces<double>(const Description&, const State&);
-template Eigen::MatrixXd parameter_derivatives_of_forces<long double>(const Description&, const State&);
 
 }  // namespace alembert::oracles

@@ -18,8 +18,7 @@ template <class R>
 std::map<std::string, Eigen::MatrixXd> second_derivatives_of_forces(const Description& description,
                                                                     const State& state);
 
-/// A column for each runtime parameter, by differences of mechanisms with other values, extrapolated to none.
-template <class R>
+/// A column for each runtime parameter, by differences of mechanisms with other values in long double, extrapolated to none.
 Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, const State& state);
 
 }  // namespace alembert::oracles

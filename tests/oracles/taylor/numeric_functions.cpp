@@ -714,7 +714,7 @@ const Builders<R>& builders() {
        [](From x) { return second_derivatives_of_forces<R>(x.description, x.state); }},
       {"inverse_dynamics_parameter_derivatives",
        [](From x) {
-         return Arrays{{"tau_p", parameter_derivatives_of_forces<R>(x.description, x.state)}};
+         return Arrays{{"tau_p", parameter_derivatives_of_forces(x.description, x.state)}};
        }},
       {"inverse_dynamics_derivatives",
        [](From x) {
