@@ -53,7 +53,7 @@ std::string block_functions(const WrittenFunction& function, const std::string& 
                             const std::string& number, const Slots& common) {
   const std::string parameters = c_parameters(*function.signature, number, " restrict");
   std::vector<std::string_view> arguments = all_names(*function.signature);
-  arguments.push_back("w");
+  arguments.push_back("kept");
   std::string out;
   for (std::size_t i = 0; i < function.body.blocks.size(); ++i) {
     const std::string& statements = function.body.blocks[i].statement_lines;
@@ -61,7 +61,7 @@ std::string block_functions(const WrittenFunction& function, const std::string& 
     out += fill_template(
                "c99_block.c",
                {{"start", start},
-                {"arguments", wrap_behind(start, fmt::format("{}, {}* restrict w", parameters, number))},
+                {"arguments", wrap_behind(start, fmt::format("{}, {}* restrict kept", parameters, number))},
                 {"unused", unused(arguments, statements)},
                 {"statements", statements}},
                common) +
@@ -81,9 +81,9 @@ std::string definition(const WrittenFunction& function, const std::string& numbe
   };
   std::string statements = blocks[0].statement_lines;
   if (cut) {
-    statements = fmt::format("{} w[{}];\n", number, std::max<std::size_t>(function.body.crossing, 1));
+    statements = fmt::format("{} kept[{}];\n", number, std::max<std::size_t>(function.body.crossing, 1));
     for (std::size_t i = 0; i < blocks.size(); ++i)
-      statements += fmt::format("{}_block{}({}, w);\n", name, i + 1, fmt::join(arguments, ", "));
+      statements += fmt::format("{}_block{}({}, kept);\n", name, i + 1, fmt::join(arguments, ", "));
   }
   const std::string checks = c_null_check(signature, "0");
   std::string defaults;

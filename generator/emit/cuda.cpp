@@ -31,7 +31,7 @@ std::string definition(const WrittenFunction& written, const Mechanism& mechanis
   const std::vector<CodeBlock>& blocks = written.body.blocks;
   std::string before, statements = blocks[0].using_lines + blocks[0].statement_lines;
   if (blocks.size() > 1) {
-    statements = fmt::format("S w[{}];\n", std::max<std::size_t>(written.body.crossing, 1));
+    statements = fmt::format("S kept[{}];\n", std::max<std::size_t>(written.body.crossing, 1));
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const std::string block = fmt::format("{}_block{}", name, i + 1);
       before += fill_template("cuda_block.cuh",
@@ -42,7 +42,7 @@ std::string definition(const WrittenFunction& written, const Mechanism& mechanis
                                {"statements", blocks[i].statement_lines}}) +
                 "\n";
       statements +=
-          fmt::format("detail::{}<S>({}, w);\n", block, argument_list(function, "{}", inputs, "{}"));
+          fmt::format("detail::{}<S>({}, kept);\n", block, argument_list(function, "{}", inputs, "{}"));
     }
   }
   return fill_template(

@@ -183,9 +183,9 @@ std::vector<Unit> units_of(const WrittenFunction& function, const EmitOptions& o
     units.push_back({fill_template("function_block.hpp", slots, common),
                      instantiation("template", "detail::" + block, signature, options.scalars, true),
                      blocks[i].statements});
-    declarations += fmt::format("template <class S>\nvoid {}({}, S* w);\n", block,
+    declarations += fmt::format("template <class S>\nvoid {}({}, S* kept);\n", block,
                                 wrap_behind("void " + block + "(", cpp_parameters(signature, false)));
-    calls += fmt::format("detail::{}<S>({}, w);\n", block, cpp_arguments(signature));
+    calls += fmt::format("detail::{}<S>({}, kept);\n", block, cpp_arguments(signature));
   }
   const Slots slots{{"function", name},
                     {"counts", function.counts},

@@ -118,9 +118,10 @@ std::string javascript_module(const Mechanism& mechanism, std::span<const Writte
     if (called.contains(std::string(helper)))
       helpers += fill_template(fmt::format("javascript_{}.mjs", helper), {}) + "\n";
   if (crossing > 0)
-    helpers = fmt::format("// What functions keep while they compute.\nconst w = new Float64Array({});\n\n",
-                          crossing) +
-              helpers;
+    helpers =
+        fmt::format("// What functions keep while they compute.\nconst kept = new Float64Array({});\n\n",
+                    crossing) +
+        helpers;
   std::vector<std::string> quoted;
   for (const std::string& name : names) quoted.push_back(fmt::format("\"{}\"", name));
   Slots slots = javascript_constant_slots(mechanism);

@@ -404,10 +404,10 @@ constexpr bool takes_arrays(const OutputFunction& function) {
   }
   return true;
 }
-/// S is the scalar type of what is generated.
+/// S is the scalar type of what is generated, kept what crosses from block to block.
 constexpr bool has_fit_names(const OutputFunction& function) {
   for (const ResultArray& result : function.results)
-    if (result.name == "S") return false;
+    if (result.name == "S" || result.name == "kept") return false;
   return true;
 }
 static_assert([] {

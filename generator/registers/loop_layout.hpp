@@ -1,8 +1,8 @@
 // Where the loops of a function find and leave values. In: a program with loops. Out: for each operand and
-// each value of an iteration an element of w, of an argument or of a table of constants, as a linear function
+// each value of an iteration an element of kept, of an argument or of a table of constants, as a linear function
 // of the number of the iteration.
 //
-// Values that follow each other in a loop lie side by side in w, with what comes before the first and after
+// Values that follow each other in a loop lie side by side in kept, with what comes before the first and after
 // the last. What needs another arrangement too lies there twice.
 #pragma once
 
@@ -31,8 +31,8 @@ struct LoopOperand {
     literal,   ///< the constant `index` of the code
     constant,  ///< column `index` of the loop's table of constants
     input,     ///< element of an argument
-    memory,    ///< element of w
-    carried,   ///< value `index` of the iteration before; of the first one, the element of w
+    memory,    ///< element of kept
+    carried,   ///< value `index` of the iteration before; of the first one, the element of kept
   } kind = Kind::inside;
   std::uint32_t index = 0;
   ArgumentKind array = ArgumentKind::q;
@@ -42,7 +42,7 @@ struct LoopOperand {
 /// What one iteration of a loop is.
 struct LoopBody {
   std::vector<std::array<LoopOperand, 2>> operands;                     ///< by instruction
-  std::vector<std::vector<Element>> stores;                             ///< in w
+  std::vector<std::vector<Element>> stores;                             ///< in kept
   std::vector<std::vector<std::pair<std::uint32_t, Element>>> results;  ///< output arrays and elements
   std::vector<double> constants;                                        ///< a row for each iteration
   std::uint32_t columns = 0;                                            ///< of that table
@@ -72,7 +72,7 @@ class LoopLayout {
   bool results_late(std::uint32_t v) const { return results_late_[v]; }
   /// The loop that a value is of, or kNoPlace.
   std::uint32_t loop(std::uint32_t v) const { return loop_[v]; }
-  /// End of what is used of w.
+  /// End of what is used of kept.
   std::size_t end() const { return end_; }
 
  private:

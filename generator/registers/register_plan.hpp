@@ -26,10 +26,10 @@ class RegisterPlan {
   };
   /// Inputs and values of other statements that a statement reads.
   std::span<const Read> reads(std::uint32_t statement) const { return reads_[statement]; }
-  /// The place in w that v is written to when it is computed, beside those of the layout; kNoPlace if none is
+  /// The place in kept that v is written to when it is computed, beside those of the layout; kNoPlace if none is
   /// needed.
   std::uint32_t slot(std::uint32_t v) const { return slot_[v]; }
-  /// Size of w.
+  /// Size of kept.
   std::size_t crossing() const { return crossing_; }
 
  private:

@@ -1,6 +1,6 @@
 // Which values of a program get a statement of their own, and in which block of a long function each is
 // computed. In: Program. Out: for every value whether it is live and named, its block, and its places in the
-// array w: of values that cross blocks, of tables whose rows' dot products are computed in loops, and of what
+// array kept: of values that cross blocks, of tables whose rows' dot products are computed in loops, and of what
 // loops find and leave there (loop_layout.hpp). A loop is a block of its own.
 #pragma once
 
@@ -50,7 +50,7 @@ class StatementLayout {
   std::uint32_t blocks() const { return blocks_; }
   /// Place in w from which later blocks take the value, or kNoPlace.
   std::uint32_t place(std::uint32_t v) const { return place_[v]; }
-  /// Size of w.
+  /// Size of kept.
   std::size_t crossing() const { return crossing_; }
   /// The first sine or cosine. There, those of all angles that are known by then and are wanted in the same
   /// block are computed together, if there are two or more; kNoPlace if there are not.

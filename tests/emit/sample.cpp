@@ -216,6 +216,7 @@ Sample every_function() {
   m.constraints[0].type = ConstraintType::rolling;
   m.constraints[1].name = "closed";
   m.constraints[1].equations.resize(1);
+  m.base_columns = {0, 2, 7};
   for (const OutputFunction& signature : kOutputFunctions) {
     std::uint64_t seed = 7;  // rows may come and go
     for (const char letter : signature.name) seed = 31 * seed + static_cast<unsigned char>(letter);

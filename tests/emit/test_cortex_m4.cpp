@@ -74,8 +74,8 @@ std::string states_header(const std::vector<Program>& programs, const std::vecto
   return fmt::format(
       "enum {{ STATES = {}, FUNCTIONS = {}, STATE = {}, RESULTS = {}, PARAMETERS = {}, WRENCHES = {}, TIME = "
       "{} }};\n"
-      "static const int argument_places[FUNCTIONS][3] = {};\n"
-      "static const int result_places[FUNCTIONS][4] = {};\n"
+      "static const int argument_places[FUNCTIONS][4] = {};\n"
+      "static const int result_places[FUNCTIONS][6] = {};\n"
       "static const int result_counts[FUNCTIONS] = {};\n"
       "static const uint32_t states[STATES][STATE] = {};\n",
       states.size(), programs.size(), state_size + 1, largest, places[ArgumentKind::parameter],

@@ -209,7 +209,7 @@ TEST(Emit, BlocksLoadAValueOnce) {
       if (!line.starts_with("const S ")) continue;
       const std::string name = line.substr(8, line.find(' ', 8) - 8);
       EXPECT_TRUE(names.insert(name).second) << "declared twice: " << line;
-      loads += line.find("= w[") != std::string::npos ? 1 : 0;
+      loads += line.find("= kept[") != std::string::npos ? 1 : 0;
     }
   }
   EXPECT_GE(loads, 4);

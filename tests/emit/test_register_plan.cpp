@@ -171,7 +171,7 @@ class Reader {
     std::set<std::string> alive;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (lines[i].starts_with("const S ")) alive.insert(words(lines[i])[2]);
-      if (lines[i].starts_with("w[")) ++stores_;
+      if (lines[i].starts_with("kept[")) ++stores_;
       most_alive_ = std::max(most_alive_, alive.size());
       std::erase_if(alive, [&](const std::string& name) { return last[name] <= i; });
     }

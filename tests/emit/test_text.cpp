@@ -211,8 +211,8 @@ TEST(Statements, BlocksPassValuesThroughAnArrayThatIsReused) {
   std::size_t stores = 0;
   for (const CodeBlock& block : body.blocks) {
     EXPECT_LT(block.statements, 3 * BlockSizes().size);
-    for (std::size_t at = block.statement_lines.find("\nw["); at != std::string::npos;
-         at = block.statement_lines.find("\nw[", at + 1))
+    for (std::size_t at = block.statement_lines.find("\nkept["); at != std::string::npos;
+         at = block.statement_lines.find("\nkept[", at + 1))
       ++stores;
   }
   EXPECT_GT(stores, body.crossing);

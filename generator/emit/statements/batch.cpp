@@ -119,8 +119,8 @@ std::string keep_distinct(const DistinctResults& distinct, std::vector<PackArray
 struct PackFunction {
   std::string definition;
   std::vector<PackArray> arrays;
-  std::size_t crossing;  ///< elements of w
-  bool of_all;  ///< w serves all packs, one after the other, since there is one block; or each has its own
+  std::size_t crossing;  ///< elements of kept
+  bool of_all;  ///< kept serves all packs, one after the other, since there is one block; or each has its own
 };
 
 PackFunction pack_function(const Mechanism& mechanism, const Program& program, const EmitOptions& options) {
@@ -141,7 +141,7 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
     arguments += size == 0 ? fmt::format("{}, ", name) : fmt::format("{} + {} * k, ", name, size);
   };
   for (const PackArray& array : arrays) add(array.result ? "S" : "const S", array.name, array.size);
-  add("S", "w", of_all ? 0 : crossing);
+  add("S", "kept", of_all ? 0 : crossing);
   if (signature.takes_inputs) {
     one += "[[maybe_unused]] const Inputs<S>& in";
     all += "const Inputs<S>* inputs";
@@ -232,16 +232,16 @@ std::string lanes_function(const Mechanism& mechanism, const OutputFunction& sig
     if (solved && array.result) add(array);
     call += fmt::format(", {}", array.name);
   }
-  call += ", w";
+  call += ", kept";
   if (signature.takes_inputs) {
     arrays += "Inputs<Pack> inputs[kPacks];\nfor (Inputs<Pack>& in : inputs) take_common(call, in);\n";
     loads += "take_own(call, window, inputs);\n";
     call += ", inputs";
   }
   if (packs.of_all) {
-    arrays += array_of_packs("w", std::to_string(packs.crossing), packs.crossing);
+    arrays += array_of_packs("kept", std::to_string(packs.crossing), packs.crossing);
   } else {
-    add({"w", packs.crossing, false, ""});
+    add({"kept", packs.crossing, false, ""});
   }
   std::string calls = fmt::format("detail::{}_packs<Pack>({});\n", called, call);
   if (solved) {

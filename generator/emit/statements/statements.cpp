@@ -113,7 +113,7 @@ class Writer {
       write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
     if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_ &&
         syntax_.dialect != Dialect::javascript)
-      states_[0].lines.insert(0, fmt::format("{} w[{}];\n", syntax_.number, layout_.crossing()));
+      states_[0].lines.insert(0, fmt::format("{} kept[{}];\n", syntax_.number, layout_.crossing()));
     for (std::size_t b = 0; b < body_.blocks.size(); ++b) finish(b);
     body_.crossing = plan_ ? plan_->crossing() : layout_.crossing();
     return std::move(body_);
@@ -154,7 +154,7 @@ class Writer {
   }
 
   void keep(std::uint32_t block, std::uint32_t place, std::string_view value) {
-    std::string element = fmt::format("w[{}]", place);
+    std::string element = fmt::format("kept[{}]", place);
     line(block, fmt::format("{} = {};", element, value));
     if (plan_) states_[block].touched.insert(std::move(element));
   }
@@ -167,7 +167,7 @@ class Writer {
     const std::uint32_t place = !layout_.table_places(v).empty() ? layout_.table_places(v).front()
                                 : layout_.place(v) != kNoPlace   ? layout_.place(v)
                                                                  : plan_->slot(v);
-    return fmt::format("w[{}]", place);
+    return fmt::format("kept[{}]", place);
   }
 
   /// Says so if the compiler could take one of these elements for known.
@@ -278,9 +278,9 @@ class Writer {
   void write_late(std::uint32_t block) {
     for (std::uint32_t v = 0; v < program_.code.size(); ++v)
       if (layout_.loops()->loop(v) != kNoPlace && !layout_.results(v).empty())
-        store_all(block, layout_.results(v), fmt::format("w[{}]", layout_.place(v)));
+        store_all(block, layout_.results(v), fmt::format("kept[{}]", layout_.place(v)));
     for (const auto& [v, place] : layout_.loops()->late())
-      keep(block, place, fmt::format("w[{}]", layout_.place(v)));
+      keep(block, place, fmt::format("kept[{}]", layout_.place(v)));
   }
 
   void write_loop(std::size_t number) {
@@ -340,7 +340,7 @@ class Writer {
       case LoopOperand::Kind::input:
         return read_once(block, array_text(o.array, o.element));
       case LoopOperand::Kind::memory:
-        return read_once(block, fmt::format("w[{}]", index_text(o.element)));
+        return read_once(block, fmt::format("kept[{}]", index_text(o.element)));
       case LoopOperand::Kind::carried:
         return read_carried(block, o, false);
     }
@@ -351,10 +351,10 @@ class Writer {
   std::string read_once(std::uint32_t block, const std::string& element) {
     return named_element(block, element, element, false);
   }
-  /// The name of what iterations hand over, which begins as an element of w.
+  /// The name of what iterations hand over, which begins as an element of kept.
   std::string read_carried(std::uint32_t block, const LoopOperand& o, bool varies) {
     return named_element(block, fmt::format("{} {}", o.index, o.element.first),
-                         fmt::format("w[{}]", o.element.first), varies);
+                         fmt::format("kept[{}]", o.element.first), varies);
   }
   std::string named_element(std::uint32_t block, const std::string& key, const std::string& element,
                             bool varies) {
@@ -387,7 +387,7 @@ class Writer {
         continue;
       }
       if (syntax_.dialect == Dialect::c) {
-        line(block, fmt::format("{}({}, w + {}, w + {}, {}, {}, {} + {}, {}, {} + {}, {});",
+        line(block, fmt::format("{}({}, kept + {}, kept + {}, {}, {}, {} + {}, {}, {} + {}, {});",
                                 syntax_.function("dot_products"), products.terms,
                                 tables.left + products.terms * run.left, tables.right + run.right, rows,
                                 run.count, result, run.first, run.stride, result, run.mirror, run.step));
@@ -396,9 +396,10 @@ class Writer {
       const bool two = i + 1 < products.runs.size() && is_row_below(run, products.runs[i + 1]);
       const std::string head = two ? fmt::format("{}, ", products.runs[i + 1].right - run.right) : "";
       const std::string first = run.mirrored() ? fmt::format("{} + {}, ", result, run.first) : "";
-      line(block, fmt::format("dot_products<{}>(w + {}, w + {}, {}, {}{}, {}{} + {}, {});", products.terms,
-                              tables.left + products.terms * run.left, tables.right + run.right, rows, head,
-                              run.count, first, result, run.mirror, run.step));
+      line(block,
+           fmt::format("dot_products<{}>(kept + {}, kept + {}, {}, {}{}, {}{} + {}, {});", products.terms,
+                       tables.left + products.terms * run.left, tables.right + run.right, rows, head,
+                       run.count, first, result, run.mirror, run.step));
       if (two) ++i;
     }
     states_[block].calls.emplace("dot_products");
@@ -421,7 +422,7 @@ class Writer {
     if (layout_.named(v)) {
       // Not only the last block is written to: what is written into a user belongs to the user's block.
       if (layout_.block(v) != block && states_[block].loaded.insert(v).second) {
-        define(block, fmt::format("t{}", layout_.number(v)), fmt::format("w[{}]", layout_.place(v)));
+        define(block, fmt::format("t{}", layout_.number(v)), fmt::format("kept[{}]", layout_.place(v)));
       }
       const std::string name = fmt::format("t{}", layout_.number(v));
       if (layout_.angle(v) != kNoPlace && layout_.block(v) == block && states_[block].loaded.insert(v).second)
@@ -472,7 +473,7 @@ class Writer {
     if (syntax_.dialect == Dialect::javascript) {
       line(block, fmt::format("{}(angle, {});", name, sines));
     } else if (sines != kNoPlace) {
-      line(block, fmt::format("{}({}, {}, w + {}, w + {});", name, angles.size(), source, sines,
+      line(block, fmt::format("{}({}, {}, kept + {}, kept + {});", name, angles.size(), source, sines,
                               sines + angles.size()));
     } else {
       line(block, fmt::format("{0} sine[{1}], cosine[{1}];", syntax_.number, angles.size()));
@@ -484,7 +485,7 @@ class Writer {
   std::string from_trig_call(std::uint32_t v) const {
     const bool sine = program_.code[v].op == Operation::sin;
     if (layout_.trig_place() != kNoPlace)
-      return fmt::format("w[{}]",
+      return fmt::format("kept[{}]",
                          layout_.trig_place() + layout_.angle(v) + (sine ? 0 : layout_.angles().size()));
     return fmt::format("{}[{}]", sine ? "sine" : "cosine", layout_.angle(v));
   }
@@ -559,7 +560,7 @@ class Writer {
     const LoopBody& body = layout_.loops()->bodies()[layout_.loops()->loop(v)];
     const std::uint32_t i = v - layout_.first_of_loop(v);
     std::vector<std::string> targets;
-    for (const Element& e : body.stores[i]) targets.push_back(fmt::format("w[{}]", index_text(e)));
+    for (const Element& e : body.stores[i]) targets.push_back(fmt::format("kept[{}]", index_text(e)));
     for (const auto& [array, e] : body.results[i])
       targets.push_back(fmt::format("{}[{}]", signature_.results[array].name, index_text(e)));
     const std::string name = fmt::format("t{}", layout_.number(v));

@@ -36,12 +36,12 @@ static float results[RESULTS];
 
 /* Bytes of stack that a call takes below this function; nothing else runs. */
 __attribute__((noinline)) static uint32_t stack_of(int function, const float* state) {
-  const float* a[3] = {0, 0, 0};
-  float* r[4];
+  const float* a[4] = {0, 0, 0, 0};
+  float* r[6];
   uint32_t* here;
   if (function >= 0) {
-    for (int i = 0; i < 3; ++i) a[i] = state + argument_places[function][i];
-    for (int i = 0; i < 4; ++i) r[i] = results + result_places[function][i];
+    for (int i = 0; i < 4; ++i) a[i] = state + argument_places[function][i];
+    for (int i = 0; i < 6; ++i) r[i] = results + result_places[function][i];
   }
   __asm__ volatile("mov %0, sp" : "=r"(here));
   for (uint32_t* at = &stack_bottom; at < here; ++at) *at = UNTOUCHED;
