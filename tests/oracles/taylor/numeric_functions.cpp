@@ -652,7 +652,13 @@ const Builders<R>& builders() {
        [](From x) {
          const Eigen::MatrixXd Y =
              x.regressor(x.moving_poses(x.state.rates, [](const Jet<R>& entry) { return entry.second; }));
-         const std::optional<std::vector<Eigen::Index>> which = independent_columns(x.description);
+         // The same for all states of a mechanism, which are asked for one after the other.
+         static std::pair<std::string, std::optional<std::vector<Eigen::Index>>> known;
+         std::string key = x.description.text;
+         for (const auto& [parameter, value] : x.description.runtime_parameters)
+           key += parameter + std::to_string(value);
+         if (known.first != key) known = {key, independent_columns(x.description)};
+         const auto& which = known.second;
          if (!which) return Arrays{};
          Eigen::MatrixXd some(Y.rows(), static_cast<Eigen::Index>(which->size()));
          for (Eigen::Index k = 0; k < some.cols(); ++k)
