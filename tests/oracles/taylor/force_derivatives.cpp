@@ -134,7 +134,9 @@ Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, 
   using R = long double;
   Eigen::MatrixXd result(description.nv, static_cast<Eigen::Index>(description.runtime_parameters.size()));
   Eigen::Index column = 0;
-  for (const auto& [name, value] : description.parameters) {
+  for (const auto& parameter : description.parameters) {
+    const std::string& name = parameter.first;
+    const double value = parameter.second;
     if (description.runtime_parameters.count(name) == 0) continue;
     const double scale = value == 0 ? 1e-3 : 1e-2 * std::abs(value);
     const auto difference = [&](double step) -> VectorOf<R> {
