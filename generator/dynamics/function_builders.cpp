@@ -369,14 +369,10 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
   if (kinematics.peeled) given.trees.push_back(&*kinematics.peeled);
   Results values = builder.build(given);
   if (!builder.of_equations) {
-    // All at once, so that what they share is found. Equations are numbered already.
-    std::vector<Expr> flat;
-    for (const std::vector<Expr>& array : values) flat.insert(flat.end(), array.begin(), array.end());
-    flat = value_number(flat);
-    auto next = flat.begin();
-    for (std::vector<Expr>& array : values) {
-      for (Expr& value : array) value = *next++;
-    }
+    // Equations are numbered already.
+    std::vector<std::vector<Expr>*> arrays;
+    for (std::vector<Expr>& array : values) arrays.push_back(&array);
+    value_number_all(arrays);
   }
   return with_shapes(kinematics.mechanism, kind, std::move(values));
 }

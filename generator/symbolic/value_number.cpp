@@ -343,4 +343,13 @@ std::vector<Expr> value_number(std::span<const Expr> roots) {
   return count_operations(out).all() > count_operations(roots).all() ? same : out;
 }
 
+void value_number_all(const std::vector<std::vector<Expr>*>& arrays) {
+  std::vector<Expr> flat;
+  for (const std::vector<Expr>* array : arrays) flat.insert(flat.end(), array->begin(), array->end());
+  flat = value_number(flat);
+  auto next = flat.begin();
+  for (std::vector<Expr>* array : arrays)
+    for (Expr& value : *array) value = *next++;
+}
+
 }  // namespace alembert

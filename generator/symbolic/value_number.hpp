@@ -12,5 +12,7 @@ namespace alembert {
 /// modular field, confirmed at two fresh points: probabilistic value numbering. Throws std::domain_error as
 /// `simplify` does.
 std::vector<Expr> value_number(std::span<const Expr> roots);
+/// In place, all at once: what these share is found.
+void value_number_all(const std::vector<std::vector<Expr>*>& arrays);
 
 }  // namespace alembert

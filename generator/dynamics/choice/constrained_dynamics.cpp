@@ -19,7 +19,6 @@
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/recursions/constraints.hpp"
-#include "dynamics/tree/symbols.hpp"
 #include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
 
@@ -83,10 +82,7 @@ class ConstrainedSystem {
                                    kinematics.graph)),
         count_(rows_.gamma.size()),
         speeds_(static_cast<std::size_t>(kinematics.mechanism.nv)) {
-    Columns right(1);
-    for (std::size_t k = 0; k < speeds_; ++k)
-      right[0].push_back(tau_symbol(kinematics.mechanism, static_cast<int>(k), kinematics.graph) -
-                         equations.c[k]);
+    Columns right{driving_forces(kinematics, equations)};
     for (std::size_t r = 0; r < count_; ++r) {
       const auto first = rows_.P.begin() + static_cast<std::ptrdiff_t>(r * speeds_);
       right.emplace_back(first, first + static_cast<std::ptrdiff_t>(speeds_));
@@ -175,25 +171,14 @@ RowChanges row_changes(const Kinematics& kinematics, const ConstraintEquations& 
   return out;
 }
 
-/// By rows, of columns from `first` on.
-std::vector<Expr> by_rows(const Columns& columns, std::size_t first, std::size_t count) {
-  std::vector<Expr> all;
-  for (std::size_t i = 0; i < columns[first].size(); ++i)
-    for (std::size_t k = 0; k < count; ++k) all.push_back(columns[first + k][i]);
-  return all;
-}
-
 }  // namespace
 
 ConstrainedMotion constrained_forward_dynamics(const Kinematics& kinematics,
                                                const EquationsOfMotion& equations) {
   const ConstrainedSystem system(kinematics, equations);
   ConstrainedMotion motion = system.motion(system.schur_complement());
-  std::vector<Expr> all = motion.rates;
-  all.insert(all.end(), motion.lambdas.begin(), motion.lambdas.end());
-  all = value_number(all);
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(motion.rates.size());
-  return {{all.begin(), middle}, {middle, all.end()}};
+  value_number_all({&motion.rates, &motion.lambdas});
+  return motion;
 }
 
 ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics& kinematics,
@@ -250,22 +235,11 @@ ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics
     reactions.push_back(std::move(y));
   }
 
-  std::vector<Expr> all;
-  for (const Columns* columns : {&rates, &reactions})
-    for (std::size_t part = 0; part < 3; ++part)
-      for (const Expr& value : by_rows(*columns, part * nv, nv)) all.push_back(value);
-  all = value_number(all);
-  auto from = all.begin();
-  const auto take = [&](std::size_t size) {
-    const auto first = from;
-    from += static_cast<std::ptrdiff_t>(size);
-    return std::vector<Expr>(first, from);
-  };
-  ConstrainedDerivatives out;
-  for (std::vector<Expr>* part : {&out.rates_along, &out.rates_by_speeds, &out.rates_by_forces})
-    *part = take(nv * nv);
-  for (std::vector<Expr>* part : {&out.lambdas_along, &out.lambdas_by_speeds, &out.lambdas_by_forces})
-    *part = take(system.count() * nv);
+  ConstrainedDerivatives out{by_rows(rates, 0, nv),      by_rows(rates, nv, nv),
+                             by_rows(rates, 2 * nv, nv), by_rows(reactions, 0, nv),
+                             by_rows(reactions, nv, nv), by_rows(reactions, 2 * nv, nv)};
+  value_number_all({&out.rates_along, &out.rates_by_speeds, &out.rates_by_forces, &out.lambdas_along,
+                    &out.lambdas_by_speeds, &out.lambdas_by_forces});
   return out;
 }
 

@@ -18,15 +18,13 @@ std::vector<Expr> derivatives_of_the_whole(const Kinematics& kinematics, const s
   const std::size_t nq = variables.size(), nv = Q.size();
   for (int k = 0; k < kinematics.mechanism.nv; ++k) variables.push_back(kinematics.derivatives.speed(k));
   const Jacobian by = jacobian(Q, variables);
-  const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
-  std::vector<Expr> both(2 * nv * nv, kinematics.graph.zero());
+  std::vector<Expr> by_coordinates, by_speeds;
   for (std::size_t i = 0; i < nv; ++i) {
-    for (std::size_t k = 0; k < nv; ++k) {
-      for (std::size_t a = 0; a < nq; ++a)
-        if (!N[a * nv + k].is_zero()) both[i * nv + k] += by(i, a) * N[a * nv + k];
-      both[(nv + i) * nv + k] = by(i, nq + k);
-    }
+    for (std::size_t a = 0; a < nq; ++a) by_coordinates.push_back(by(i, a));
+    for (std::size_t k = 0; k < nv; ++k) by_speeds.push_back(by(i, nq + k));
   }
+  std::vector<Expr> both = kinematics.derivatives.along_speeds(by_coordinates);
+  both.insert(both.end(), by_speeds.begin(), by_speeds.end());
   return both;
 }
 

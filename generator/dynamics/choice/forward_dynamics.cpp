@@ -54,6 +54,22 @@ std::vector<Expr> solved_for_rates(const Kinematics& kinematics, const Equations
 
 }  // namespace
 
+std::vector<Expr> driving_forces(const Kinematics& kinematics, const EquationsOfMotion& equations) {
+  std::vector<Expr> forces;
+  for (int k = 0; k < kinematics.mechanism.nv; ++k)
+    forces.push_back(tau_symbol(kinematics.mechanism, k, kinematics.graph) -
+                     equations.c[static_cast<std::size_t>(k)]);
+  return forces;
+}
+
+std::vector<Expr> by_rows(const std::vector<std::vector<Expr>>& columns, std::size_t first,
+                          std::size_t count) {
+  std::vector<Expr> all;
+  for (std::size_t i = 0; i < columns[first].size(); ++i)
+    for (std::size_t k = 0; k < count; ++k) all.push_back(columns[first + k][i]);
+  return all;
+}
+
 std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
                                                   const EquationsOfMotion& equations,
                                                   const std::vector<std::vector<Expr>>& columns) {
@@ -84,15 +100,6 @@ std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
 }
 
 namespace {
-
-/// tau - c.
-std::vector<Expr> driving_forces(const Kinematics& kinematics, const EquationsOfMotion& equations) {
-  std::vector<Expr> forces;
-  for (int k = 0; k < kinematics.mechanism.nv; ++k)
-    forces.push_back(tau_symbol(kinematics.mechanism, k, kinematics.graph) -
-                     equations.c[static_cast<std::size_t>(k)]);
-  return forces;
-}
 
 /// M^-1 (tau - c) beside the inverse of M: factors of M, if that has them, are there already.
 std::vector<Expr> rates_beside(const std::vector<Expr>& inverse, const Kinematics& kinematics,
@@ -146,13 +153,7 @@ ForwardDerivatives forward_dynamics_derivatives(const Kinematics& kinematics,
       for (std::size_t i = 0; i < nv; ++i) column.push_back(-tau[(half * nv + i) * nv + k]);
     }
   columns = solved_for_columns(kinematics, equations, columns);
-  const auto rows = [&](std::size_t first) {
-    std::vector<Expr> all;
-    for (std::size_t i = 0; i < nv; ++i)
-      for (std::size_t k = 0; k < nv; ++k) all.push_back(columns[first + k][i]);
-    return all;
-  };
-  return {rows(0), rows(nv), std::move(inverse)};
+  return {by_rows(columns, 0, nv), by_rows(columns, nv, nv), std::move(inverse)};
 }
 
 }  // namespace alembert

@@ -2,11 +2,15 @@
 // several methods give out.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
 
 namespace alembert {
+
+/// tau - c, nv.
+std::vector<Expr> driving_forces(const Kinematics& kinematics, const EquationsOfMotion& equations);
 
 /// M^-1 (tau - c), nv.
 std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const EquationsOfMotion& equations);
@@ -16,6 +20,10 @@ std::vector<Expr> forward_dynamics(const Kinematics& kinematics, const Equations
 std::vector<std::vector<Expr>> solved_for_columns(const Kinematics& kinematics,
                                                   const EquationsOfMotion& equations,
                                                   const std::vector<std::vector<Expr>>& columns);
+
+/// By rows: `count` columns from `first` on.
+std::vector<Expr> by_rows(const std::vector<std::vector<Expr>>& columns, std::size_t first,
+                          std::size_t count);
 
 /// M^-1, nv x nv, symmetric.
 std::vector<Expr> inverse_mass_matrix(const Kinematics& kinematics, const EquationsOfMotion& equations);

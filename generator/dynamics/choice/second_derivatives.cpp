@@ -9,20 +9,6 @@ namespace alembert {
 
 namespace {
 
-/// [i][k]: D_k of value i.
-std::vector<Expr> along_speeds(const Kinematics& kinematics, const std::vector<Expr>& values,
-                               const std::vector<Expr>& q) {
-  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
-  const Jacobian by = jacobian(values, q);
-  const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
-  std::vector<Expr> out(values.size() * nv, kinematics.graph.zero());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    for (std::size_t a = 0; a < q.size(); ++a)
-      for (std::size_t k = 0; k < nv; ++k)
-        if (!N[a * nv + k].is_zero()) out[i * nv + k] += by(i, a) * N[a * nv + k];
-  return out;
-}
-
 /// Makes the entries below the diagonal from those above: D_k D_j f = D_j D_k f, but for the speeds 1, 2, 3 of a
 /// quaternion, turns about axes of the body, D_1 D_2 f - D_2 D_1 f = D_3 f and so on around.
 void complete(const Mechanism& mechanism, const std::vector<Expr>& along, std::vector<Expr>& twice) {
@@ -64,17 +50,11 @@ SecondForceDerivatives second_force_derivatives(const Kinematics& kinematics,
   const std::vector<Expr> gradient = value_number(jacobian(std::vector<Expr>{f}, variables).entries);
 
   // D f, then df/du and df/dud.
-  const std::vector<Expr> N = kinematics.derivatives.coordinate_rate_matrix();
-  std::vector<Expr> first(nv, graph.zero());
-  for (std::size_t a = 0; a < q.size(); ++a)
-    for (std::size_t k = 0; k < nv; ++k)
-      if (!N[a * nv + k].is_zero()) first[k] += gradient[a] * N[a * nv + k];
-  const std::vector<Expr> along = first;
-  first.insert(first.end(), gradient.begin() + static_cast<std::ptrdiff_t>(q.size()), gradient.end());
-  const std::vector<Expr> by_speeds(first.begin() + static_cast<std::ptrdiff_t>(nv),
-                                    first.begin() + static_cast<std::ptrdiff_t>(2 * nv));
-
-  const std::vector<Expr> moved = along_speeds(kinematics, first, q);
+  const auto behind = gradient.begin() + static_cast<std::ptrdiff_t>(q.size());
+  const std::vector<Expr> along = kinematics.derivatives.along_speeds({gradient.begin(), behind});
+  std::vector<Expr> first = along;
+  first.insert(first.end(), behind, gradient.end());
+  const std::vector<Expr> moved = kinematics.derivatives.along_speeds(jacobian(first, q).entries);
   SecondForceDerivatives out;
   out.along_speeds_twice.assign(moved.begin(), moved.begin() + static_cast<std::ptrdiff_t>(nv * nv));
   complete(mechanism, along, out.along_speeds_twice);
@@ -84,18 +64,12 @@ SecondForceDerivatives second_force_derivatives(const Kinematics& kinematics,
       out.along_speeds_by_rates.push_back(moved[(2 * nv + k) * nv + j]);
     }
   }
-  out.by_speeds_twice = jacobian(by_speeds, u).entries;
+  out.by_speeds_twice =
+      jacobian(std::vector<Expr>(behind, behind + static_cast<std::ptrdiff_t>(nv)), u).entries;
   for (std::size_t j = 0; j < nv; ++j)
     for (std::size_t k = 0; k < j; ++k) out.by_speeds_twice[j * nv + k] = out.by_speeds_twice[k * nv + j];
-  std::vector<Expr> all;
-  for (std::vector<Expr>* part : {&out.along_speeds_twice, &out.along_speeds_by_speeds, &out.by_speeds_twice,
-                                  &out.along_speeds_by_rates})
-    all.insert(all.end(), part->begin(), part->end());
-  all = value_number(all);
-  auto next = all.begin();
-  for (std::vector<Expr>* part : {&out.along_speeds_twice, &out.along_speeds_by_speeds, &out.by_speeds_twice,
-                                  &out.along_speeds_by_rates})
-    for (Expr& value : *part) value = *next++;
+  value_number_all({&out.along_speeds_twice, &out.along_speeds_by_speeds, &out.by_speeds_twice,
+                    &out.along_speeds_by_rates});
   return out;
 }
 

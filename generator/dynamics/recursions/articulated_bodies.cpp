@@ -18,13 +18,11 @@
 // U = sum I s, D = sum s^T I s and sum s^T p over them.
 #include "dynamics/recursions/articulated_bodies.hpp"
 
-#include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "dynamics/recursions/armature.hpp"
+#include "dynamics/recursions/articulated_joints.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
@@ -34,30 +32,6 @@ namespace {
 struct ArticulatedInertia {
   Mat3 J, H, M;  ///< J and M symmetric, all nine entries kept
 };
-
-/// E A E^T of any A; for a turn in the plane of i and j with z = s (A_ii - A_jj) + c (A_ij + A_ji):
-/// A'_ii = A_ii - s z, A'_jj = A_jj + s z, A'_ij = c z - A_ji, A'_ji = c z - A_ij.
-Mat3 turned(const Mat3& A, const Motion& motion) {
-  if (motion.kind == MotionKind::rotation) return motion.matrix * A * transpose(motion.matrix);
-  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
-  const Expr c = motion.cosine, s = motion.sine;
-  Mat3 out = A;
-  Expr z = s * (A(i, i) - A(j, j));
-  z += c * (A(i, j) + A(j, i));
-  const Expr sz = s * z, cz = c * z;
-  out(i, i) = A(i, i) - sz;
-  out(j, j) = A(j, j) + sz;
-  out(i, j) = cz - A(j, i);
-  out(j, i) = cz - A(i, j);
-  const auto turn_pair = [&](const Expr& x, const Expr& y, Expr& new_x, Expr& new_y) {
-    const Expr cx = c * x, sy = s * y, sx = s * x, cy = c * y;
-    new_x = cx - sy;
-    new_y = sx + cy;
-  };
-  turn_pair(A(i, a), A(j, a), out(i, a), out(j, a));
-  turn_pair(A(a, i), A(a, j), out(a, i), out(a, j));
-  return out;
-}
 
 /// About a point from which this one is at t: with T = skew(t), H' = H + T M, J' = J - H T + T H'^T.
 ArticulatedInertia shifted(const ArticulatedInertia& I, const Vec3& t) {
@@ -127,108 +101,6 @@ Wrench operator*(const ArticulatedInertia& I, const Twist& s) {
   return {I.J * s.angular + I.H * s.linear, transpose(I.H) * s.angular + I.M * s.linear};
 }
 
-/// A speed as one joint.
-struct Joint {
-  int speed;
-  Twist twist;  ///< in the axes of the frame where it is taken
-};
-
-/// A speed that moves several bodies otherwise: those outward of `base` on `path`, by their own twists.
-struct SharedJoint {
-  int speed;
-  int base;                           ///< -1: world
-  std::map<std::size_t, Twist> path;  ///< nodes from the base outward to all that the speed moves, own axes
-};
-
-struct Joints {
-  std::vector<std::vector<Joint>> of_node;
-  std::vector<SharedJoint> shared;
-};
-
-Twist own_twist(const MotionNode& node, int speed, ExprGraph& g) {
-  Twist twist = zero_twist(g);
-  for (const TwistPartial& partial : node.partials)
-    if (partial.speed == speed) twist = twist + twist_along(node.motion, partial.direction);
-  return twist;
-}
-
-/// The speed as one joint at the outermost of its nodes, with the sum of their twists: only that frame's motion
-/// matters if there is no mass, and no branch, on the way from the innermost. Otherwise nothing.
-std::optional<Joint> taken_outermost(const MotionTree& tree, const std::vector<int>& children, int speed,
-                                     std::vector<std::size_t> nodes, ExprGraph& g) {
-  Twist sum = zero_twist(g);
-  std::vector<std::size_t> path;  // from the outermost to the frame before
-  for (std::size_t at = nodes.back();;) {
-    if (at == nodes.back()) {
-      Twist twist = own_twist(tree.nodes[at], speed, g);
-      for (std::size_t k = path.size(); k-- > 0;) twist = outward(tree.nodes[path[k]].motion, twist);
-      sum = sum + twist;
-      nodes.pop_back();
-      if (nodes.empty()) return Joint{speed, sum};
-    }
-    path.push_back(at);
-    if (tree.nodes[at].parent < 0) return std::nullopt;  // the rest is on another branch
-    at = static_cast<std::size_t>(tree.nodes[at].parent);
-    if (children[at] != 1 || !tree.masses[at].is_zero()) return std::nullopt;
-  }
-}
-
-/// Nothing if another speed moves a node on the way.
-std::optional<SharedJoint> taken_together(const MotionTree& tree, int nv, int speed,
-                                          const std::vector<std::size_t>& nodes, ExprGraph& g) {
-  const auto parent = [&](int node) { return tree.nodes[static_cast<std::size_t>(node)].parent; };
-  // Parents have smaller numbers: the meeting frame is found by always going on from the larger.
-  int base = tree.nodes[nodes[0]].parent;
-  for (const std::size_t node : nodes)
-    for (int other = tree.nodes[node].parent; other != base;) {
-      int& larger = other > base ? other : base;
-      larger = parent(larger);
-    }
-  SharedJoint joint{speed, base, {}};
-  for (const std::size_t node : nodes)
-    for (int at = static_cast<int>(node); at != base; at = parent(at)) {
-      const MotionNode& on_way = tree.nodes[static_cast<std::size_t>(at)];
-      for (const TwistPartial& partial : on_way.partials)
-        if (partial.speed != speed && partial.speed != nv) return std::nullopt;
-      joint.path.try_emplace(static_cast<std::size_t>(at), own_twist(on_way, speed, g));
-    }
-  return joint;
-}
-
-/// Nothing if two speeds share bodies in a way that neither of these covers.
-std::optional<Joints> joints_of(const MotionTree& tree, int nv, ExprGraph& g) {
-  const std::size_t count = tree.nodes.size();
-  std::vector<int> children(count, 0);
-  std::vector<std::vector<std::size_t>> nodes_of(static_cast<std::size_t>(nv));
-  for (std::size_t i = 0; i < count; ++i) {
-    const MotionNode& node = tree.nodes[i];
-    if (node.parent >= 0) ++children[static_cast<std::size_t>(node.parent)];
-    for (const TwistPartial& partial : node.partials) {
-      if (partial.speed == nv) continue;  // time
-      std::vector<std::size_t>& nodes = nodes_of[static_cast<std::size_t>(partial.speed)];
-      if (nodes.empty() || nodes.back() != i) nodes.push_back(i);
-    }
-  }
-  Joints joints{std::vector<std::vector<Joint>>(count), {}};
-  std::vector<bool> on_way(count, false);
-  for (int speed = 0; speed < nv; ++speed) {
-    const std::vector<std::size_t>& nodes = nodes_of[static_cast<std::size_t>(speed)];
-    if (nodes.empty()) return std::nullopt;
-    if (const auto joint = taken_outermost(tree, children, speed, nodes, g)) {
-      joints.of_node[nodes.back()].push_back(*joint);
-      continue;
-    }
-    std::optional<SharedJoint> shared = taken_together(tree, nv, speed, nodes, g);
-    if (!shared) return std::nullopt;
-    for (const auto& [node, twist] : shared->path) {
-      if (on_way[node]) return std::nullopt;
-      on_way[node] = true;
-    }
-    joints.shared.push_back(std::move(*shared));
-  }
-  return joints;
-}
-
 /// Component of a twist that has only one, otherwise 6.
 std::size_t only_component(const Twist& twist) {
   std::size_t found = 6;
@@ -267,7 +139,7 @@ ArticulatedInertia without(const ArticulatedInertia& I, const Wrench& U, const W
 std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, const MotionTree& tree,
                                                    std::span<const Expr> right_side, ExprGraph& graph) {
   const std::size_t count = tree.nodes.size();
-  const std::optional<Joints> joints = joints_of(tree, mechanism.nv, graph);
+  const std::optional<ArticulatedJoints> joints = articulated_joints(tree, mechanism.nv, graph);
   if (!joints) return std::nullopt;
 
   struct Solved {
@@ -305,7 +177,7 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
       if (joints->shared[k].base == static_cast<int>(i)) solve_shared(k);
     ArticulatedInertia& I = inertias[i];
     Wrench& p = forces[i];
-    for (const Joint& joint : joints->of_node[i]) {
+    for (const ArticulatedJoint& joint : joints->of_node[i]) {
       const Twist& s = joint.twist;
       const Wrench U = I * s;
       const Expr a = armature[static_cast<std::size_t>(joint.speed)];
@@ -357,7 +229,7 @@ std::optional<std::vector<Expr>> articulated_solve(const Mechanism& mechanism, c
       if (const auto own = joint.path.find(i); own != joint.path.end())
         y = y + rates[static_cast<std::size_t>(joint.speed)] * own->second;
     for (std::size_t k = joints->of_node[i].size(); k-- > 0;) {
-      const Joint& joint = joints->of_node[i][k];
+      const ArticulatedJoint& joint = joints->of_node[i][k];
       const Expr rate = solved[i][k].u_over_D - dot(y, solved[i][k].U_over_D);
       rates[static_cast<std::size_t>(joint.speed)] = rate;
       y = y + rate * joint.twist;

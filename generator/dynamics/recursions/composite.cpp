@@ -3,33 +3,6 @@
 
 namespace alembert {
 
-namespace {
-
-/// E P E^T of any P; for a plane rotation with z = s (P_ii - P_jj) + c (P_ij + P_ji) as turned_symmetric is.
-Mat3 turned_product(const Mat3& P, const Motion& motion) {
-  if (motion.kind == MotionKind::rotation) return motion.matrix * P * transpose(motion.matrix);
-  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
-  const Expr c = motion.cosine, s = motion.sine;
-  const Expr twice_mean = c * (P(i, j) + P(j, i));
-  const Expr z = s * (P(i, i) - P(j, j)) + twice_mean;
-  const Expr sz = s * z, cz = c * z;
-  Mat3 out = P;
-  out(i, i) = P(i, i) - sz;
-  out(j, j) = P(j, j) + sz;
-  out(i, j) = cz - P(j, i);
-  out(j, i) = cz - P(i, j);
-  const auto plane = [&](Expr x, Expr y, Expr& to_x, Expr& to_y) {
-    const Expr cx = c * x, sy = s * y, sx = s * x, cy = c * y;
-    to_x = cx - sy;
-    to_y = sx + cy;
-  };
-  plane(P(i, a), P(j, a), out(i, a), out(j, a));
-  plane(P(a, i), P(a, j), out(a, i), out(a, j));
-  return out;
-}
-
-}  // namespace
-
 Composite composite(const NodeMass& mass, ExprGraph& g) {
   const Mat3& J = mass.inertia;
   Expr trace = J(0, 0) + J(1, 1);
@@ -114,7 +87,7 @@ InnerMotion turned(const InnerMotion& x, const Motion& rotation, const Vec3& tur
     for (std::size_t c = 0; c < 3; ++c) P(r, c) += more[c];
   }
   const Vec3 p = x.p + cross(turning, x.body.h);
-  return {turned(x.body, rotation), rotation.to_parent(p), turned_product(P, rotation)};
+  return {turned(x.body, rotation), rotation.to_parent(p), turned(P, rotation)};
 }
 
 InnerMotion shifted(const InnerMotion& x, const Vec3& t, const Vec3& velocity, ExprGraph& g) {

@@ -166,24 +166,9 @@ void CoriolisRecursion::meet(FarPairs far) {
     for (const Unit& unit : units)
       directions.back().push_back({unit.direction, {{static_cast<int>(unit.speed), graph_.one()}}});
   }
-  const MeetingPlan plan = plan_meetings(tree_, directions, far);
-  meetings_.emplace(tree_, directions, plan, graph_);
-  const auto shift_rate = [&](int frame, std::size_t i) {
-    return is_linear(i) ? meetings_->pose(frame, i).rotation * shift_rates_[i] : none_;
-  };
-  for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-    const int frame = plan[i];
-    if (frame < 0) continue;
-    if (static_cast<std::size_t>(frame) != i) {
-      add_met(frame, i, met_.at({frame, parent(i)}).velocity + shift_rate(frame, i));
-      continue;
-    }
-    Vec3 velocity = none_;
-    for (int at = frame; at >= 0; at = node(static_cast<std::size_t>(at)).parent) {
-      add_met(frame, static_cast<std::size_t>(at), velocity);
-      velocity = velocity - shift_rate(frame, static_cast<std::size_t>(at));
-    }
-  }
+  meetings_.emplace(tree_, directions, plan_meetings(tree_, directions, far), graph_);
+  for (const auto& [frame, node, velocity] : meetings_->velocities(shift_rates_, graph_))
+    add_met(frame, node, velocity);
 }
 
 void CoriolisRecursion::add_met(int frame, std::size_t i, const Vec3& velocity) {

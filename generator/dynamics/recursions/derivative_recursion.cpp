@@ -11,6 +11,7 @@
 #include "dynamics/recursions/body_forces.hpp"
 #include "dynamics/recursions/composite.hpp"
 #include "dynamics/recursions/meeting_frames.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
@@ -141,8 +142,7 @@ class Recursion {
 };
 
 void Recursion::move() {
-  const Vec3& gravity = mechanism_.gravity;
-  const FrameMotion root(none_, none_, {{-gravity[0], -gravity[1], -gravity[2]}});
+  const FrameMotion root = motion_of_world(mechanism_, graph_);
   for (std::size_t i = 0; i < size(); ++i) {
     const FrameMotion& from = node(i).parent < 0 ? root : frames_[parent(i)];
     shift_rates_.push_back(is_linear(i) ? cross(from.om, node(i).motion.offset) + node(i).velocity : none_);
@@ -301,24 +301,9 @@ void Recursion::meet(FarPairs far) {
     for (const Mover& mover : movers)
       units.back().push_back({mover.twist, {{static_cast<int>(mover.speed), graph_.one()}}});
   }
-  const MeetingPlan plan = plan_meetings(tree_, units, far);
-  meetings_.emplace(tree_, units, plan, graph_);
-  const auto shift_rate = [&](int frame, std::size_t i) {
-    return is_linear(i) ? meetings_->pose(frame, i).rotation * shift_rates_[i] : none_;
-  };
-  for (std::size_t i = 0; i < size(); ++i) {
-    const int frame = plan[i];
-    if (frame < 0) continue;
-    if (static_cast<std::size_t>(frame) != i) {
-      add_met(frame, i, met_.at({frame, parent(i)}).velocity + shift_rate(frame, i));
-      continue;
-    }
-    Vec3 velocity = none_;
-    for (int at = frame; at >= 0; at = node(static_cast<std::size_t>(at)).parent) {
-      add_met(frame, static_cast<std::size_t>(at), velocity);
-      velocity = velocity - shift_rate(frame, static_cast<std::size_t>(at));
-    }
-  }
+  meetings_.emplace(tree_, units, plan_meetings(tree_, units, far), graph_);
+  for (const auto& [frame, node, velocity] : meetings_->velocities(shift_rates_, graph_))
+    add_met(frame, node, velocity);
 }
 
 void Recursion::add_met(int frame, std::size_t i, const Vec3& velocity) {

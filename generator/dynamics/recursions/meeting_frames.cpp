@@ -289,6 +289,35 @@ void MeetingFrames::add_twists(int meeting, std::size_t node, const Pose& pose,
     twists.push_back(inward({pose.rotation, origin}, twist_along(tree_.nodes[node].motion, unit.direction)));
 }
 
+std::vector<MeetingFrames::Moving> MeetingFrames::velocities(const std::vector<Vec3>& shift_rates,
+                                                             ExprGraph& graph) const {
+  const Vec3 none = zeros<3, 1>(graph);
+  const auto shift_rate = [&](int meeting, std::size_t node) {
+    const bool linear = tree_.nodes[node].motion.kind == MotionKind::translation;
+    return linear ? pose(meeting, node).rotation * shift_rates[node] : none;
+  };
+  std::vector<Moving> out;
+  std::map<std::size_t, Vec3> of_posed;  // by node: each is posed in one frame
+  for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
+    const int meeting = plan_[i];
+    if (meeting < 0) continue;
+    if (static_cast<std::size_t>(meeting) != i) {
+      const std::size_t parent = static_cast<std::size_t>(tree_.nodes[i].parent);
+      out.push_back({meeting, i, of_posed.at(parent) + shift_rate(meeting, i)});
+      of_posed.emplace(i, out.back().velocity);
+      continue;
+    }
+    of_posed.emplace(i, none);
+    Vec3 velocity = none;
+    for (int at = meeting; at >= 0; at = tree_.nodes[static_cast<std::size_t>(at)].parent) {
+      const std::size_t node = static_cast<std::size_t>(at);
+      out.push_back({meeting, node, velocity});
+      velocity = velocity - shift_rate(meeting, node);
+    }
+  }
+  return out;
+}
+
 Wrench MeetingFrames::at_meeting(std::size_t node, const Wrench& momentum) const {
   return plan_[node] == static_cast<int>(node) ? momentum : inward(poses_[node], momentum);
 }

@@ -59,6 +59,14 @@ class MeetingFrames {
   const Pose& pose(int meeting, std::size_t node) const {
     return inside_.at({meeting, static_cast<int>(node)}).pose;
   }
+  /// How the origin of a node that meets others in a frame moves, seen from the frame's own origin and in its axes.
+  struct Moving {
+    int meeting;
+    std::size_t node;
+    Vec3 velocity;
+  };
+  /// Of all that meet, where the origins of translated frames move at `shift_rates` from those before them.
+  std::vector<Moving> velocities(const std::vector<Vec3>& shift_rates, ExprGraph& graph) const;
 
  private:
   /// A node in a meeting frame, posed in it or inward of it.

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "dynamics/recursions/body_forces.hpp"
+#include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/spatial_vectors.hpp"
 
 namespace alembert {
@@ -25,8 +26,7 @@ class BodyFrames {
   BodyFrames(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph)
       : mechanism_(mechanism), graph_(graph) {
     const Vec3 none = zeros<3, 1>(graph);
-    const Vec3& gravity = mechanism.gravity;
-    const BodyFrame world{FrameMotion(none, none, {{-gravity[0], -gravity[1], -gravity[2]}}), {}};
+    const BodyFrame world{motion_of_world(mechanism, graph), {}};
     std::vector<BodyFrame> nodes;
     for (const MotionNode& node : tree.nodes)
       nodes.push_back(next(node.parent < 0 ? world : nodes[static_cast<std::size_t>(node.parent)], node));

@@ -46,6 +46,28 @@ Mat3 turned_symmetric(const Mat3& K, const Motion& motion) {
   return out;
 }
 
+Mat3 turned(const Mat3& A, const Motion& motion) {
+  if (motion.kind == MotionKind::rotation) return motion.matrix * A * transpose(motion.matrix);
+  const std::size_t a = static_cast<std::size_t>(motion.axis), i = (a + 1) % 3, j = (a + 2) % 3;
+  const Expr c = motion.cosine, s = motion.sine;
+  Mat3 out = A;
+  Expr z = s * (A(i, i) - A(j, j));
+  z += c * (A(i, j) + A(j, i));
+  const Expr sz = s * z, cz = c * z;
+  out(i, i) = A(i, i) - sz;
+  out(j, j) = A(j, j) + sz;
+  out(i, j) = cz - A(j, i);
+  out(j, i) = cz - A(i, j);
+  const auto turn_pair = [&](const Expr& x, const Expr& y, Expr& new_x, Expr& new_y) {
+    const Expr cx = c * x, sy = s * y, sx = s * x, cy = c * y;
+    new_x = cx - sy;
+    new_y = sx + cy;
+  };
+  turn_pair(A(i, a), A(j, a), out(i, a), out(j, a));
+  turn_pair(A(a, i), A(a, j), out(a, i), out(a, j));
+  return out;
+}
+
 Motion translation_motion(const Vec3& offset) {
   Motion motion;
   motion.kind = MotionKind::translation;

@@ -33,6 +33,9 @@ bool is_quarter_turn(const Motion& motion);
 /// E K E^T of a symmetric K; for a plane rotation with z = s (K_ii - K_jj) + 2 c K_ij: K'_ii = K_ii - s z,
 /// K'_jj = K_jj + s z, K'_ij = c z - K_ij.
 Mat3 turned_symmetric(const Mat3& K, const Motion& motion);
+/// E A E^T of any A; for a plane rotation with z = s (A_ii - A_jj) + c (A_ij + A_ji): A'_ii = A_ii - s z,
+/// A'_jj = A_jj + s z, A'_ij = c z - A_ji, A'_ji = c z - A_ij.
+Mat3 turned(const Mat3& A, const Motion& motion);
 
 Motion translation_motion(const Vec3& offset);
 Motion axis_rotation_motion(int axis, Expr angle);

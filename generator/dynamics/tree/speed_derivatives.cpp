@@ -181,6 +181,18 @@ void SpeedDerivatives::add_quadratic_rate(std::span<const SpeedPartial> partials
   }
 }
 
+std::vector<Expr> SpeedDerivatives::along_speeds(std::span<const Expr> by_coordinates) const {
+  const std::size_t nq = static_cast<std::size_t>(mechanism_.nq),
+                    nv = static_cast<std::size_t>(mechanism_.nv);
+  const std::vector<Expr> N = coordinate_rate_matrix();
+  std::vector<Expr> out(by_coordinates.size() / nq * nv, graph_.zero());
+  for (std::size_t entry = 0; entry < by_coordinates.size(); ++entry)
+    for (std::size_t k = 0; k < nv; ++k)
+      if (const Expr rate = N[entry % nq * nv + k]; !rate.is_zero())
+        out[entry / nq * nv + k] += by_coordinates[entry] * rate;
+  return out;
+}
+
 std::vector<Expr> SpeedDerivatives::coordinate_rate_matrix() const {
   const std::size_t nv = static_cast<std::size_t>(mechanism_.nv);
   std::vector<Expr> matrix(static_cast<std::size_t>(mechanism_.nq) * nv, graph_.zero());

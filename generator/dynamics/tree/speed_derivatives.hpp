@@ -45,6 +45,10 @@ class SpeedDerivatives {
   /// How often D* reached its step cap and another method was kept.
   std::size_t d_star_gave_up() const { return d_star_gave_up_; }
 
+  /// Of derivatives by the coordinates' symbols, those along the speeds, without simplification: a row of nv for each
+  /// row of nq.
+  std::vector<Expr> along_speeds(std::span<const Expr> by_coordinates) const;
+
   /// N(q), nq x nv row major: qdot = N u.
   std::vector<Expr> coordinate_rate_matrix() const;
 
