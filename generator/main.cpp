@@ -181,6 +181,12 @@ void add_examples(CLI::App& app) {
     app.get_subcommand(name)->footer(std::string("Example:\n  ") + example);
 }
 
+std::vector<std::string> language_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, language] : kLanguages) names.emplace_back(name);
+  return names;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"alembert writes the equations of motion of a mechanism as C++.", "alembert"};
   app.set_version_flag("--version", "alembert " ALEMBERT_VERSION);
@@ -201,7 +207,7 @@ int run(int argc, char** argv) {
                    "c++; or c: the C interface with C99 behind it, for one scalar type (default: double); or "
                    "python: the same and a module over it; or javascript: an ES module; or cuda: functions "
                    "of host and device, and kernels")
-      ->check(CLI::IsMember({"c++", "c", "python", "javascript", "cuda"}))
+      ->check(CLI::IsMember(language_names()))
       ->capture_default_str();
   command->add_option("--namespace", generate.name_space, "outer namespace (default: alembert::mechanisms)");
   command
@@ -237,6 +243,9 @@ int run(int argc, char** argv) {
                                         generate.batch_instructions.empty() && generate.parts == 0))
       throw CLI::ValidationError("--language " + generate.language,
                                  "has no --namespace, --batch, --batch-instructions and --parts");
+    if (generate.language == "cuda" && !generate.scalars.empty())
+      throw CLI::ValidationError("--language cuda",
+                                 "has no --scalars: its functions are for any scalar type");
     result = run_generate(common, generate);
   });
 

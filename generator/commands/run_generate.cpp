@@ -75,13 +75,9 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
-  if (options.language != "c++") {
-    emit.language = options.language == "c"        ? Language::c
-                    : options.language == "python" ? Language::python
-                    : options.language == "cuda"   ? Language::cuda
-                                                   : Language::javascript;
-    emit.scalars = {"double"};
-  }
+  const auto named = [&](const auto& language) { return language.first == options.language; };
+  emit.language = std::ranges::find_if(kLanguages, named)->second;
+  if (emit.language != Language::cpp) emit.scalars = {"double"};
   if (!options.scalars.empty()) emit.scalars = options.scalars;
   set_batch(emit, common, options.batch);
   if (!options.batch_instructions.empty()) emit.batch_instructions = options.batch_instructions;

@@ -10,7 +10,7 @@ namespace alembert {
 
 struct GenerateOptions {
   std::string out_dir;
-  std::string language = "c++";  ///< or c, python, javascript, cuda
+  std::string language = "c++";  ///< a name of kLanguages
   std::string depfile, stamp;
   std::string name_space;
   std::vector<std::string> functions;

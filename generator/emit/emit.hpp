@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "functions/function_table.hpp"
@@ -18,6 +19,12 @@ struct EmittedFile {
 };
 
 enum class Language { cpp, c, python, javascript, cuda };
+/// What users call them.
+inline constexpr std::pair<std::string_view, Language> kLanguages[] = {{"c++", Language::cpp},
+                                                                       {"c", Language::c},
+                                                                       {"python", Language::python},
+                                                                       {"javascript", Language::javascript},
+                                                                       {"cuda", Language::cuda}};
 
 /// A function that is not of the table.
 struct ExtraFunction {

@@ -59,6 +59,13 @@ struct CState {
       for (int i = 0; i < 6 && body.external_wrench; ++i) wrenches.push_back(near(0, 3));
     t = near(1, 1);
   }
+  /// Parameters of the description, and no wrenches.
+  void set_defaults(const Mechanism& mechanism) {
+    parameters.clear();
+    for (const alembert::Parameter& p : mechanism.parameters)
+      if (p.runtime) parameters.push_back(static_cast<Real>(p.value));
+    wrenches.assign(wrenches.size(), 0);
+  }
   const std::vector<Real>& array(ArgumentKind kind) const {
     switch (kind) {
       case ArgumentKind::q:

@@ -60,10 +60,7 @@ void check(const Mechanism& mechanism, const std::vector<Program>& programs) {
                     std::ranges::all_of(expected, [](double x) { return std::isfinite(x); }))
             << what;
       }
-      for (std::size_t i = 0, k = 0; i < mechanism.parameters.size(); ++i)
-        if (mechanism.parameters[i].runtime)
-          state.parameters[k++] = static_cast<Real>(mechanism.parameters[i].value);
-      state.wrenches.assign(state.wrenches.size(), 0);
+      state.set_defaults(mechanism);
       const std::vector<Real> by_default = CCall<Real>(library, f, program, state, true).results;
       const std::vector<Real> given = CCall<Real>(library, f, program, state).results;
       EXPECT_TRUE(std::ranges::equal(by_default, given, same<Real>))

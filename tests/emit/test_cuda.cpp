@@ -102,10 +102,7 @@ void check(const Mechanism& mechanism, const std::vector<Program>& programs) {
       EXPECT_EQ(call.status, 0) << what;
       expect_near(programs[f], call.results, state.interpreted(programs[f]), what);
     }
-    for (std::size_t i = 0, k = 0; i < mechanism.parameters.size(); ++i)
-      if (mechanism.parameters[i].runtime)
-        state.parameters[k++] = static_cast<Real>(mechanism.parameters[i].value);
-    state.wrenches.assign(state.wrenches.size(), 0);
+    state.set_defaults(mechanism);
     EXPECT_TRUE(std::ranges::equal(CCall<Real>(library, f, programs[f], state, true).results,
                                    CCall<Real>(library, f, programs[f], state).results, same<Real>))
         << "none given are those of the description: " << what;

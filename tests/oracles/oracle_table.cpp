@@ -1,6 +1,7 @@
-// oracle_table EXECUTABLE MECHANISMS [STATES]: every mechanism of a folder against every oracle, at random
-// states. With `-` for the executable, the numeric Lagrangian stands in for it, and oracles are compared with
-// each other. Exit 1 if any line fails, or if an engine is missing that this build requires.
+// oracle_table EXECUTABLE MECHANISMS EQUIVALENTS [STATES] [--thirds]: every mechanism of a folder against every oracle,
+// at random states; --thirds asks for functions besides the dynamics of every third mechanism only. With `-` for the
+// executable, the numeric Lagrangian stands in for it, and oracles are compared with each other. Exit 1 if any line
+// fails, or if an engine is missing that this build requires.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

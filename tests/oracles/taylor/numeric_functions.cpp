@@ -489,6 +489,18 @@ std::optional<std::vector<Eigen::Index>> independent_columns(const Description& 
   return found;
 }
 
+/// The same, found once for all states of a mechanism: they are asked for one after the other.
+const std::optional<std::vector<Eigen::Index>>& known_independent_columns(const Description& description) {
+  static std::string last;
+  static std::optional<std::vector<Eigen::Index>> columns;
+  std::string now = description.text;
+  for (const auto& [parameter, value] : description.runtime_parameters)
+    now += parameter + std::to_string(value);
+  if (now != last) columns = independent_columns(description);
+  last = now;
+  return columns;
+}
+
 template <class R>
 using Builders = std::map<std::string, std::function<Arrays(const Quantities<R>&)>>;
 
@@ -652,13 +664,7 @@ const Builders<R>& builders() {
        [](From x) {
          const Eigen::MatrixXd Y =
              x.regressor(x.moving_poses(x.state.rates, [](const Jet<R>& entry) { return entry.second; }));
-         // The same for all states of a mechanism, which are asked for one after the other.
-         static std::pair<std::string, std::optional<std::vector<Eigen::Index>>> known;
-         std::string key = x.description.text;
-         for (const auto& [parameter, value] : x.description.runtime_parameters)
-           key += parameter + std::to_string(value);
-         if (known.first != key) known = {key, independent_columns(x.description)};
-         const auto& which = known.second;
+         const auto& which = known_independent_columns(x.description);
          if (!which) return Arrays{};
          Eigen::MatrixXd some(Y.rows(), static_cast<Eigen::Index>(which->size()));
          for (Eigen::Index k = 0; k < some.cols(); ++k)
