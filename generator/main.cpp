@@ -326,7 +326,7 @@ int run(int argc, char** argv) {
       ->add_option("--hold", simulate.start.hold, "coordinates to keep while the constraints are satisfied")
       ->delimiter(',');
   command->add_option("--input", common.inputs,
-                      "NAME=EXPRESSION of t, coordinates, speeds and parameters: what an input is");
+                      "NAME=EXPRESSION: what an input is, of t, coordinates, speeds, frames, outputs, ...");
   command->add_option("--inputs", simulate.inputs,
                       "table of inputs over time to read: t and names, then rows of ascending time (CSV)");
   command->add_flag("!--no-assemble", simulate.start.assemble,

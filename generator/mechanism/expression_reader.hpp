@@ -34,6 +34,14 @@ class ExpressionReader {
   /// Speeds are those of the mechanism's coordinates; frames whose positions are used are noted in it.
   ExpressionReader(const Document& document, ExprGraph& graph, Scope& scope, Mechanism& mechanism)
       : document_(document), graph_(graph), scope_(scope), mechanism_(mechanism) {}
+  /// One that knows what another does, for another document.
+  ExpressionReader(const ExpressionReader& other, const Document& document)
+      : document_(document),
+        graph_(other.graph_),
+        scope_(other.scope_),
+        mechanism_(other.mechanism_),
+        frames_(other.frames_),
+        paths_(other.paths_) {}
 
   /// Reads one expression; `what` says for what (`the mass`).
   Quantity read(const YamlNode& node, Allowed allowed, std::string_view what);
@@ -122,7 +130,6 @@ class ExpressionReader {
   std::vector<LocalName> locals_;
   std::map<std::string, int, std::less<>> frames_;  ///< indices into Mechanism::frames
   std::map<std::string, Path, std::less<>> paths_;
-  std::map<std::pair<int, FrameQuantity>, std::size_t> frame_symbols_;  ///< where they are in the mechanism
 };
 
 }  // namespace alembert

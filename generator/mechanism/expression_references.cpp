@@ -97,17 +97,14 @@ int ExpressionReader::expect_frame(const YamlNode& name, std::string_view what) 
 }
 
 const std::vector<Expr>& ExpressionReader::frame_symbols(int frame, FrameQuantity quantity) {
-  const auto [known, made] =
-      frame_symbols_.try_emplace(std::pair(frame, quantity), mechanism_.frame_symbols.size());
-  if (made) {
-    FrameSymbols symbols{quantity, frame, {}};
-    const std::string& name = mechanism_.frames[static_cast<std::size_t>(frame)].name;
-    const FrameWord& word = word_of(quantity);
-    for (const std::string_view part : word.parts)
-      symbols.symbols.push_back(graph_.symbol(fmt::format("{}({}).{}", word.word, name, part)));
-    mechanism_.frame_symbols.push_back(std::move(symbols));
-  }
-  return mechanism_.frame_symbols[known->second].symbols;
+  for (const FrameSymbols& known : mechanism_.frame_symbols)
+    if (known.frame == frame && known.quantity == quantity) return known.symbols;
+  FrameSymbols symbols{quantity, frame, {}};
+  const std::string& name = mechanism_.frames[static_cast<std::size_t>(frame)].name;
+  const FrameWord& word = word_of(quantity);
+  for (const std::string_view part : word.parts)
+    symbols.symbols.push_back(graph_.symbol(fmt::format("{}({}).{}", word.word, name, part)));
+  return mechanism_.frame_symbols.emplace_back(std::move(symbols)).symbols;
 }
 
 Quantity ExpressionReader::of_frame(const Reading& reading, const PostfixToken& token,

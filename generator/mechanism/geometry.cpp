@@ -63,7 +63,7 @@ struct ShapeReader {
     return {name, loading.graph.symbol(name)};
   }
   void expect_along(const YamlNode& point, const ExpressionReader::LocalName& name) const {
-    if (!depends_on(shape.point, name.value))
+    if (!depends_on(shape.point.entries, name.value))
       throw InputError(
           loading.document.where(point),
           fmt::format("the point does not move with '{}', along which {} lies", name.name, what));

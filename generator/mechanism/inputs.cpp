@@ -10,6 +10,7 @@
 
 #include "mechanism/coordinates.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/transform_checks.hpp"
 #include "symbolic/substitute.hpp"
 
 namespace alembert {
@@ -62,6 +63,31 @@ void read_values(Loading& loading, const YamlNode& list, NameKind kind) {
   }
 }
 
+Expr read_law(Loading& loading, const InputExpression& input,
+              const std::vector<ExpressionReader::LocalName>& outputs) {
+  const auto& [name, source] = input;
+  const NameEntry* entry = loading.scope.find(name);
+  if (entry == nullptr || entry->kind != NameKind::input) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : loading.mechanism.parameters)
+      if (parameter.is_input()) names.push_back(parameter.name);
+    throw InputError({source, 1, 1},
+                     fmt::format("there is no input '{}'{}", printable(name), did_you_mean(name, names)));
+  }
+  check_characters(source);
+  const std::size_t begin = name.size() + 1;
+  std::deque<YamlNode> nodes(1);
+  YamlNode& node = nodes.front();
+  node.kind = YamlNode::Kind::scalar;
+  node.plain = true;
+  node.column = static_cast<int>(begin) + 1;
+  node.text = source->text.substr(begin);
+  const Document document(source, std::move(nodes), node);
+  return ExpressionReader(loading.reader, document)
+      .read_with(document.root(), outputs, Allowed::force, fmt::format("input '{}'", name))
+      .expr;
+}
+
 }  // namespace
 
 void declare_inputs(Loading& loading, const YamlNode& list) {
@@ -93,32 +119,24 @@ void read_state_rates(Loading& loading, const YamlNode& list,
   }
 }
 
-void replace_input(Loading& loading, const std::string& name, std::shared_ptr<const SourceText> source) {
-  NameEntry* entry = loading.scope.find(name);
-  if (entry == nullptr || entry->kind != NameKind::input) {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : loading.mechanism.parameters)
-      if (parameter.is_input()) names.push_back(parameter.name);
-    throw InputError({source, 1, 1},
-                     fmt::format("there is no input '{}'{}", printable(name), did_you_mean(name, names)));
-  }
-  check_characters(source);
-  const std::size_t begin = name.size() + 1;
-  std::deque<YamlNode> nodes(1);
-  YamlNode& node = nodes.front();
-  node.kind = YamlNode::Kind::scalar;
-  node.plain = true;
-  node.column = static_cast<int>(begin) + 1;
-  node.text = source->text.substr(begin);
-  const Document document(std::move(source), std::move(nodes), node);
-  ExpressionReader reader(document, loading.graph, loading.scope, loading.mechanism);
-  const Quantity value = reader.read(document.root(), Allowed::force, fmt::format("input '{}'", name));
-  entry->value.initial = value.initial;
+void read_input_laws(Loading& loading, const std::vector<InputExpression>& given,
+                     const std::vector<ExpressionReader::LocalName>& outputs) {
   std::vector<std::pair<Expr, Expr>> laws;
-  for (const Parameter& parameter : loading.mechanism.parameters)
-    if (parameter.law) laws.emplace_back(loading.graph.symbol(parameter.name), *parameter.law);
-  std::ranges::find(loading.mechanism.parameters, name, &Parameter::name)->law =
-      substitute(std::span(&value.expr, 1), laws).front();
+  for (const InputExpression& input : given) {
+    const Expr symbol = loading.graph.symbol(input.name);
+    if (std::ranges::find(laws, symbol, &std::pair<Expr, Expr>::first) != laws.end())
+      throw InputError({input.source, 1, 1}, fmt::format("a second expression of input '{}'", input.name));
+    laws.emplace_back(symbol, read_law(loading, input, outputs));
+  }
+  // As often as there are laws: then each is of no other, unless it is of itself.
+  for (std::size_t round = 0; round < given.size(); ++round)
+    for (auto& [symbol, law] : laws) law = substitute(std::span(&law, 1), laws).front();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const InputExpression& input = given[i];
+    if (depends_on({&laws[i].second, 1}, laws[i].first))
+      throw InputError({input.source, 1, 1}, fmt::format("input '{}' is given by itself", input.name));
+    std::ranges::find(loading.mechanism.parameters, input.name, &Parameter::name)->law = laws[i].second;
+  }
 }
 
 }  // namespace alembert

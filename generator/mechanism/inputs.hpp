@@ -3,10 +3,9 @@
 // and rates of states may depend.
 #pragma once
 
-#include <memory>
-#include <string>
 #include <vector>
 
+#include "mechanism/load.hpp"
 #include "mechanism/loading.hpp"
 
 namespace alembert {
@@ -20,7 +19,9 @@ void read_states(Loading& loading, const YamlNode& list);
 /// The rest of the states, once forces and outputs are known: rates may use the lengths of paths, and outputs.
 void read_state_rates(Loading& loading, const YamlNode& list,
                       const std::vector<ExpressionReader::LocalName>& outputs);
-/// Gives an input the expression of `NAME=EXPRESSION` (Parameter::law), once coordinates have values.
-void replace_input(Loading& loading, const std::string& name, std::shared_ptr<const SourceText> source);
+/// Gives inputs the expressions of `NAME=EXPRESSION` (Parameter::law), once everything else is read: they are of what
+/// rates of states are of, and of each other.
+void read_input_laws(Loading& loading, const std::vector<InputExpression>& given,
+                     const std::vector<ExpressionReader::LocalName>& outputs);
 
 }  // namespace alembert

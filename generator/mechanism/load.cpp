@@ -134,7 +134,6 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   if (inputs != nullptr) read_inputs(loading, *inputs);
   if (states != nullptr) read_states(loading, *states);
   read_coordinate_values(loading, coordinates, start);
-  for (const InputExpression& input : input_expressions) replace_input(loading, input.name, input.source);
   mechanism.gravity = read_gravity(loading, root.find("gravity"));
   if (definitions != nullptr) read_definitions(loading, *definitions);
   read_bodies(loading, bodies);
@@ -145,6 +144,7 @@ Mechanism load_mechanism(const Document& document, ExprGraph& graph, std::span<c
   std::vector<ExpressionReader::LocalName> named;
   if (const YamlNode* outputs = root.find("outputs")) named = read_outputs(loading, *outputs);
   if (states != nullptr) read_state_rates(loading, *states, named);
+  read_input_laws(loading, input_expressions, named);
   check_matrices(loading);
   check_inertias(loading);
   loading.scope.check_used(mechanism.warnings);

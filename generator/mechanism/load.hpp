@@ -13,8 +13,7 @@
 
 namespace alembert {
 
-/// What stands in the place of an input, wherever it is used: an expression of time, coordinates, speeds and
-/// parameters.
+/// What stands in the place of an input, wherever it is used: an expression as of an output, and of outputs.
 struct InputExpression {
   std::string name;
   std::shared_ptr<const SourceText> source;  ///< `NAME=EXPRESSION`

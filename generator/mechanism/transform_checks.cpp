@@ -130,8 +130,8 @@ std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanis
   return expressions_of(std::span(&factor, 1), mechanism);
 }
 
-bool depends_on(const Vec3& point, const Expr& symbol) {
-  const std::vector<std::uint32_t> nodes = postorder(point.entries);
+bool depends_on(std::span<const Expr> expressions, const Expr& symbol) {
+  const std::vector<std::uint32_t> nodes = postorder(expressions);
   return std::find(nodes.begin(), nodes.end(), symbol.ref().node()) != nodes.end();
 }
 

@@ -16,8 +16,8 @@ void check_matrices(const Loading& loading);
 /// quaternion its first symbol, of a frame the point.
 std::vector<Expr> expressions_of(std::span<const Factor> factors, const Mechanism& mechanism);
 std::vector<Expr> expressions_of(const Factor& factor, const Mechanism& mechanism);
-/// Whether an expression has a symbol below it.
-bool depends_on(const Vec3& point, const Expr& symbol);
+/// Whether one of the expressions has a symbol below it.
+bool depends_on(std::span<const Expr> expressions, const Expr& symbol);
 /// Throws where a body's transform moves with more than six speeds, at a shape that moves in its body, and at
 /// a coordinate that moves no body.
 void check_coordinates(const Loading& loading, const std::vector<const Body*>& bodies_in_file_order);

@@ -62,7 +62,7 @@ Factor read_matrix(Loading& loading, const YamlNode& node, const std::string& wh
 
 void expect_dependence(const Loading& loading, const Vec3& point, const Expr& along, const YamlNode& node,
                        const YamlNode& name) {
-  if (!depends_on(point, along))
+  if (!depends_on(point.entries, along))
     throw InputError(
         loading.document.where(node),
         fmt::format("the point does not move with '{}', along which its frame is taken", name.text));

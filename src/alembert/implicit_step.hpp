@@ -133,8 +133,10 @@ class ImplicitEquations {
   /// Newton's method for x of the implicit Euler method, from the linearly implicit step x or from no change,
   /// whichever is nearer to it. Its steps are halved until they lead nearer; where none does, as at a jump of a
   /// force, it ends.
-  /// \return whether the equations are kept, to 64 sqrt(epsilon) of the speeds and 1024 epsilon in SI units
+  /// \return whether the equations are kept to 64 sqrt(epsilon) of the speeds, or to what the next step of Newton's
+  ///         method moves by no more than the rounding of the coordinates, as at rest on hard ground
   [[nodiscard]] bool refine(Unknowns& x) {
+    using std::abs;
     using std::sqrt;
     constexpr int kIterations = 20;
     Unknowns left = x, trial = x, trial_left = x;
@@ -145,14 +147,15 @@ class ImplicitEquations {
       if (!find_rest(x, left)) return false;
     }
     const S epsilon = std::numeric_limits<S>::epsilon();
-    const S enough =
-        S(64) * sqrt(epsilon) * (left.norm() + u_.cwiseQuotient(unit_).norm()) + S(1024) * epsilon;
+    const S enough = S(64) * sqrt(epsilon) * (left.norm() + u_.cwiseQuotient(unit_).norm());
+    const S rounding = S(64) * epsilon * size_of_coordinates();
     for (int k = 0; k < kIterations && !(left.norm() <= enough); ++k) {
       const Speeds rate = unit_.cwiseProduct(x.head(u_.rows())) / h_;
       system_.inverse_dynamics_derivatives(next_q_, next_u_, rate, K_, C_);
       set_matrix();
       Unknowns change = -left;
       if (solve_regular(A_, change) != Status::ok) return false;
+      if (abs(h_) * change.head(u_.rows()).norm() <= rounding) return true;
       bool nearer = false;
       for (S a(1); !nearer && a > S(0.01); a *= S(0.5)) {
         trial = x + a * change;
@@ -189,6 +192,29 @@ class ImplicitEquations {
       for (Eigen::Index j = 0; j < n; ++j) left(n + r) += P_(r, j) * x(j);
     }
     return all_finite(left);
+  }
+  /// The length of q in the units of the speeds: along each speed, that of the coordinates it moves. Quaternions
+  /// have length one.
+  [[nodiscard]] S size_of_coordinates() {
+    using std::sqrt;
+    const Eigen::Index n = u_.rows();
+    Coordinates size = q_.cwiseAbs();
+    for (const int start : system_.quaternion_offsets())
+      for (int i = start; i < start + 4; ++i) size(i) = S(1);
+    Speeds along = u_;
+    S squares(0);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      along.setZero();
+      along(j) = S(1);
+      const Coordinates rates = system_.coordinate_rates(q_, along);
+      S rate_squares(0), size_squares(0);
+      for (Eigen::Index i = 0; i < q_.rows(); ++i) {
+        rate_squares += rates(i) * rates(i);
+        if (rates(i) < S(0) || rates(i) > S(0)) size_squares += size(i) * size(i);
+      }
+      if (rate_squares > S(0)) squares += size_squares / (rate_squares * unit_(j) * unit_(j));
+    }
+    return sqrt(squares);
   }
   /// Units of the speeds; rows are brought to length one.
   [[nodiscard]] Status set_units() {
@@ -395,7 +421,7 @@ template <class M, class Force>
 }
 
 /// One step of the implicit Euler method: the linearly implicit one, then Newton's method until the equations are
-/// kept to 64 sqrt(epsilon) of the speeds. Where that comes to no end, two steps of half the length are made, and so
+/// kept to 64 sqrt(epsilon) of the speeds, or as far as the coordinates' rounding lets them. Where that comes to no end, two steps of half the length are made, and so
 /// on down to h / 32, where the nearest state will do. For hard ground with friction at the length of a frame:
 /// contacts that begin within a step are felt in it, friction stops what slides instead of throwing it back, and
 /// bounces die.

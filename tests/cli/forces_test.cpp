@@ -58,6 +58,48 @@ TEST(Forces, AnInputMayDependOnTimeAndState) {
   EXPECT_NEAR(table.rows.back()[2], 1.5, 1e-12);
 }
 
+/// A block of 2 kg on a rope that pulls like a spring of 50 N/m, with a damper of 4 N s/m.
+const char* const kRope = R"(alembert: 1
+name: rope_block
+inputs: [push, share, extra]
+coordinates: [{name: x, initial: 0.3, damping: 4}]
+bodies: [{name: block, transform: [{translate: [x, 0, 0]}], mass: 2}]
+frames: [{name: tip, body: block}, {name: wall, body: world}]
+forces:
+  - {name: rope, between: [wall, tip], tension: 50*length(rope)}
+  - {name: hand, on: x, value: push}
+outputs:
+  - {name: reach, value: position(tip).x}
+  - {name: pushed, value: 2*push}
+)";
+
+TEST(Forces, AnInputMayDependOnFramesPathsOutputsAndOtherInputs) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("rope_block.yaml", kRope);
+  // Spring and damper are taken away; what is left is an acceleration of 6 t.
+  const CommandResult result = alembert(
+      folder, "simulate " + file +
+                  " --duration 1 --every 1000 --input 'push=share + tension(rope)/2 + 4*velocity(tip).x'"
+                  " --input 'share=20*reach + 5*length(rope) + extra' --input 'extra=12*t'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Csv table(result.out);
+  const std::vector<double>& last = table.rows.back();
+  EXPECT_NEAR(last[1], 0.3 + 1, 1e-12);
+  EXPECT_NEAR(last[2], 3, 1e-12);
+  EXPECT_NEAR(last[table.column("pushed")], 2 * (50 * 1.3 + 4 * 3 + 12), 1e-10);
+  const auto said = [&](const std::string& inputs) {
+    const CommandResult refused = alembert(folder, "simulate " + file + " --duration 0.1 " + inputs);
+    EXPECT_EQ(refused.exit_code, 1) << inputs;
+    return refused.err;
+  };
+  EXPECT_THAT(said("--input push=share --input share=2*push"),
+              HasSubstr("--input:1:1: error: input 'share' is given by itself"));
+  EXPECT_THAT(said("--input push=pushed"), HasSubstr("--input:1:1: error: input 'push' is given by itself"));
+  EXPECT_THAT(said("--input push=1 --input push=2"),
+              HasSubstr("--input:1:1: error: a second expression of input 'push'"));
+  EXPECT_THAT(said("--input 'push=position(tap).x'"), HasSubstr("--input:1:15: error: unknown frame 'tap'"));
+}
+
 TEST(Forces, AreColumnsOfAMotion) {
   const TemporaryFolder folder;
   const std::string file = folder.write("oscillator.yaml", kOscillator);

@@ -1,4 +1,5 @@
-// Models of MJCF, evaluated at random states, against MuJoCo: tau, M, c and energy, under random inputs.
+// Models of MJCF, evaluated at random states, against MuJoCo: tau, M, c and energy, under random inputs; connected and
+// welded bodies by the directions that MuJoCo's rows bind, and the accelerations under them.
 //   node check_mjcf.mjs ALEMBERT FOLDER MODEL...
 // Meshes and textures that a model names and that are not there are made up in FOLDER, alike for both. Joints that
 // follow others are independent for MuJoCo: its equations are projected onto the others.
@@ -163,6 +164,175 @@ function random_state(m, following) {
   return { qpos, qvel, dofs, q, length: dofs.length };
 }
 
+/// M, row by row, and the forces at rest or in motion, of what mj_forward has worked out.
+function mass_and_bias(m, d) {
+  const full = mujoco.DoubleBuffer ? new mujoco.DoubleBuffer(m.nv * m.nv) : null;
+  const M = new Float64Array(m.nv * m.nv);
+  mujoco.mj_fullM(m, d, full ?? M);
+  if (full) M.set(full.GetView());
+  full?.delete();
+  const friction = Array.from(m.dof_frictionloss, (f, i) => f * Math.tanh(d.qvel[i] / kFrictionVelocity));
+  return { M, friction, c: Array.from(d.qfrc_bias, (b, i) => b - d.qfrc_passive[i] - d.qfrc_actuator[i] + friction[i]) };
+}
+
+/// The coordinates after some time at constant speeds.
+function moved(m, qpos, qvel, time) {
+  const out = Float64Array.from(qpos);
+  for (let j = 0; j < m.njnt; ++j) {
+    const type = m.jnt_type[j];
+    let at = m.jnt_qposadr[j], dof = m.jnt_dofadr[j];
+    for (let i = 0; i < (type === kFree ? 3 : type === kBall ? 0 : 1); ++i) out[at++] += time * qvel[dof++];
+    if (type !== kFree && type !== kBall) continue;
+    const turn = Array.from(qvel.slice(dof, dof + 3), (w) => (time * w) / 2), angle = Math.hypot(...turn);
+    const s = angle > 0 ? Math.sin(angle) / angle : 1, [x, y, z] = turn.map((t) => s * t), w = Math.cos(angle);
+    const [qw, qx, qy, qz] = out.slice(at, at + 4);
+    const q = [qw * w - qx * x - qy * y - qz * z, qw * x + qx * w + qy * z - qz * y,
+      qw * y - qx * z + qy * w + qz * x, qw * z + qx * y - qy * x + qz * w];
+    const norm = Math.hypot(...q);
+    q.forEach((each, i) => (out[at + i] = each / norm));
+  }
+  return out;
+}
+
+const dot = (a, b) => sum(a.length, (i) => a[i] * b[i]);
+
+/// Orthonormal vectors that span rows, and the right-hand sides for which rows x = sides.
+function orthonormal(rows, sides) {
+  const basis = [], values = [], longest = largest(rows.flat());
+  rows.forEach((row, r) => {
+    let rest = Array.from(row), side = sides[r];
+    for (let pass = 0; pass < 2; ++pass)
+      basis.forEach((b, k) => {
+        const part = dot(rest, b);
+        rest = rest.map((x, i) => x - part * b[i]);
+        side -= part * values[k];
+      });
+    const norm = Math.hypot(...rest);
+    if (!(norm > 1e-7 * longest)) return;
+    basis.push(rest.map((x) => x / norm));
+    values.push(side / norm);
+  });
+  return { basis, values, shortest: rows[0].map((_, i) => sum(basis.length, (k) => values[k] * basis[k][i])) };
+}
+
+/// Solves A x = b by elimination.
+function solved(A, b) {
+  const n = b.length, rows = A.map((row, i) => [...row, b[i]]);
+  for (let k = 0; k < n; ++k) {
+    let pivot = k;
+    for (let i = k + 1; i < n; ++i) if (Math.abs(rows[i][k]) > Math.abs(rows[pivot][k])) pivot = i;
+    [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
+    for (let i = k + 1; i < n; ++i) {
+      const factor = rows[i][k] / rows[k][k];
+      for (let j = k; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  const x = new Array(n).fill(0);
+  for (let k = n - 1; k >= 0; --k) x[k] = (rows[k][n] - sum(n - 1 - k, (j) => rows[k][k + 1 + j] * x[k + 1 + j])) / rows[k][k];
+  return x;
+}
+
+/// Each equality that is no function of a joint by itself, and all of them: at states that keep it, the same directions
+/// and accelerations as MuJoCo's rows give, whose rates are differences. \return how many were compared
+function compare_equalities(alembert, model, m, d, following, inputs, states, close) {
+  const kinds = mujoco.mjtEq, rows_of = new Map([[kinds.mjEQ_CONNECT.value, 3], [kinds.mjEQ_WELD.value, 6]]);
+  const kept = Array.from({ length: m.neq }, (_, e) => e)
+    .filter((e) => m.eq_type[e] !== kinds.mjEQ_JOINT.value || !following.has(m.eq_obj1id[e]))
+    .filter((e) => active[e]);
+  if (kept.length === 0) return 0;
+  m.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE.value;
+  const flags = m.opt.disableflags, off = mujoco.mjtDisableBit;
+  m.opt.disableflags = (flags & ~off.mjDSBL_CONSTRAINT.value) | off.mjDSBL_CONTACT.value | off.mjDSBL_LIMIT.value | off.mjDSBL_FRICTIONLOSS.value;
+  const rows_at = (qpos, chosen) => {
+    d.qpos.set(qpos);
+    mujoco.mj_forward(m, d);
+    const found = { J: [], position: [] };
+    for (let r = 0; r < d.nefc; ++r) {
+      if (d.efc_type[r] !== mujoco.mjtConstraint.mjCNSTR_EQUALITY.value || !chosen.includes(d.efc_id[r])) continue;
+      found.J.push(Array.from(d.efc_J.subarray(m.nv * r, m.nv * (r + 1))));
+      found.position.push(d.efc_pos[r]);
+    }
+    return found;
+  };
+  d.ctrl.fill(0);
+  d.act.fill(0);
+  const zeros = (names) => Object.fromEntries([...names].map((name) => [name, 0]));
+  let compared = 0;
+  const compare_at = (chosen, first_row, count) => {
+    const free = random_state(m, following), near = free.qpos;
+    // Near the start, where models are put together; then onto it by Newton's method.
+    const start = Float64Array.from(m.qpos0), wander = Float64Array.from({ length: m.nv }, () => 0.1 * random());
+    free.qpos = moved(m, start, wander, 1);
+    let off_by = Infinity, state, rows;
+    for (let k = 0; k < 60 && off_by > 1e-13; ++k) {
+      state = project(m, following, free);
+      rows = rows_at(state.qpos, chosen);
+      off_by = largest(rows.position);
+      const along = rows.J.map((row) => free.dofs.map((_, c) => sum(m.nv, (i) => row[i] * state.G[i][c])));
+      const change = orthonormal(along, rows.position.map((x) => -x)).shortest, full = new Float64Array(m.nv);
+      free.dofs.forEach((dof, c) => (full[dof] = change[c]));
+      free.qpos = moved(m, free.qpos, full, 1);
+    }
+    if (off_by > 1e-13) return false;
+    const along = (J) => J.map((row) => free.dofs.map((_, c) => sum(m.nv, (i) => row[i] * state.G[i][c])));
+    const Jf = along(rows.J);
+    // Speeds that keep it.
+    const wished = free.dofs.map((dof) => free.qvel[dof]);
+    const excess = orthonormal(Jf, Jf.map((row) => dot(row, wished))).shortest;
+    free.dofs.forEach((dof, c) => (free.qvel[dof] = wished[c] - excess[c]));
+    free.qpos = Float64Array.from(state.qpos);
+    state = project(m, following, free);
+    const h = 1e-3, rate = (time) => rows_at(moved(m, state.qpos, state.qvel, time), chosen).J.map((row) => dot(row, Array.from(state.qvel)));
+    const rates = [1, 2, 3].map((k) => [rate(k * h), rate(-k * h)]), weights = [45, -9, 1];
+    const sides = rows.J.map((row, r) =>
+      -sum(3, (k) => weights[k] * (rates[k][0][r] - rates[k][1][r])) / (60 * h) - dot(row, state.drift));
+    const { basis, values, shortest } = orthonormal(Jf, sides);
+    d.qvel.set(state.qvel);
+    rows_at(state.qpos, chosen);
+    const { M, c } = mass_and_bias(m, d), n = free.dofs.length;
+    const onto = (force) => free.dofs.map((_, k) => sum(m.nv, (i) => state.G[i][k] * force[i]));
+    const times = (x) => Array.from({ length: m.nv }, (_, i) => sum(m.nv, (j) => M[m.nv * i + j] * x[j]));
+    const columns = free.dofs.map((_, k) => onto(times(state.G.map((row) => row[k])))), bias = onto(times(state.drift).map((x, i) => x + c[i]));
+    const q = [];
+    for (let j = 0; j < m.njnt; ++j) {
+      if (following.has(j)) continue;
+      const at = m.jnt_qposadr[j], x = state.qpos;
+      if (m.jnt_type[j] === kFree) q.push(x[at], x[at + 1], x[at + 2], x[at + 4], x[at + 5], x[at + 6], x[at + 3]);
+      else if (m.jnt_type[j] === kBall) q.push(x[at + 1], x[at + 2], x[at + 3], x[at]);
+      else q.push(x[at]);
+    }
+    const line = JSON.stringify({ q, qd: free.dofs.map((dof) => state.qvel[dof]), tau: free.dofs.map(() => 0), inputs: zeros(inputs), states: zeros(states) });
+    const whole = first_row === undefined;
+    const found = JSON.parse(run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", whole ? "constraints,constrained_forward_dynamics" : "constraints"], line + "\n"));
+    const P = found.constraints.P.slice(first_row ?? 0, whole ? undefined : first_row + count);
+    const gamma = found.constraints.gamma.slice(first_row ?? 0, whole ? undefined : first_row + count);
+    assert.equal(orthonormal(P, gamma).basis.length, basis.length, "as many directions as MuJoCo binds");
+    P.forEach((row, r) => {
+      const outside = basis.reduce((rest, v) => { const part = dot(rest, v); return rest.map((x, i) => x - part * v[i]); }, row);
+      close(`P[${r}] outside of MuJoCo's rows`, outside, outside.map(() => 0), Math.hypot(...row) || 1);
+    });
+    const size = Math.max(largest(gamma), largest(shortest), 1);
+    close("P a + gamma", P.map((row, r) => dot(row, shortest) + gamma[r]), gamma.map(() => 0), size);
+    if (whole) {
+      const A = columns.map((column, i) => [...free.dofs.map((_, k) => columns[k][i]), ...basis.map((v) => v[i])]);
+      basis.forEach((v) => A.push([...v, ...basis.map(() => 0)]));
+      const qdd = solved(A, [...bias.map((x) => -x), ...values]).slice(0, n);
+      close("qdd under constraints", found.constrained_forward_dynamics.qdd, qdd, largest(qdd));
+    }
+    ++compared;
+    return true;
+  };
+  let row = 0;
+  for (const e of kept) {
+    const count = rows_of.get(m.eq_type[e]) ?? 1;
+    assert.ok(compare_at([e], row, count), `equality ${e} cannot be kept near the start`);
+    row += count;
+  }
+  compare_at(kept);
+  m.opt.disableflags = flags;
+  return compared;
+}
+
 function compare(alembert, model) {
   const description = run(alembert, ["import", model]);
   const m = compiled(model), d = new mujoco.MjData(m);
@@ -189,15 +359,8 @@ function compare(alembert, model) {
       if (states.has(`${name}_activation`)) state.states[`${name}_activation`] = d.act[at];
     }
     mujoco.mj_forward(m, d);
-    const nv = m.nv, M = new Float64Array(nv * nv), full = mujoco.DoubleBuffer ? new mujoco.DoubleBuffer(nv * nv) : null;
-    const mass = () => {
-      if (!full) { mujoco.mj_fullM(m, d, M); return M; }
-      mujoco.mj_fullM(m, d, full);
-      return Float64Array.from(full.GetView());
-    };
-    const values = mass(), qacc = drift.map((x, i) => x + sum(free.length, (k) => G[i][k] * udot[k]));
-    const friction = Array.from(m.dof_frictionloss, (f, i) => f * Math.tanh(d.qvel[i] / kFrictionVelocity));
-    const c = Array.from(d.qfrc_bias, (b, i) => b - d.qfrc_passive[i] - d.qfrc_actuator[i] + friction[i]);
+    const nv = m.nv, { M: values, friction, c } = mass_and_bias(m, d);
+    const qacc = drift.map((x, i) => x + sum(free.length, (k) => G[i][k] * udot[k]));
     const scale = Math.max(largest(d.qfrc_bias), largest(d.qfrc_passive), largest(d.qfrc_actuator), 1e-3);
     // What mj_inverse itself gives must be M qacc + c too.
     d.qacc.set(qacc);
@@ -212,7 +375,6 @@ function compare(alembert, model) {
       M: free.dofs.map((_, r) => free.dofs.map((_, k) => sum(nv, (i) => G[i][r] * MG[i][k]))),
       energy: [d.energy[1], d.energy[0]],
     });
-    full?.delete();
   }
   const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", "inverse_dynamics,mass_matrix_and_bias,energy"], lines.join("\n") + "\n");
   let worst = 0;
@@ -231,7 +393,8 @@ function compare(alembert, model) {
     close("tau", found.inverse_dynamics.tau, wanted.tau, wanted.scale);
     close("energy", Object.values(found.energy).flat(), wanted.energy, Math.max(1, largest(wanted.energy)));
   });
-  const summary = `${m.nbody - 1} bodies, ${m.nv} speeds, ${following.size} joints follow, error ${worst.toExponential(1)}`;
+  const equalities = compare_equalities(alembert, model, m, d, following, inputs, states, close);
+  const summary = `${m.nbody - 1} bodies, ${m.nv} speeds, ${following.size} joints follow, ${equalities} comparisons of equalities, error ${worst.toExponential(1)}`;
   d.delete();
   m.delete();
   return summary;

@@ -44,14 +44,22 @@ struct SpringBlock {
   }
 };
 
+constexpr double power_of_two(int n) {
+  return n < 0 ? power_of_two(n + 1) / 2 : n > 0 ? 2 * power_of_two(n - 1) : 1;
+}
+
 /// A ball that slides and bounces: Hunt and Crossley's force with regularised friction at z < 0, as in descriptions.
+/// Lengths are 4^Size times as large, and masses 16^Size.
+template <int Size = 0>
 struct SlidingBall {
   using Scalar = double;
   using Inputs = models::Inputs<double>;
   using Vector = Eigen::Vector2d;  // x, z
   static constexpr int kNq = 2, kNv = 2;
   static constexpr std::array<int, 0> kQuaternionOffsets{};
-  static constexpr double m = 1.5, g = 9.81, k = 1e5, c = 0.2, mu = 0.6, slow = 0.01;
+  static constexpr double length = power_of_two(2 * Size), mass = power_of_two(4 * Size);
+  static constexpr double m = 1.5 * mass, g = 9.81 * length, k = 1e5 * mass / power_of_two(Size),
+                          c = 0.2 / length, mu = 0.6, slow = 0.01 * length;
   static void mass_matrix_and_bias(const Vector& q, const Vector& u, const Inputs&, Eigen::Matrix2d& M,
                                    Vector& bias) {
     M << m, 0, 0, m;
@@ -72,7 +80,7 @@ struct SlidingBall {
   }
 };
 
-static_assert(alembert::has_derivatives_v<SpringBlock<>> && alembert::has_derivatives_v<SlidingBall>);
+static_assert(alembert::has_derivatives_v<SpringBlock<>> && alembert::has_derivatives_v<SlidingBall<>>);
 
 enum class Method { linearly_implicit, implicit };
 
@@ -294,14 +302,14 @@ TEST_P(ImplicitSteps, TakeNoHeap) {
 }
 
 /// Thrown at the ground, 10 s at 60 frames a second. \return the largest gain of energy in a step.
-double thrown(Method method, SlidingBall::Vector& q, SlidingBall::Vector& u) {
-  SlidingBall::Inputs in;
+double thrown(Method method, SlidingBall<>::Vector& q, SlidingBall<>::Vector& u) {
+  SlidingBall<>::Inputs in;
   q = {0, 1};
   u = {1, -3};
-  double gain = 0, energy = alembert::energy<SlidingBall>(q, u, in).total();
+  double gain = 0, energy = alembert::energy<SlidingBall<>>(q, u, in).total();
   for (int i = 0; i < 600; ++i) {
-    EXPECT_EQ(step<SlidingBall>(method, q, u, in, 1.0 / 60), Status::ok);
-    const double next = alembert::energy<SlidingBall>(q, u, in).total();
+    EXPECT_EQ(step<SlidingBall<>>(method, q, u, in, 1.0 / 60), Status::ok);
+    const double next = alembert::energy<SlidingBall<>>(q, u, in).total();
     gain = std::max(gain, next - energy);
     energy = next;
   }
@@ -309,7 +317,7 @@ double thrown(Method method, SlidingBall::Vector& q, SlidingBall::Vector& u) {
 }
 
 TEST(ImplicitStep, ABallComesToRestOnHardGroundAndGainsNothing) {
-  using M = SlidingBall;
+  using M = SlidingBall<>;
   M::Vector q, u;
   EXPECT_LT(thrown(Method::implicit, q, u), 1e-6);
   EXPECT_NEAR(q(1), -std::pow(M::m * M::g / M::k, 2.0 / 3), 1e-7);
@@ -318,6 +326,25 @@ TEST(ImplicitStep, ABallComesToRestOnHardGroundAndGainsNothing) {
   // Finite, and at rest in the end; but friction has thrown it about.
   EXPECT_GT(thrown(Method::linearly_implicit, q, u), 1);
   EXPECT_NEAR(q(1), -std::pow(M::m * M::g / M::k, 2.0 / 3), 1e-3);
+}
+
+template <int Size>
+void expect_the_same_motion() {
+  using M = SlidingBall<>;
+  using Scaled = SlidingBall<Size>;
+  M::Inputs in, scaled_in;
+  M::Vector q(0, 1), u(1, -3), scaled_q = Scaled::length * q, scaled_u = Scaled::length * u;
+  for (int i = 0; i < 120; ++i) {
+    ASSERT_EQ(step<M>(Method::implicit, q, u, in, 1.0 / 60), Status::ok);
+    ASSERT_EQ(step<Scaled>(Method::implicit, scaled_q, scaled_u, scaled_in, 1.0 / 60), Status::ok);
+    ASSERT_EQ(scaled_q, Scaled::length * q) << Size << " " << i;
+    ASSERT_EQ(scaled_u, Scaled::length * u) << Size << " " << i;
+  }
+}
+
+TEST(ImplicitStep, ABallOfAnySizeMovesAlike) {
+  expect_the_same_motion<-20>();
+  expect_the_same_motion<20>();
 }
 
 }  // namespace
