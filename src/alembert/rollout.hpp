@@ -3,7 +3,7 @@
 //
 // A motion depends on its own start, parameters and controls alone: not on the others, their number, its place among
 // them or the number of threads, to the last bit. Threads take blocks of motions. rollout(way, out, ...) steps one state
-// at a time with the methods of integrate.hpp and implicit_step.hpp, constraints kept; rollout(way, out, packed, ...) of
+// at a time with the methods of integrate.hpp and implicit_step.hpp, constraints kept; rollout_in_packs(way, out, packed, ...) of
 // rollout_packs.hpp takes the accelerations of a block from a function over many states, in packs.
 //
 // Arrays hold one motion after the other: entry i of motion s of q stands at q[s * n_q + i]. A motion that has ended,
@@ -89,6 +89,17 @@ struct NoPolicy {};
 struct NeverStop {};
 
 namespace detail {
+
+/// Whether there is something to call: std::function and pointers to functions may be empty.
+template <class F>
+bool is_given([[maybe_unused]] const F& f) {
+  if constexpr (std::is_same_v<F, NoPolicy> || std::is_same_v<F, NeverStop>)
+    return false;
+  else if constexpr (std::is_constructible_v<bool, const F&>)
+    return static_cast<bool>(f);
+  else
+    return true;
+}
 
 /// work(block) for all blocks, by whichever thread is free.
 template <class Work>
@@ -299,7 +310,8 @@ void step_motion(RolloutState<M>& all, std::size_t s, std::int64_t first, std::i
     all.steps[s] = step + 1;
     all.record_after(s, step + 1);
     if constexpr (!std::is_same_v<Stop, NeverStop>) {
-      if (stop(s, all.time(step + 1), all.q.data() + s * State::kNq, all.u.data() + s * State::kNv)) {
+      if (is_given(stop) &&
+          stop(s, all.time(step + 1), all.q.data() + s * State::kNq, all.u.data() + s * State::kNv)) {
         all.ended[s] = true;
         all.stopped[s] = 1;
         return;
@@ -315,24 +327,25 @@ std::size_t roll_out(const Rollout<typename M::Scalar>& way, const RolloutResult
                      Policy& policy, std::size_t block, const Run& run) {
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
   using S = typename M::Scalar;
-  constexpr bool has_policy = !std::is_same_v<std::decay_t<Policy>, NoPolicy>;
+  const bool has_policy = is_given<std::decay_t<Policy>>(policy);
   RolloutState<M> all(way, out);
-  if constexpr (has_policy) all.chosen.assign(way.count * all.width(), S(0));
+  if (has_policy) all.chosen.assign(way.count * all.width(), S(0));
   const std::size_t blocks = (way.count + block - 1) / block;
   const std::int64_t length = has_policy ? std::max<std::int64_t>(way.hold, 1) : way.steps;
   for (std::int64_t first = 0; first < way.steps; first += length) {
     const std::int64_t last = std::min(way.steps, first + length);
-    if constexpr (has_policy) {
-      std::vector<unsigned char> before(all.ended, all.ended + way.count);
-      policy(RolloutMoment<S>{all.time(first), first, way.count, all.q.data(), all.u.data(),
-                              all.states.data(), all.chosen.data(), all.ended});
-      for (std::size_t s = 0; s < way.count; ++s) {
-        if (before[s] != 0)
-          all.ended[s] = true;
-        else if (all.ended[s])
-          all.stopped[s] = 1;
+    if constexpr (!std::is_same_v<std::decay_t<Policy>, NoPolicy>)
+      if (has_policy) {
+        std::vector<unsigned char> before(all.ended, all.ended + way.count);
+        policy(RolloutMoment<S>{all.time(first), first, way.count, all.q.data(), all.u.data(),
+                                all.states.data(), all.chosen.data(), all.ended});
+        for (std::size_t s = 0; s < way.count; ++s) {
+          if (before[s] != 0)
+            all.ended[s] = true;
+          else if (all.ended[s])
+            all.stopped[s] = 1;
+        }
       }
-    }
     if (std::all_of(all.ended, all.ended + way.count, [](bool e) { return e; })) break;
     share_blocks(blocks, way.threads, [&](std::size_t b) {
       run(all, b * block, std::min(way.count, (b + 1) * block), first, last);

@@ -2,6 +2,8 @@
 // Out: its arrays filled. alembert.rollout of Python compiles it for a mechanism.
 #pragma once
 
+#include <functional>
+
 #include "alembert/rollout_packs.hpp"
 
 namespace alembert {
@@ -58,28 +60,25 @@ std::size_t roll_by_call(const RolloutCall& call, const Roll& roll) {
   out.steps = call.out_steps;
   out.status = status.data();
   out.stopped = call.out_stopped;
-  const auto policy = [&](const RolloutMoment<double>& at) {
-    call.policy(at.t, at.step, static_cast<std::int64_t>(at.count), at.q, at.qd, at.states, at.controls,
-                at.ended);
-  };
-  const auto leaves = [&](std::size_t, double, const double* q, const double* qd) {
-    const double* bound = call.bounds;
-    for (int i = 0; i < M::kNq; ++i)
-      if (!(q[i] >= bound[i]) || !(q[i] <= bound[M::kNq + i])) return true;
-    bound += 2 * M::kNq;
-    for (int i = 0; i < M::kNv; ++i)
-      if (!(qd[i] >= bound[i]) || !(qd[i] <= bound[M::kNv + i])) return true;
-    return false;
-  };
-  std::size_t failed = 0;
-  if (call.policy != nullptr && call.bounds != nullptr)
-    failed = roll(way, out, policy, leaves);
-  else if (call.policy != nullptr)
-    failed = roll(way, out, policy, NeverStop());
-  else if (call.bounds != nullptr)
-    failed = roll(way, out, NoPolicy(), leaves);
-  else
-    failed = roll(way, out, NoPolicy(), NeverStop());
+  // Once for all that is given or not: it is compiled for each mechanism.
+  std::function<void(const RolloutMoment<double>&)> policy;
+  if (call.policy != nullptr)
+    policy = [&](const RolloutMoment<double>& at) {
+      call.policy(at.t, at.step, static_cast<std::int64_t>(at.count), at.q, at.qd, at.states, at.controls,
+                  at.ended);
+    };
+  std::function<bool(std::size_t, double, const double*, const double*)> leaves;
+  if (call.bounds != nullptr)
+    leaves = [&](std::size_t, double, const double* q, const double* qd) {
+      const double* bound = call.bounds;
+      for (int i = 0; i < M::kNq; ++i)
+        if (!(q[i] >= bound[i]) || !(q[i] <= bound[M::kNq + i])) return true;
+      bound += 2 * M::kNq;
+      for (int i = 0; i < M::kNv; ++i)
+        if (!(qd[i] >= bound[i]) || !(qd[i] <= bound[M::kNv + i])) return true;
+      return false;
+    };
+  const std::size_t failed = roll(way, out, policy, leaves);
   for (std::size_t s = 0; call.out_status != nullptr && s < way.count; ++s)
     call.out_status[s] = static_cast<std::int32_t>(status[s]);
   return failed;
@@ -97,7 +96,7 @@ template <class M, class In>
 std::size_t rollout_by_call(const RolloutCall& call, const PackedDynamics<In>& packed) {
   return detail::roll_by_call<M>(call,
                                  [&](const auto& way, const auto& out, const auto& policy, const auto& stop) {
-                                   return rollout<M>(way, out, packed, policy, stop);
+                                   return rollout_in_packs<M>(way, out, packed, policy, stop);
                                  });
 }
 

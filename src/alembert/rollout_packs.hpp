@@ -320,7 +320,7 @@ class PackedBlock {
   /// What came of the step, to all that is known of the motions.
   template <class Stop>
   void pass_on(std::int64_t step, std::int64_t last, [[maybe_unused]] const Stop& stop) {
-    constexpr bool may_stop = !std::is_same_v<Stop, NeverStop>;
+    const bool may_stop = is_given(stop);
     const bool seen = may_stop || step == last || (all_.way.every > 0 && step % all_.way.every == 0);
     for (std::size_t l = 0; l < count_; ++l) {
       if (!live_[l]) continue;
@@ -339,8 +339,8 @@ class PackedBlock {
       }
       all_.steps[s] = step;
       all_.record_after(s, step);
-      if constexpr (may_stop) {
-        if (stop(s, all_.time(step), all_.q.data() + s * kNq, all_.u.data() + s * kNv)) {
+      if constexpr (!std::is_same_v<Stop, NeverStop>) {
+        if (may_stop && stop(s, all_.time(step), all_.q.data() + s * kNq, all_.u.data() + s * kNv)) {
           live_[l] = false;
           all_.ended[s] = true;
           all_.stopped[s] = 1;
@@ -365,12 +365,12 @@ class PackedBlock {
 /// rollout of rollout.hpp in packs: arguments and result are the same, rounding is not. `stop` is called after each
 /// step likewise.
 ///
-///   rollout<Arm>(way, out, PackedDynamics(arm::forward_dynamics_batch));
+///   rollout_in_packs<Arm>(way, out, PackedDynamics(arm::forward_dynamics_batch));
 template <class M, class In, class Policy = NoPolicy, class Stop = NeverStop>
-std::size_t rollout(const Rollout<double>& way, const RolloutResults<double>& out,
-                    const PackedDynamics<In>& packed, Policy&& policy = {}, const Stop& stop = {}) {
+std::size_t rollout_in_packs(const Rollout<double>& way, const RolloutResults<double>& out,
+                             const PackedDynamics<In>& packed, Policy&& policy = {}, const Stop& stop = {}) {
   static_assert(std::is_same_v<typename M::Scalar, double>, "packs are of double");
-  static_assert(!has_constraints_v<M>, "packs keep no constraints: leave `packed` out");
+  static_assert(!has_constraints_v<M>, "packs keep no constraints: take rollout");
   if (way.stepper != Stepper::rk4 && way.stepper != Stepper::semi_implicit_euler)
     return rollout<M>(way, out, policy, stop);
   // Smaller blocks where there are too few motions for all threads; no result depends on it.

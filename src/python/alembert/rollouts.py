@@ -154,7 +154,7 @@ def _compile(folder: pathlib.Path, source: Source, compiler: List[str], headers:
         objects.append(str(path) + ".o")
 
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        list(pool.map(compile_one, sorted((folder / "src").glob("*.cpp"))))
+        list(pool.map(compile_one, sorted(set((folder / "src").glob("*.cpp")) - set((folder / "src").glob("*_c.cpp")))))
     building.run([*compiler, "-shared", *sorted(objects), "-pthread", "-lm", "-o", str(folder / "rollout.so")],
                  "Set CXX to a C++ compiler.")
     for path in objects:
@@ -309,9 +309,8 @@ def _controls(states: Any, value: Any, nu: int, moments: int) -> NDArray[Any]:
         raise ValueError(expected)
     if array.ndim == 1:
         return array[None, None]
-    if array.ndim == 3 and len(array) == 1:
-        return array
-    array = states.take("u", array, array.shape[1:])
+    if len(array) > 1 or states.count is None:
+        array = states.take("u", array, array.shape[1:])
     return array[:, None] if array.ndim == 2 else array
 
 
