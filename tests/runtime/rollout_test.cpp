@@ -19,7 +19,7 @@ using alembert::RolloutResults;
 using alembert::Status;
 using alembert::Stepper;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoResult = std::numeric_limits<double>::quiet_NaN();
 
 /// A block on a spring, pushed by an input through a lag, which is a state: x'' = (a - k x) / m, a' = (drive - a) / 0.05.
 struct LaggingBlock {
@@ -76,7 +76,7 @@ struct Batch {
     std::size_t failed = 0;
     for (std::size_t s = 0; s < n; ++s) {
       alembert::CoordinateVector<M> position;
-      alembert::SpeedVector<M> speed, force, rate = alembert::SpeedVector<M>::Constant(kNan);
+      alembert::SpeedVector<M> speed, force, rate = alembert::SpeedVector<M>::Constant(kNoResult);
       for (int i = 0; i < M::kNq; ++i) position(i) = q[static_cast<std::size_t>(i) * stride + s];
       for (int i = 0; i < M::kNv; ++i) speed(i) = qd[static_cast<std::size_t>(i) * stride + s];
       for (int i = 0; i < M::kNv; ++i) force(i) = tau[static_cast<std::size_t>(i) * stride + s];
@@ -109,9 +109,9 @@ struct Motions {
   }
   RolloutResults<double> results() {
     const std::size_t n = way.count, rows = alembert::rollout_rows(way);
-    out_q.assign(n * rows * kNq, kNan);
-    out_qd.assign(n * rows * kNv, kNan);
-    out_states.assign(n * rows * kNs, kNan);
+    out_q.assign(n * rows * kNq, kNoResult);
+    out_qd.assign(n * rows * kNv, kNoResult);
+    out_states.assign(n * rows * kNs, kNoResult);
     steps.assign(n, -1);
     status.assign(n, Status::no_convergence);
     stopped.reset(new bool[n]());
@@ -350,12 +350,12 @@ TEST(Rollout, SaysWhyThereIsNoStep) {
   // Bad starts, controls and steps end the motions that they are of.
   Motions<models::SpinningBody<>> bodies(3);
   std::fill_n(bodies.q.begin(), 4, 0.0);
-  bodies.qd[3] = kNan;
+  bodies.qd[3] = kNoResult;
   EXPECT_EQ(alembert::rollout<models::SpinningBody<>>(bodies.way, bodies.results()), 2u);
   EXPECT_EQ(bodies.status, (std::vector<Status>{Status::not_finite, Status::not_finite, Status::ok}));
   EXPECT_EQ(bodies.steps, (std::vector<std::int64_t>{0, 0, 23}));
   std::vector<double> controls(3 * 3, 0.0);
-  controls[8] = kNan;
+  controls[8] = kNoResult;
   Motions<models::SpinningBody<>> driven(3);
   driven.way.controls = controls.data();
   driven.way.controls_step = 3;
@@ -368,7 +368,7 @@ TEST(Rollout, SaysWhyThereIsNoStep) {
     EXPECT_EQ(driven.status, (std::vector<Status>{Status::ok, Status::ok, Status::not_finite}));
     for (const double x : driven.all()) EXPECT_TRUE(std::isfinite(x));
   }
-  driven.way.h = kNan;
+  driven.way.h = kNoResult;
   EXPECT_EQ(alembert::rollout<models::SpinningBody<>>(driven.way, driven.results()), 3u);
   // Dense has no derivatives.
   Motions<M> implicit(1);

@@ -96,6 +96,6 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     module = _import(folder, key)
     kept = folder / "description.yaml"
     if kept.exists():  # what rollout() compiles from, and where
-        module.alembert_description = (kept.read_text(), tuple(options))  # type: ignore[attr-defined]
-        module.alembert_cache = cache  # type: ignore[attr-defined]
+        module._alembert_description = (kept.read_text(), tuple(options))  # type: ignore[attr-defined]
+        module._alembert_cache = cache  # type: ignore[attr-defined]
     return module

@@ -80,7 +80,10 @@ def _locked(path: pathlib.Path) -> Iterator[None]:
         return
     with open(path, "w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+        try:
+            yield
+        finally:
+            path.unlink(missing_ok=True)  # who waits for it finds what was built; if nothing was, two may build the same
 
 
 def once(keep: pathlib.Path, key: str, build: Callable[[pathlib.Path], None]) -> pathlib.Path:

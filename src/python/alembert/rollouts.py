@@ -83,7 +83,7 @@ extern "C" long long alembert_rollout(const ::alembert::RolloutCall* call) {{
 
 
 def _source(module: ModuleType, method: str) -> Source:
-    description = getattr(module, "alembert_description", None)
+    description = getattr(module, "_alembert_description", None)
     if description is None:
         raise ValueError(f"{module.name}: rollouts are compiled from the description, which this module came without: take it "
                          "from alembert.load")
@@ -447,7 +447,7 @@ def rollout(module: ModuleType, q: Union[ArrayLike, Start], qd: Optional[ArrayLi
     size = 1024 if shard is None else _whole("shard", shard, 1)
     given: Dict[str, Any] = dict(qd=qd, u=u, steps=steps, step=step, t=t, method=method, controls=controls, hold=hold, every=every,
                                  stop=stop, within=within, states=states, threads=threads, instructions=instructions, inputs=inputs)
-    cache = getattr(module, "alembert_cache", None)
+    cache = getattr(module, "_alembert_cache", None)
     one = False
     plan: Union[Plan, SampledPlan]
     if callable(q):
