@@ -161,22 +161,23 @@ def _compile(folder: pathlib.Path, source: Source, compiler: List[str], headers:
         os.remove(path)
 
 
-_engines: Dict[str, Any] = {}
+_engines: Dict[Tuple[Source, str], Any] = {}
 
 
 def engine(source: Source, cache: Union[str, "os.PathLike[str]", None] = None) -> Any:
-    """The function of C, compiled once a machine."""
-    compiler = shlex.split(os.environ.get("CXX") or "c++")
-    headers = _headers()
-    identity = [*building.identity(compiler, "Set CXX to a C++ compiler."), *_FLAGS, building.folder_state(headers[0][2:]), *source]
-    key = "rollout-" + hashlib.sha256(repr(identity).encode()).hexdigest()[:32]
-    if key not in _engines:
+    """The function of C, compiled once a machine and looked for once a process."""
+    place = (source, str(cache))
+    if place not in _engines:
+        compiler = shlex.split(os.environ.get("CXX") or "c++")
+        headers = _headers()
+        identity = [*building.identity(compiler, "Set CXX to a C++ compiler."), *_FLAGS, building.folder_state(headers[0][2:]), *source]
+        key = "rollout-" + hashlib.sha256(repr(identity).encode()).hexdigest()[:32]
         folder = building.once(building.store(cache), key, lambda work: _compile(work, source, compiler, headers))
         entry = ctypes.CDLL(str(folder / "rollout.so")).alembert_rollout
         entry.argtypes = [ctypes.POINTER(Call)]
         entry.restype = ctypes.c_longlong
-        _engines[key] = entry
-    return _engines[key]
+        _engines[place] = entry
+    return _engines[place]
 
 
 class Plan(NamedTuple):
