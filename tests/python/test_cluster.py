@@ -107,6 +107,8 @@ def test_nothing_is_lost_and_nothing_is_done_twice(load, cluster, tmp_path):
     assert {start for start, _ in begun} == firsts
     assert len(begun) - shards <= 2 + 3
     assert len({pid for _, pid in begun}) >= 4, "workers were replaced"
+    built = os.listdir(pathlib.Path(os.environ["XDG_CACHE_HOME"]) / "alembert")
+    assert len(built) == 1, "one worker builds, the others wait"
     for name, x in zip(("q", "qd"), (folder.read().q, folder.read().qd)):
         assert np.array_equal(x, getattr(alone.read(), name))
 

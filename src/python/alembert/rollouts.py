@@ -4,6 +4,7 @@ The steps are those of alembert/rollout.hpp, compiled for the mechanism at the f
 Python is asked for policies, once for all motions.
 """
 import ctypes
+import dataclasses
 import hashlib
 import os
 import pathlib
@@ -180,7 +181,8 @@ def engine(source: Source, cache: Union[str, "os.PathLike[str]", None] = None) -
     return _engines[place]
 
 
-class Plan(NamedTuple):
+@dataclasses.dataclass(frozen=True)
+class Plan:
     """A rollout of N motions in arrays, ready for the library: what shards are cut from."""
 
     source: Source
@@ -205,7 +207,7 @@ class Plan(NamedTuple):
         """Motions first ... last - 1."""
         cut = {name: array[first:last] if name in ("q", "qd") or (name != "bounds" and len(array) == self.count and self.count > 1)
                else array for name, array in self.arrays.items()}
-        return self._replace(count=last - first, arrays=cut)
+        return dataclasses.replace(self, count=last - first, arrays=cut)
 
 
 class SampledPlan:
@@ -265,9 +267,10 @@ def _callback(plan: Plan, refused: List[BaseException]) -> Any:
 def run(plan: Plan, cache: Union[str, "os.PathLike[str]", None] = None) -> Dict[str, NDArray[Any]]:
     """Results by name, in this process."""
     nq, nv, ns = plan.sizes
-    results = {"q": numpy.empty((plan.count, plan.rows, nq)), "qd": numpy.empty((plan.count, plan.rows, nv)),
-               "states": numpy.empty((plan.count, plan.rows, ns)), "steps": numpy.empty(plan.count, numpy.int64),
-               "status": numpy.empty(plan.count, numpy.int32), "stopped": numpy.empty(plan.count, bool)}
+    results: Dict[str, NDArray[Any]] = {
+        "q": numpy.empty((plan.count, plan.rows, nq)), "qd": numpy.empty((plan.count, plan.rows, nv)),
+        "states": numpy.empty((plan.count, plan.rows, ns)), "steps": numpy.empty(plan.count, numpy.int64),
+        "status": numpy.empty(plan.count, numpy.int32), "stopped": numpy.empty(plan.count, bool)}
     arrays = {name: numpy.ascontiguousarray(array) for name, array in plan.arrays.items()}
     call = Call(count=plan.count, **plan.numbers)
     for name, array in {**arrays, **{"out_" + name: array for name, array in results.items()}}.items():
@@ -320,9 +323,10 @@ def make_plan(module: ModuleType, q: ArrayLike, qd: Optional[ArrayLike], u: Unio
               within: Optional[Mapping[str, Any]], states: Optional[ArrayLike], threads: int, instructions: str,
               inputs: Dict[str, Any]) -> Tuple[Plan, bool]:
     """The plan, and whether it is for one motion given without N."""
-    numbers = {"steps": _whole("steps", steps, 0), "every": _whole("every", every, 0), "hold": _whole("hold", hold, 1),
-               "threads": _whole("threads", threads, 0), "stepper": _one_of("method", method, METHODS),
-               "instructions": _one_of("instructions", instructions, INSTRUCTIONS)}
+    numbers: Dict[str, Any] = {
+        "steps": _whole("steps", steps, 0), "every": _whole("every", every, 0), "hold": _whole("hold", hold, 1),
+        "threads": _whole("threads", threads, 0), "stepper": _one_of("method", method, METHODS),
+        "instructions": _one_of("instructions", instructions, INSTRUCTIONS)}
     for label, value in (("step", step), ("t", t)):
         if not numpy.isfinite(value):
             raise ValueError(f"{label}: expected a finite number, found {value}")
@@ -394,7 +398,7 @@ def _sampled(module: ModuleType, start: Start, count: Optional[int], seed: int, 
         drawn = dict(start(numpy.random.default_rng([seed, index]), n))
         if "q" not in drawn:
             raise ValueError("q: expected of the function a dict with q among its entries")
-        both = {**given, "inputs": dict(given["inputs"])}
+        both: Dict[str, Any] = {**given, "inputs": dict(given["inputs"])}
         for name, value in drawn.items():
             place = both if name in ("q", "qd", "u", "states") else both["inputs"]
             if place.get(name) is not None:
