@@ -62,21 +62,22 @@ std::string definition(const WrittenFunction& written, const Mechanism& mechanis
       common);
 }
 
-/// Where there is what steps need: rates of speeds and coordinates, and nothing beside them.
+/// Where there is what steps need: rates of speeds, coordinates and states, and no constraints.
 std::string rollout(const Mechanism& mechanism, std::span<const WrittenFunction> functions) {
   const auto has = [&](std::string_view name) {
     return std::ranges::any_of(functions,
                                [&](const WrittenFunction& f) { return f.signature->name == name; });
   };
   if (!has("forward_dynamics") || !has("coordinate_rates")) return "";
-  if (!mechanism.constraints.empty() || !placed_parameters(mechanism, ParameterRole::state).empty())
-    return "";
+  const bool states = !placed_parameters(mechanism, ParameterRole::state).empty();
+  if (!mechanism.constraints.empty() || (states && !has("state_rates"))) return "";
   std::vector<int> offsets;
   for (const Coordinate& coordinate : mechanism.coordinates)
     if (coordinate.type == CoordinateType::quaternion) offsets.push_back(coordinate.first_q);
   offsets.push_back(-1);
   return fill_template("cuda_rollout.cuh",
-                       {{"quaternions", fmt::format("{{{}}}", fmt::join(offsets, ", "))}});
+                       {{"quaternions", fmt::format("{{{}}}", fmt::join(offsets, ", "))},
+                        {"state_rates", states ? "state_rates<S>(q, qd, in, sdot);" : ""}});
 }
 
 }  // namespace

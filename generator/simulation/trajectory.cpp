@@ -145,6 +145,7 @@ class MovingMechanism {
       case Status::not_positive_definite:
       case Status::not_finite:
       case Status::residual_too_large:
+      case Status::missing_function:
         return no_finite_step(h);
     }
     return InputError(mechanism_.where, "no step");

@@ -16,6 +16,7 @@ enum class Status {
   no_convergence = 4,            ///< an iteration came to no solution
   residual_too_large = 5,        ///< the closest state is further away than was allowed
   singular_step = 6,             ///< the equations of an implicit step have no solution for its length
+  missing_function = 7,          ///< the mechanism was generated without a function that is needed
 };
 
 /// The status in words, for messages.
@@ -35,6 +36,8 @@ constexpr const char* to_string(Status status) noexcept {
       return "the closest state is too far away";
     case Status::singular_step:
       return "the equations of the implicit step are singular";
+    case Status::missing_function:
+      return "the mechanism was generated without a function that is needed";
   }
   return "unknown status";
 }

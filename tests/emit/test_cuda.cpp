@@ -157,10 +157,12 @@ TEST(Cuda, KernelsCompile) {
                                     row.takes_inputs ? fmt::format("m::BatchInputs<{}>", number) : "",
                                     fmt::format("{}*", number)));
       }
-      text += fmt::format(
-          "template cudaError_t m::rollout_batch<{0}>(std::size_t, std::size_t, {0}*, {0}*, const "
-          "m::BatchInputs<{0}>&, const m::Rollout<{0}>&, cudaStream_t);\n",
-          number);
+      for (const char* method : {"semi_implicit_euler", "rk4"})
+        text += fmt::format(
+            "template cudaError_t m::rollout_batch<{0}, m::Method::{1}>(std::size_t, std::size_t, {0}*, "
+            "{0}*, const "
+            "m::BatchInputs<{0}>&, const m::Rollout<{0}>&, cudaStream_t, const m::NoPolicy&);\n",
+            number, method);
     }
     files.push_back({"kernels.cu", text});
     const Folder folder;
@@ -241,6 +243,128 @@ extern "C" int call(int steps, const double* const* a, double, const double*, co
   double square = 0;
   for (std::size_t i = 3; i < 7; ++i) square += q[i] * q[i];
   EXPECT_NEAR(square, 1, 1e-15);
+}
+
+/// The input drives the state a, which drives a block; the state way is what the block has moved. In closed form, a is
+/// 1 - 0.75 exp(-t / 0.05), and the speed 2 (t - 0.75 0.05 (1 - exp(-t / 0.05))).
+TEST(Cuda, RolloutsIntegrateStatesAndEnd) {
+  const alembert::CompiledMechanism compiled = all_functions(ALEMBERT_SOURCE_DIR "/tests/emit/states.yaml");
+  std::vector<alembert::EmittedFile> files =
+      alembert::emit_mechanism(*compiled.mechanism, programs_of(compiled), for_cuda());
+  const std::string name = compiled.mechanism->name;
+  files.push_back({"caller.cpp", fmt::format(R"(#include "cuda/{}.cuh"
+#include <limits>
+namespace m = ::alembert::mechanisms::{}::cuda;
+struct UntilMoved {{
+  double way;
+  bool operator()(std::size_t, double, const double* q, const double*, double*, double* inputs) const {{
+    inputs[0] = 1;
+    return q[0] < way;
+  }}
+}};
+/// Results: q and qd of 2 motions, of which the second has no finite speed; 2 states; steps and status; the record.
+extern "C" int call(int, const double* const* a, double, const double*, const double*, double* const* r);
+extern "C" int call(int kind, const double* const* a, double, const double*, const double*, double* const* r) {{
+  m::Rollout<double> way;
+  way.h = 1e-3;
+  way.steps = 300;
+  way.every = 100;
+  int made[2] = {{}}, status[2] = {{}};
+  way.made = made;
+  way.status = status;
+  way.states = r[1];
+  way.record = r[3];
+  double start = a[0][0];
+  r[0][0] = r[0][1] = start;
+  r[0][2] = 0;
+  r[0][3] = 1e200 * std::numeric_limits<double>::max();
+  for (std::size_t s = 0; s < 2; ++s) {{
+    const m::BatchInputs<double> in;
+    if (kind == 0) m::rollout<double>(s, 2, r[0], r[0] + 2, in, way);
+    if (kind == 1) m::rollout<double, m::Method::rk4>(s, 2, r[0], r[0] + 2, in, way);
+    if (kind == 2) m::rollout<double, m::Method::rk4>(s, 2, r[0], r[0] + 2, in, way, UntilMoved{{start + 0.01}});
+    r[2][s] = made[s], r[2][2 + s] = status[s];
+  }}
+  return 0;
+}}
+)",
+                                             name, name)});
+  const Folder folder;
+  put(files, folder.path);
+  const CLibrary<double> library(folder.path, ALEMBERT_HOST_CXX,
+                                 fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+  ASSERT_TRUE(library.loaded());
+  const double start = 1;
+  const auto speed_at = [](double t) { return 2 * (t - 0.75 * 0.05 * (1 - std::exp(-t / 0.05))); };
+  for (const std::size_t kind : {0, 1, 2}) {
+    std::vector<double> state(4), states(4), ends(4), record(2 * 3 * 4, -1.0);
+    ASSERT_EQ(library(kind, {&start}, 0, nullptr, nullptr,
+                      {state.data(), states.data(), ends.data(), record.data()}),
+              0);
+    const double t = 1e-3 * ends[0], near = kind == 0 ? 1e-2 : 1e-7;
+    EXPECT_NEAR(state[2], speed_at(t), near);
+    EXPECT_NEAR(states[0], 1 - 0.75 * std::exp(-t / 0.05), near);
+    EXPECT_NEAR(states[2], state[0] - start, kind == 0 ? 1e-3 : 1e-12);
+    EXPECT_EQ(ends[2], 0);
+    // The second one makes no step, and its record is its start.
+    EXPECT_EQ(ends[1], 0);
+    EXPECT_EQ(ends[3], 1);
+    EXPECT_EQ(state[1], start);
+    EXPECT_EQ(record[1], start);
+    if (kind == 2) {
+      EXPECT_LT(ends[0], 300);
+      EXPECT_GE(state[0], start + 0.01);
+      EXPECT_LT(state[0] - 1e-3 * state[2], start + 0.01);
+    } else {
+      EXPECT_EQ(ends[0], 300);
+      EXPECT_NEAR(record[2 * 1], speed_at(0.1), near);
+    }
+    EXPECT_EQ(record[2 * 8], state[0]) << "the last row is the end, also of what ended before";
+    EXPECT_EQ(record[2 * 9], state[2]);
+    EXPECT_EQ(record[2 * 10], states[0]);
+  }
+}
+
+/// Of order four: halved steps have a sixteenth of the error.
+TEST(Cuda, RolloutsOfRungeAndKutta) {
+  const alembert::CompiledMechanism compiled =
+      all_functions(ALEMBERT_SOURCE_DIR "/mechanisms/free_body.yaml");
+  std::vector<alembert::EmittedFile> files =
+      alembert::emit_mechanism(*compiled.mechanism, programs_of(compiled), for_cuda());
+  files.push_back({"caller.cpp", R"(#include "cuda/free_body.cuh"
+namespace m = ::alembert::mechanisms::free_body::cuda;
+extern "C" int call(int, const double* const* a, double, const double*, const double*, double* const* r);
+extern "C" int call(int steps, const double* const* a, double, const double*, const double*, double* const* r) {
+  for (int i = 0; i < m::kNq; ++i) r[0][i] = a[0][i];
+  for (int i = 0; i < m::kNv; ++i) r[1][i] = a[1][i];
+  m::Rollout<double> way;
+  way.steps = steps;
+  way.h = 0.5 / steps;
+  m::rollout<double, m::Method::rk4>(0, 1, r[0], r[1], m::BatchInputs<double>(), way);
+  return 0;
+}
+)"});
+  const Folder folder;
+  put(files, folder.path);
+  const CLibrary<double> library(folder.path, ALEMBERT_HOST_CXX,
+                                 fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+  ASSERT_TRUE(library.loaded());
+  const CState<double> state(*compiled.mechanism, 1);
+  const auto end = [&](std::size_t steps) {
+    std::vector<double> q = state.q, u = state.qd;
+    EXPECT_EQ(library(steps, {state.q.data(), state.qd.data()}, 0, nullptr, nullptr, {q.data(), u.data()}),
+              0);
+    q.insert(q.end(), u.begin(), u.end());
+    return q;
+  };
+  const std::vector<double> exact = end(2048);
+  const auto error = [&](std::size_t steps) {
+    double square = 0;
+    const std::vector<double> x = end(steps);
+    for (std::size_t i = 0; i < x.size(); ++i) square += (x[i] - exact[i]) * (x[i] - exact[i]);
+    return std::sqrt(square);
+  };
+  EXPECT_NEAR(error(32) / error(64), 16, 3);
 }
 
 TEST(Cuda, LoopsAreNotRolledOut) {

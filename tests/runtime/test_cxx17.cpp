@@ -5,6 +5,7 @@
 #include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
 #include "alembert/linearize.hpp"
+#include "alembert/rollout_library.hpp"
 #include "alembert/topology.hpp"
 #include "runtime/constrained_models.hpp"
 #include "runtime/models.hpp"
@@ -21,6 +22,10 @@ alembert::Status step_in_cxx17(Eigen::Vector4f& q, Eigen::Vector3f& w, Model::In
     return status;
   return alembert::semi_implicit_euler_step<Model>(q, w, in, alembert::energy<Model>(q, w, in).total(),
                                                    force);
+}
+
+std::size_t roll_out_in_cxx17(const alembert::RolloutCall& call) {
+  return alembert::rollout_by_call<models::SpinningBody<>>(call);
 }
 
 alembert::Status linearize_in_cxx17(const Eigen::Vector4f& q, const Eigen::Vector3f& w,

@@ -428,6 +428,8 @@ TEST(Runtime, StatusInWords) {
   EXPECT_STREQ(alembert::to_string(Status::no_convergence), "the iteration found no solution");
   EXPECT_STREQ(alembert::to_string(Status::residual_too_large), "the closest state is too far away");
   EXPECT_STREQ(alembert::to_string(Status::singular_step), "the equations of the implicit step are singular");
+  EXPECT_STREQ(alembert::to_string(Status::missing_function),
+               "the mechanism was generated without a function that is needed");
 }
 
 }  // namespace
