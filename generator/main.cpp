@@ -376,6 +376,10 @@ int run(int argc, char** argv) {
           "kg), "
           "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
       ->default_str("keep");
+  command
+      ->add_option("--include", import.describe.include_folders,
+                   "folder in which models are that an SDF includes (model://NAME); may be repeated")
+      ->allow_extra_args(false);
   command->add_flag("!--no-friction", import.describe.resistance,
                     "leave damping and friction of joints out of the description");
   command->callback([&] { result = run_import(common, import); });

@@ -7,12 +7,12 @@
 #include <cstdio>
 
 #include "commands/common_options.hpp"
+#include "commands/expand_xacro.hpp"
 #include "commands/warnings.hpp"
 #include "emit/files/write_files.hpp"
 #include "import/common/yaml.hpp"
 #include "import/importers.hpp"
 #include "mechanism/load.hpp"
-#include "mechanism/source.hpp"
 
 namespace alembert {
 
@@ -22,7 +22,7 @@ namespace {
 DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
                         Warnings& warnings) {
   try {
-    return importer_of(*source).describe(source, options, warnings);
+    return describe_source(source, options, warnings);
   } catch (const InputError&) {
     report_warnings(warnings, false);
     throw;
@@ -46,7 +46,7 @@ std::string imported_text(const std::shared_ptr<const SourceText>& source, const
 }
 
 std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict) {
-  std::shared_ptr<const SourceText> source = read_source(file);
+  std::shared_ptr<const SourceText> source = read_expanded(file);
   if (importer_unless_description(*source) == nullptr) return source;
   return std::make_shared<const SourceText>(
       SourceText{source->name + ", imported", imported_text(source, {}, strict)});
@@ -54,7 +54,8 @@ std::shared_ptr<const SourceText> description_of(const std::string& file, bool s
 
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   std::string summary;
-  const std::string text = imported_text(read_source(common.file), options.describe, common.strict, &summary);
+  const std::string text =
+      imported_text(read_expanded(common.file), options.describe, common.strict, &summary);
   if (!summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, summary));
   if (options.out == "-") {
     fmt::print("{}", text);
