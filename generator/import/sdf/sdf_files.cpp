@@ -175,6 +175,13 @@ fs::path SdfFiles::model_file(const fs::path& folder, pugi::xml_node uri) const 
   return folder / best;
 }
 
+bool SdfFiles::is_scenery(pugi::xml_node include) {
+  const std::string uri = lower(text(include.child("uri")));
+  const std::string name = uri.substr(uri.find_last_of('/') + 1);
+  return uri.find("://") != std::string::npos &&
+         (name == "sun" || name == "ground_plane" || name == "ground plane");
+}
+
 pugi::xml_node SdfFiles::include(pugi::xml_node element) {
   const pugi::xml_node uri = of(element).require(element, "uri", "an include");
   const SourceLocation place = where_text(uri);

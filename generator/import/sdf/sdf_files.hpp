@@ -30,6 +30,8 @@ class SdfFiles {
   /// Where in the first file the texts stand that it includes.
   const std::map<const SourceText*, SourceLocation>& places() const { return places_; }
 
+  /// Whether an <include> names what Gazebo brings along and nothing moves by: its sun and its ground.
+  static bool is_scenery(pugi::xml_node include);
   /// The root of the file that an <include> names. Throws InputError at what is not below the file's folder or one of
   /// `folders`, cannot be read, or includes itself.
   pugi::xml_node include(pugi::xml_node element);

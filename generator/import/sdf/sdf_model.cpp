@@ -197,6 +197,10 @@ class SdfReader {
 
   void read_include(pugi::xml_node node, std::size_t scope, std::size_t base, int outer_minor, int depth) {
     check_sdf_spelling(files_, node);
+    if (SdfFiles::is_scenery(node)) {
+      ++model_.left_out["scenery"];
+      return;
+    }
     const pugi::xml_node root = files_.include(node);
     const int minor = version_of(root);
     const pugi::xml_node model = root.child("model");
