@@ -218,7 +218,7 @@ class LoadedFile {
 };
 
 std::string our_name(const std::string& name) {
-  return std::regex_replace(name, std::regex("::"), "_");
+  return std::regex_replace(name, std::regex("[^A-Za-z0-9]+"), "_");
 }
 
 struct Motion {
@@ -230,6 +230,7 @@ struct Motion {
 class Skeleton {
  public:
   Skeleton(const LoadedFile& file, const Case& which) : file_(file), which_(which) {
+    const Silence silence;
     skeleton_->setGravity(file.gravity);
     std::map<std::string, bool> is_child;
     for (const LoadedJoint& joint : file.joints) is_child[joint.child] = true;
@@ -517,7 +518,9 @@ TEST_P(Sdf, GivesTheDynamicsOfDart) {
       worst = std::max(worst, error);
     }
   }
-  RecordProperty("worst_error", std::to_string(worst));
+  std::ostringstream shown;
+  shown << worst;
+  RecordProperty("worst_error", shown.str());
   if (theirs.has_loops()) {
     // Where the chains are closed: at the beginning.
     State start = states[0];

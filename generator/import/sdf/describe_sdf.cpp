@@ -95,10 +95,11 @@ class SdfDescriber {
         if (options_.resistance && axis.friction != 0) what = "has friction";
       }
       if (what != nullptr)
-        throw InputError(joint.where,
-                         fmt::format("joint '{}' closes a chain and {}, which a constraint cannot have",
-                                     printable(joint.name), what),
-                         "every joint of the chain has some; one must be without");
+        throw InputError(
+            joint.where,
+            fmt::format("joint '{}' closes a chain and {}, which cannot be expressed", printable(joint.name),
+                        what),
+            "one joint of the chain must be without a mimic, springs and resistance, and no screw");
     }
     for (std::size_t j = 0; j < model_.joints.size(); ++j)
       for (const SdfAxis& axis : model_.joints[j].axes)

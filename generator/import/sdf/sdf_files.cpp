@@ -82,7 +82,7 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
 
 std::string sdf_title(pugi::xml_node element) {
   const char* name = element.attribute("name").value();
-  return *name == '\0' ? fmt::format("a <{}>", printable(element.name()))
+  return *name == '\0' ? fmt::format("the <{}>", printable(element.name()))
                        : fmt::format("{} '{}'", printable(element.name()), printable(name));
 }
 
