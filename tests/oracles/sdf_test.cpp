@@ -296,7 +296,7 @@ class Skeleton {
     const auto forces = [&](const Eigen::VectorXd& acceleration) -> Eigen::VectorXd {
       skeleton_->setAccelerations(motion.J * acceleration + motion.bias);
       skeleton_->computeInverseDynamics();
-      return motion.J.transpose() * (skeleton_->getForces() + resisting);
+      return motion.J.transpose() * (skeleton_->getForces() + resisting + resistance_of_cuts());
     };
     Dynamics out;
     out.tau = forces(rates);
@@ -308,16 +308,9 @@ class Skeleton {
   /// Motions that the joints which close chains lock, by our speeds.
   Eigen::MatrixXd locked(const Motion& motion) const {
     skeleton_->setPositions(motion.position);
-    const auto n = static_cast<Eigen::Index>(skeleton_->getNumDofs());
     std::vector<Eigen::RowVectorXd> rows;
     for (const LoadedJoint* cut : cuts_) {
-      const auto jacobian = [&](const std::string& link) -> Eigen::MatrixXd {
-        if (link == "world" || find(link).fixed) return Eigen::MatrixXd::Zero(6, n);
-        dd::BodyNode* body = nodes_.at(link);
-        const Vector3d offset = find(link).world.inverse() * cut->world.translation();
-        return skeleton_->getWorldJacobian(body, offset);
-      };
-      const Eigen::MatrixXd between = jacobian(cut->child) - jacobian(cut->parent);  // angular first
+      const Eigen::MatrixXd between = jacobian(cut->child, *cut) - jacobian(cut->parent, *cut);
       const Eigen::Matrix3d R = cut->world.linear();
       std::vector<Vector3d> angular, linear;
       const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -435,6 +428,37 @@ class Skeleton {
             axis.damping * u + axis.friction * std::tanh(u / kFrictionWidth) +
             axis.stiffness * (q - axis.rest);
       }
+    }
+    return out;
+  }
+
+  /// Jacobian of a point of a link that lies at the joint in the beginning, angular first.
+  Eigen::MatrixXd jacobian(const std::string& link, const LoadedJoint& joint) const {
+    if (link == "world" || find(link).fixed)
+      return Eigen::MatrixXd::Zero(6, static_cast<Eigen::Index>(skeleton_->getNumDofs()));
+    const Vector3d offset = find(link).world.inverse() * joint.world.translation();
+    return skeleton_->getWorldJacobian(nodes_.at(link), offset);
+  }
+  /// The joint's axis as the link carries it.
+  Vector3d carried_axis(const std::string& link, const LoadedJoint& joint) const {
+    const Vector3d axis = joint.world.linear() * joint.axes[0].xyz;
+    if (link == "world" || find(link).fixed) return axis;
+    return nodes_.at(link)->getWorldTransform().linear() * find(link).world.linear().transpose() * axis;
+  }
+
+  /// Along the axes of hinges and slides that close chains.
+  Eigen::VectorXd resistance_of_cuts() const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(skeleton_->getNumDofs()));
+    for (const LoadedJoint* cut : cuts_) {
+      if (cut->axes.size() != 1) continue;
+      const Eigen::Index first = cut->type == sdf::JointType::PRISMATIC ? 3 : 0;
+      const Eigen::MatrixXd child = jacobian(cut->child, *cut).middleRows(first, 3),
+                            parent = jacobian(cut->parent, *cut).middleRows(first, 3);
+      const Vector3d ends[] = {carried_axis(cut->parent, *cut), carried_axis(cut->child, *cut)};
+      const double rate = ends[0].dot((child - parent) * skeleton_->getVelocities());
+      const double force =
+          cut->axes[0].damping * rate + cut->axes[0].friction * std::tanh(rate / kFrictionWidth);
+      out += force * (child.transpose() * ends[1] - parent.transpose() * ends[0]);
     }
     return out;
   }

@@ -56,7 +56,7 @@ class SdfDescriber {
     for (const SdfFrame& frame : model_.frames)
       add_frame(frames, frame_names_.add(frame.name, frame.where), frame.link, frame.pose, frame.where);
     add_forces(forces, frames);
-    for (const std::size_t cut : tree_.cuts) add_constraint(constraints, frames, cut);
+    for (const std::size_t cut : tree_.cuts) add_constraint(constraints, forces, frames, cut);
     YamlNode& root = nodes_.mapping(top);
     nodes_.put(root, "alembert", nodes_.text("1", top));
     nodes_.put(root, "name", nodes_.text(fit_mechanism_name(model_.name), top));
@@ -83,6 +83,10 @@ class SdfDescriber {
   }
   bool is_used(std::size_t joint) const { return !is_cut(joint) && !stands_still(model_.joints[joint]); }
 
+  bool resists(const SdfAxis& axis) const {
+    return options_.resistance && (axis.damping != 0 || axis.friction != 0);
+  }
+
   /// What a joint that closes a chain cannot have.
   void check_cuts() const {
     for (const std::size_t cut : tree_.cuts) {
@@ -91,15 +95,13 @@ class SdfDescriber {
       for (const SdfAxis& axis : joint.axes) {
         if (axis.mimic) what = "follows another";
         if (axis.stiffness != 0) what = "has a spring";
-        if (options_.resistance && axis.damping != 0) what = "has damping";
-        if (options_.resistance && axis.friction != 0) what = "has friction";
+        if (resists(axis) && joint.axes.size() > 1) what = "has damping or friction about two axes";
       }
       if (what != nullptr)
-        throw InputError(
-            joint.where,
-            fmt::format("joint '{}' closes a chain and {}, which cannot be expressed", printable(joint.name),
-                        what),
-            "one joint of the chain must be without a mimic, springs and resistance, and no screw");
+        throw InputError(joint.where,
+                         fmt::format("joint '{}' closes a chain and {}, which cannot be expressed",
+                                     printable(joint.name), what),
+                         "one joint of the chain must be without a mimic and springs, and no screw");
     }
     for (std::size_t j = 0; j < model_.joints.size(); ++j)
       for (const SdfAxis& axis : model_.joints[j].axes)
@@ -339,15 +341,17 @@ class SdfDescriber {
   }
 
   // Loops.
-  void add_constraint(YamlNode& list, YamlNode& frames, std::size_t cut) {
+  void add_constraint(YamlNode& list, YamlNode& forces, YamlNode& frames, std::size_t cut) {
     const SdfJoint& joint = model_.joints[cut];
     const std::string name = constraint_names_.add(joint.name, joint.where);
+    std::array<std::string, 2> ends;
     LoopEquations loop([&](int end, const std::string& suffix, const Eigen::Vector3d& offset) {
       RigidPose pose = end == 1 ? joint.in_parent : joint.in_child;
       pose.shift += pose.turn * offset;
       const std::string frame =
           frame_names_.add(fmt::format("{}_{}{}", joint.name, end, suffix), joint.where);
       add_frame(frames, frame, end == 1 ? joint.parent : joint.child, pose, joint.where);
+      if (suffix.empty()) ends[static_cast<std::size_t>(end - 1)] = frame;
       return frame;
     });
     if (joint.type == SdfJointType::prismatic)
@@ -376,6 +380,45 @@ class SdfDescriber {
     for (const std::string& equation : loop.take()) rows.items.push_back(&nodes_.text(equation, joint.where));
     nodes_.put(node, "equations", rows);
     list.items.push_back(&node);
+    for (const SdfAxis& axis : joint.axes)
+      if (resists(axis)) add_resistance(forces, joint, axis, ends);
+  }
+
+  /// Of a hinge or slide that closes a chain: along its axis, on both ends.
+  void add_resistance(YamlNode& list, const SdfJoint& joint, const SdfAxis& axis,
+                      const std::array<std::string, 2>& ends) {
+    const bool slides = joint.type == SdfJointType::prismatic;
+    const char* velocity = slides ? "velocity" : "angular_velocity";
+    std::string rate;
+    for (const char row : {'x', 'y', 'z'}) {
+      std::string direction;
+      for (int k = 0; k < 3; ++k)
+        if (axis.xyz[k] != 0)
+          direction += fmt::format("{}({})*rotation({}).{}{}", direction.empty() ? "" : " + ",
+                                   number_text(axis.xyz[k]), ends[0], row, "xyz"[k]);
+      rate += fmt::format("{}({}({}).{} - {}({}).{})*({})", rate.empty() ? "" : " + ", velocity, ends[1], row,
+                          velocity, ends[0], row, direction);
+    }
+    std::string resistance;
+    if (axis.damping != 0) resistance = fmt::format("{}*({})", number_text(axis.damping), rate);
+    if (axis.friction != 0)
+      resistance += fmt::format("{}{}*tanh(({})/{})", resistance.empty() ? "" : " + ",
+                                number_text(axis.friction), rate, number_text(kFrictionVelocity));
+    for (std::size_t end = 0; end < 2; ++end) {
+      if ((end == 0 ? joint.parent : joint.child) == kSdfWorld) continue;
+      std::array<std::string, 3> along;
+      for (int k = 0; k < 3; ++k) {
+        const double factor = (end == 0 ? 1 : -1) * axis.xyz[k];
+        along[static_cast<std::size_t>(k)] =
+            factor == 0 ? "0" : fmt::format("({})*({})", number_text(factor), resistance);
+      }
+      YamlNode& node = nodes_.mapping(axis.where);
+      nodes_.put(node, "name",
+                 nodes_.text(force_names_.add(ends[end], axis.where, "_resistance"), axis.where));
+      nodes_.put(node, "at", nodes_.text(ends[end], axis.where));
+      nodes_.put(node, slides ? "force" : "torque", nodes_.list({along[0], along[1], along[2]}, axis.where));
+      list.items.push_back(&node);
+    }
   }
 
   std::string summary() const {

@@ -77,7 +77,7 @@ class SdfJointReader {
       joint.axes.push_back(read_axis(scope, i, text.require(node, a == 0 ? "axis" : "axis2", what)));
     if (type.name == "continuous")
       for (SdfAxis& axis : joint.axes) axis.limits.reset();
-    if (joint.type == SdfJointType::screw) read_pitch(node, joint);
+    if (joint.type == SdfJointType::screw) read_pitch(node, named.minor, joint);
     for (const char* kind : {"sensor", "plugin"})
       for ([[maybe_unused]] const pugi::xml_node each : node.children(kind)) ++model_.left_out[kind];
     if (type.name == "gearbox") {
@@ -200,16 +200,24 @@ class SdfJointReader {
   }
 
   /// Metres per turn of a right-handed thread; before 1.10, radians per metre of a left-handed one.
-  void read_pitch(pugi::xml_node node, SdfJoint& joint) {
-    if (node.child("screw_thread_pitch") || !node.child("thread_pitch")) {
+  void read_pitch(pugi::xml_node node, int minor, SdfJoint& joint) {
+    const bool older = node.child("thread_pitch") || minor < 10;
+    if (node.child("screw_thread_pitch") || !older) {
       joint.pitch = files_.number(node, "screw_thread_pitch", 1) / (2 * std::numbers::pi);
-      return;
+    } else {
+      const double pitch = files_.number(node, "thread_pitch", 1);
+      if (pitch == 0)
+        throw InputError(files_.where_text(node.child("thread_pitch")),
+                         "a thread_pitch of 0 radians per metre is no screw");
+      joint.pitch = -1 / pitch;
     }
-    const double pitch = files_.number(node, "thread_pitch", 1);
-    if (pitch == 0)
-      throw InputError(files_.where_text(node.child("thread_pitch")),
-                       "a thread_pitch of 0 radians per metre is no screw");
-    joint.pitch = -1 / pitch;
+    if (!node.child("screw_thread_pitch") && !node.child("thread_pitch"))
+      files_.warn(
+          {joint.where,
+           fmt::format("screw '{}' says no pitch; it is 1 {}, as SDF 1.{} has it", printable(joint.name),
+                       older ? "radian per metre, left-handed" : "metre per turn, right-handed", minor),
+           {},
+           "no pitch"});
   }
 
   struct Hinge {

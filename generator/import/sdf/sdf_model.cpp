@@ -29,7 +29,7 @@ class SdfReader {
  public:
   SdfReader(std::shared_ptr<const SourceText> source, const std::vector<std::string>& folders,
             Warnings& warnings)
-      : files_(std::move(source), folders, warnings), scopes_(files_) {}
+      : files_(std::move(source), folders, warnings) {}
 
   SdfModel read() {
     const pugi::xml_node root = files_.root();

@@ -44,8 +44,6 @@ struct SdfScope {
 
 class SdfScopes {
  public:
-  explicit SdfScopes(const SdfFiles& files) : files_(files) {}
-
   std::vector<SdfScope> all;  ///< the first is the world
 
   /// Throws InputError at a name that is taken.
@@ -73,7 +71,6 @@ class SdfScopes {
   Found find(std::size_t scope, std::string_view name, const SourceLocation& where) const;
   const SdfNamed& at(const Found& found) const { return all[found.scope].named[found.named]; }
 
-  const SdfFiles& files_;
   std::map<std::pair<std::size_t, std::size_t>, std::optional<RigidPose>> poses_;  ///< none: being worked out
   int depth_ = 0;
 };

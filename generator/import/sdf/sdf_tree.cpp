@@ -55,12 +55,12 @@ class TreeSpanner {
   /// What is taken first: 0, 1 and so on.
   int rank(std::size_t j, bool reversed) const {
     const SdfJoint& joint = model_.joints[j];
-    if (joint.cut_first) return reversed ? 5 : 4;
+    if (joint.cut_first) return reversed ? 7 : 6;
+    const auto any = [&](auto is) { return std::ranges::any_of(joint.axes, is); };
     const bool needed = joint.type == SdfJointType::screw || followed_[j] ||
-                        std::ranges::any_of(joint.axes, [](const SdfAxis& axis) {
-                          return axis.mimic || axis.damping != 0 || axis.friction != 0 || axis.stiffness != 0;
-                        });
-    return (needed ? 0 : 1) + (reversed ? 2 : 0);
+                        any([](const SdfAxis& axis) { return axis.mimic || axis.stiffness != 0; });
+    const bool resists = any([](const SdfAxis& axis) { return axis.damping != 0 || axis.friction != 0; });
+    return (needed ? 0 : resists ? 1 : 2) + (reversed ? 3 : 0);
   }
 
   void place(std::size_t link) {

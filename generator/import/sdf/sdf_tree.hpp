@@ -19,7 +19,8 @@ struct SdfTree {
   std::vector<std::size_t> cuts;  ///< joints that close chains
 };
 
-/// Joints on which forces act, or that others follow, are in the tree where that can be; joints that the file asks to
+/// Screws, joints with springs and joints that follow or are followed are in the tree where that can be, then those that
+/// resist; joints that the file asks to
 /// cut are not.
 SdfTree span_tree(const SdfModel& model);
 
