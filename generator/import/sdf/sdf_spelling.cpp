@@ -1,17 +1,11 @@
 #include "import/sdf/sdf_spelling.hpp"
 
-#include <algorithm>
-#include <initializer_list>
+#include "import/common/known_elements.hpp"
 
 namespace alembert {
 namespace {
 
-struct SdfElementNames {
-  std::string_view name;
-  std::initializer_list<std::string_view> children, attributes;
-};
-
-const SdfElementNames kSdfElements[] = {
+const KnownElement kSdfElements[] = {
     {"sdf", {"world", "model", "light", "actor", "include"}, {"version"}},
     {"world",
      {"audio", "wind", "include", "gravity", "magnetic_field", "atmosphere", "gui", "physics", "scene",
@@ -52,10 +46,7 @@ const SdfElementNames kSdfElements[] = {
 }  // namespace
 
 void check_sdf_spelling(const SdfFiles& files, pugi::xml_node element) {
-  const auto known =
-      std::ranges::find(kSdfElements, std::string_view(element.name()), &SdfElementNames::name);
-  if (known != std::end(kSdfElements))
-    files.of(element).check_spelling(element, sdf_title(element), known->children, known->attributes);
+  check_known(files.of(element), element, sdf_title(element), kSdfElements);
 }
 
 }  // namespace alembert
