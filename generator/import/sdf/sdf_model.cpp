@@ -263,6 +263,8 @@ class SdfReader {
 
   void read_frames() {
     for (std::size_t scope = 0; scope < scopes_.all.size(); ++scope) {
+      const SdfScope of = scopes_.all[scope];
+      if (!of.canonical.empty()) scopes_.link(scope, of.canonical, of.where);
       for (std::size_t i = 0; i < scopes_.all[scope].named.size(); ++i) {
         const SdfNamed named = scopes_.all[scope].named[i];
         if (named.kind != SdfKind::frame || std::ranges::find(merged_, std::pair(scope, i)) != merged_.end())
