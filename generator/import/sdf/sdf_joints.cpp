@@ -64,8 +64,8 @@ class SdfJointReader {
     joint.type = type.type;
     const pugi::xml_node parent = text.require(node, "parent", what),
                          child = text.require(node, "child", what);
-    joint.parent = moving_link(scope, parent);
-    joint.child = moving_link(scope, child);
+    joint.parent = moving_link(scope, named.base, parent);
+    joint.child = moving_link(scope, named.base, child);
     const RigidPose frame = scopes_.in_world(scope) * scopes_.pose(scope, i);
     const auto in = [&](std::size_t link) {
       return link == kSdfWorld ? frame : inverse(model_.links[link].pose) * frame;
@@ -83,7 +83,7 @@ class SdfJointReader {
     if (type.name == "gearbox") {
       const pugi::xml_node reference = text.require(node, "gearbox_reference_body", what);
       gearboxes_.push_back(
-          {named.index, moving_link(scope, reference), files_.number(node, "gearbox_ratio", 1)});
+          {named.index, moving_link(scope, named.base, reference), files_.number(node, "gearbox_ratio", 1)});
     } else if (joint.parent == joint.child) {
       const bool world = joint.parent == kSdfWorld;
       // Joints of what stands still.
@@ -114,11 +114,11 @@ class SdfJointReader {
   }
 
   /// The link that an element names; the world for one that stands still.
-  std::size_t moving_link(std::size_t scope, pugi::xml_node element) {
+  std::size_t moving_link(std::size_t scope, std::size_t base, pugi::xml_node element) {
     const std::string name = SdfFiles::text(element);
     const SourceLocation where = files_.where_text(element);
     if (name.empty()) throw InputError(where, fmt::format("<{}> names no link", element.name()));
-    const std::size_t link = scopes_.link(scope, name, where);
+    const std::size_t link = scopes_.link(scope, base, name, where);
     return link != kSdfWorld && model_.links[link].fixed ? kSdfWorld : link;
   }
 

@@ -232,6 +232,8 @@ class SdfReader {
     frame.name = fmt::format("_merged__{}__model__", frame.name);
     frame.where = files_.where(node);
     frame.kind = SdfKind::frame;
+    frame.carrier = model.attribute("canonical_link").value();
+    if (frame.carrier.empty()) frame.carrier = model.child("link").attribute("name").value();
     if (node.child("pose")) set_pose(frame, node, frame.name);
     const std::size_t index = scopes_.add(scope, std::move(frame));
     merged_.emplace_back(scope, index);
@@ -264,7 +266,7 @@ class SdfReader {
   void read_frames() {
     for (std::size_t scope = 0; scope < scopes_.all.size(); ++scope) {
       const SdfScope of = scopes_.all[scope];
-      if (!of.canonical.empty()) scopes_.link(scope, of.canonical, of.where);
+      if (!of.canonical.empty()) scopes_.link(scope, kNoSdf, of.canonical, of.where);
       for (std::size_t i = 0; i < scopes_.all[scope].named.size(); ++i) {
         const SdfNamed named = scopes_.all[scope].named[i];
         if (named.kind != SdfKind::frame || std::ranges::find(merged_, std::pair(scope, i)) != merged_.end())
@@ -272,7 +274,7 @@ class SdfReader {
         SdfFrame frame;
         frame.name = scopes_.all[scope].prefix + named.name;
         frame.where = named.where;
-        frame.link = scopes_.link(scope, named.name, named.where);
+        frame.link = scopes_.link(scope, named.base, named.name, named.where);
         const RigidPose in_world = scopes_.in_world(scope) * scopes_.pose(scope, i);
         if (frame.link != kSdfWorld && model_.links[frame.link].fixed) frame.link = kSdfWorld;
         frame.pose = frame.link == kSdfWorld ? in_world : inverse(model_.links[frame.link].pose) * in_world;

@@ -111,7 +111,7 @@ std::size_t SdfScopes::canonical_link(std::size_t scope, const SourceLocation& w
   const Depth depth(depth_, where);
   const SdfScope& of = all[scope];
   if (scope == 0 || of.fixed) return kNoSdf;
-  if (!of.canonical.empty()) return link(scope, of.canonical, of.where);
+  if (!of.canonical.empty()) return link(scope, kNoSdf, of.canonical, of.where);
   for (const SdfNamed& named : of.named)
     if (named.kind == SdfKind::link) return named.index;
   for (const SdfNamed& named : of.named)
@@ -119,9 +119,16 @@ std::size_t SdfScopes::canonical_link(std::size_t scope, const SourceLocation& w
   throw InputError(where, fmt::format("model '{}' has no link", printable(of.name)));
 }
 
-std::size_t SdfScopes::link(std::size_t scope, std::string_view name, const SourceLocation& where) {
+/// The link that moves with the frame of a model, or of one that was merged into it.
+std::size_t SdfScopes::base_link(std::size_t scope, std::size_t base, const SourceLocation& where) {
+  if (base == kNoSdf || all[scope].named[base].carrier.empty()) return canonical_link(scope, where);
+  return link(scope, base, all[scope].named[base].carrier, where);
+}
+
+std::size_t SdfScopes::link(std::size_t scope, std::size_t base, std::string_view name,
+                            const SourceLocation& where) {
   const Depth depth(depth_, where);
-  if (name == kModelFrame) return canonical_link(scope, where);
+  if (name == kModelFrame) return base_link(scope, base, where);
   if (name == kWorldFrame && !all[scope].by_name.contains(name)) return kNoSdf;
   const Found found = find(scope, name, where);
   if (found.named == kNoSdf) return canonical_link(found.scope, where);
@@ -135,8 +142,9 @@ std::size_t SdfScopes::link(std::size_t scope, std::string_view name, const Sour
     case SdfKind::frame:
       break;
   }
-  if (named.attached_to.empty()) return canonical_link(found.scope, where);
-  return link(found.scope, named.attached_to, named.attached_where);
+  if (!named.carrier.empty()) return base_link(found.scope, found.named, where);
+  if (named.attached_to.empty()) return base_link(found.scope, named.base, where);
+  return link(found.scope, named.base, named.attached_to, named.attached_where);
 }
 
 std::size_t SdfScopes::joint(std::size_t scope, std::string_view name, const SourceLocation& where) const {

@@ -27,6 +27,7 @@ struct SdfNamed {
   std::string attached_to;     ///< a frame's; a joint's child
   int minor = 11;              ///< version 1.N of the text that it stands in
   std::size_t base = kNoSdf;   ///< the frame that stands for the model's, of what was merged into it
+  std::string carrier;         ///< of such a frame: the link that it moves with
   SourceLocation where, relative_where, attached_where;
 };
 
@@ -57,13 +58,14 @@ class SdfScopes {
   /// Where a scope lies in the world.
   RigidPose in_world(std::size_t scope);
   /// The link that a name's frame moves with; kNoSdf: the world.
-  std::size_t link(std::size_t scope, std::string_view name, const SourceLocation& where);
+  std::size_t link(std::size_t scope, std::size_t base, std::string_view name, const SourceLocation& where);
   /// The link that the frame of a scope moves with.
   std::size_t canonical_link(std::size_t scope, const SourceLocation& where);
   /// The joint of a name.
   std::size_t joint(std::size_t scope, std::string_view name, const SourceLocation& where) const;
 
  private:
+  std::size_t base_link(std::size_t scope, std::size_t base, const SourceLocation& where);
   /// Something in a scope, or (kNoSdf) the scope itself.
   struct Found {
     std::size_t scope, named;
