@@ -137,7 +137,7 @@ int run_identify(const CommonOptions& common, const IdentifyOptions& options) {
     throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
                      "the example loads the description, which must be a file");
   ExprGraph graph;
-  const Mechanism mechanism = load_mechanism(description_of(common.file, common.strict), graph);
+  const Mechanism mechanism = load_mechanism(description_of(common), graph);
   report_warnings(mechanism.warnings, common.strict);
   const BaseParameters found = base_parameters(symbolic_kinematics(mechanism, graph));
   fmt::print("{}", options.json ? json_of(mechanism, found) : table(mechanism, found));

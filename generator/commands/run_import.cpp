@@ -45,17 +45,21 @@ std::string imported_text(const std::shared_ptr<const SourceText>& source, const
   return yaml_text(described.document.root());
 }
 
-std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict) {
-  std::shared_ptr<const SourceText> source = read_expanded(file);
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common) {
+  std::shared_ptr<const SourceText> source = read_expanded(common.file);
   if (importer_unless_description(*source) == nullptr) return source;
+  DescribeOptions options;
+  options.include_folders = common.include_folders;
   return std::make_shared<const SourceText>(
-      SourceText{source->name + ", imported", imported_text(source, {}, strict)});
+      SourceText{source->name + ", imported", imported_text(source, options, common.strict)});
 }
 
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   std::string summary;
+  DescribeOptions describe_options = options.describe;
+  describe_options.include_folders = common.include_folders;
   const std::string text =
-      imported_text(read_expanded(common.file), options.describe, common.strict, &summary);
+      imported_text(read_expanded(common.file), describe_options, common.strict, &summary);
   if (!summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, summary));
   if (options.out == "-") {
     fmt::print("{}", text);
