@@ -10,7 +10,7 @@ if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
 fi
 if [ "${1:-}" = tests ]; then
   packages="$packages git python3 python3-pytest python3-distributed clang lld clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
-            liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsimbody-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
+            liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsdformat-dev libsimbody-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
 fi
 if [ "${1:-}" = gallery ] || [ "${1:-}" = tests ]; then
   packages="$packages chromium"

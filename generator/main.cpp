@@ -68,11 +68,20 @@ CLI::Validator above_zero() {
   return finite_number("a finite number above 0", [](double x) { return x > 0; });
 }
 
+/// Folders for the models that an SDF includes.
+void add_include(CLI::App* command, CommonOptions& common) {
+  command
+      ->add_option("--include", common.include_folders,
+                   "folder in which models are that an SDF includes (model://NAME); may be repeated")
+      ->allow_extra_args(false);
+}
+
 /// A command that reads a description.
 CLI::App* add_reader(CLI::App& app, const std::string& name, const std::string& description,
                      CommonOptions& common) {
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("file", common.file, "mechanism description (YAML); - is standard input")->required();
+  add_include(command, common);
   return command;
 }
 
@@ -376,6 +385,7 @@ int run(int argc, char** argv) {
           "kg), "
           "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
       ->default_str("keep");
+  add_include(command, common);
   command->add_flag("!--no-friction", import.describe.resistance,
                     "leave damping and friction of joints out of the description");
   command->callback([&] { result = run_import(common, import); });

@@ -37,7 +37,7 @@ constexpr std::size_t kBatchFactor = 12;
 
 CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind> functions,
                           Inapplicable inapplicable) {
-  return compile(common, description_of(common.file, common.strict), std::move(functions), inapplicable);
+  return compile(common, description_of(common), std::move(functions), inapplicable);
 }
 
 CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,

@@ -23,7 +23,8 @@ struct CommonOptions {
   std::size_t loop_results = kLoopResults;        ///< --loop-results
   Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
-  bool strict = false;  ///< warnings are errors
+  bool strict = false;                       ///< warnings are errors
+  std::vector<std::string> include_folders;  ///< --include: where models are that a file includes
   std::string dump_stage;
   std::vector<std::string> inputs;  ///< --input: NAME=EXPRESSION
 };

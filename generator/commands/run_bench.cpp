@@ -205,7 +205,7 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
   const Compiler compiler = compiler_of(options);
   const FunctionChoice choice = function_choice(options.functions);
   const CompiledMechanism compiled =
-      compile(common, description_of(common.file, common.strict), choice.kinds, choice.inapplicable);
+      compile(common, description_of(common), choice.kinds, choice.inapplicable);
   EmitOptions emit;
   emit.scalars = {"double"};
   set_batch(emit, common, options.batch);

@@ -181,7 +181,7 @@ void report_errors(const std::shared_ptr<const SourceText>& source, const Passes
 }  // namespace
 
 int run_check(const CommonOptions& common, const CheckOptions& options) {
-  const std::shared_ptr<const SourceText> source = description_of(common.file, common.strict);
+  const std::shared_ptr<const SourceText> source = description_of(common);
   try {
     const int result = check_laws(source, common.passes, common.strict);
     if (options.states > 0) report_errors(source, common.passes, options.states);

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "commands/run_import.hpp"
 #include "commands/warnings.hpp"
 #include "dynamics/choice/base_parameters.hpp"
 #include "dynamics/equations.hpp"
@@ -18,7 +19,6 @@
 #include "emit/files/write_files.hpp"
 #include "emit/text_template.hpp"
 #include "mechanism/load.hpp"
-#include "mechanism/source.hpp"
 
 namespace alembert {
 namespace {
@@ -137,7 +137,7 @@ int run_identify(const CommonOptions& common, const IdentifyOptions& options) {
     throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
                      "the example loads the description, which must be a file");
   ExprGraph graph;
-  const Mechanism mechanism = load_mechanism(read_source(common.file), graph);
+  const Mechanism mechanism = load_mechanism(description_of(common), graph);
   report_warnings(mechanism.warnings, common.strict);
   const BaseParameters found = base_parameters(symbolic_kinematics(mechanism, graph));
   fmt::print("{}", options.json ? json_of(mechanism, found) : table(mechanism, found));

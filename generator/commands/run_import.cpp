@@ -7,12 +7,12 @@
 #include <cstdio>
 
 #include "commands/common_options.hpp"
+#include "commands/expand_xacro.hpp"
 #include "commands/warnings.hpp"
 #include "emit/files/write_files.hpp"
 #include "import/common/yaml.hpp"
 #include "import/importers.hpp"
 #include "mechanism/load.hpp"
-#include "mechanism/source.hpp"
 
 namespace alembert {
 
@@ -22,7 +22,7 @@ namespace {
 DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
                         Warnings& warnings) {
   try {
-    return importer_of(*source).describe(source, options, warnings);
+    return describe_source(source, options, warnings);
   } catch (const InputError&) {
     report_warnings(warnings, false);
     throw;
@@ -45,16 +45,21 @@ std::string imported_text(const std::shared_ptr<const SourceText>& source, const
   return yaml_text(described.document.root());
 }
 
-std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict) {
-  std::shared_ptr<const SourceText> source = read_source(file);
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common) {
+  std::shared_ptr<const SourceText> source = read_expanded(common.file);
   if (importer_unless_description(*source) == nullptr) return source;
+  DescribeOptions options;
+  options.include_folders = common.include_folders;
   return std::make_shared<const SourceText>(
-      SourceText{source->name + ", imported", imported_text(source, {}, strict)});
+      SourceText{source->name + ", imported", imported_text(source, options, common.strict)});
 }
 
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   std::string summary;
-  const std::string text = imported_text(read_source(common.file), options.describe, common.strict, &summary);
+  DescribeOptions describe_options = options.describe;
+  describe_options.include_folders = common.include_folders;
+  const std::string text =
+      imported_text(read_expanded(common.file), describe_options, common.strict, &summary);
   if (!summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, summary));
   if (options.out == "-") {
     fmt::print("{}", text);

@@ -19,7 +19,7 @@ std::string imported_text(const std::shared_ptr<const SourceText>& source, const
                           bool strict, std::string* summary = nullptr);
 
 /// The text of a description, or that which is imported from a robot's file in another format.
-std::shared_ptr<const SourceText> description_of(const std::string& file, bool strict);
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common);
 
 int run_import(const CommonOptions& common, const ImportOptions& options);
 

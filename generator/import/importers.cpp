@@ -1,11 +1,15 @@
 // The table of importers (see the header).
 #include "import/importers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <initializer_list>
 
 #include "import/mjcf/describe_model.hpp"
 #include "import/mjcf/mjcf_model.hpp"
 #include "import/opensim/describe_osim.hpp"
+#include "import/sdf/describe_sdf.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
 
@@ -26,18 +30,64 @@ std::string_view root_of(std::string_view text) {
   return {};
 }
 
+constexpr unsigned options_of(std::initializer_list<ImportOption> options) {
+  unsigned out = 0;
+  for (const ImportOption option : options) out |= static_cast<unsigned>(option);
+  return out;
+}
+
 constexpr Importer kImporters[] = {
-    {"URDF", ".urdf", [](std::string_view text) { return root_of(text) == "robot"; },
+    {"URDF", ".urdf",
+     options_of(
+         {ImportOption::root, ImportOption::massless, ImportOption::friction, ImportOption::snap_angles}),
+     [](std::string_view text) { return root_of(text) == "robot"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
      }},
-    {"MJCF", ".mjcf", [](std::string_view text) { return root_of(text) == "mujoco"; },
+    {"MJCF", ".mjcf", options_of({ImportOption::friction, ImportOption::snap_angles}),
+     [](std::string_view text) { return root_of(text) == "mujoco"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_model(read_mjcf(source, warnings), source, options);
      }},
-    {"OpenSim", ".osim", [](std::string_view text) { return root_of(text) == "OpenSimDocument"; },
-     describe_osim},
+    {"SDF", ".sdf", options_of({ImportOption::friction, ImportOption::snap_angles, ImportOption::include}),
+     [](std::string_view text) { return root_of(text) == "sdf"; }, describe_sdf},
+    {"OpenSim", ".osim", options_of({ImportOption::snap_angles}),
+     [](std::string_view text) { return root_of(text) == "OpenSimDocument"; }, describe_osim},
 };
+
+struct OptionName {
+  ImportOption option;
+  std::string_view name;
+  bool (*is_given)(const DescribeOptions& options);
+};
+
+constexpr OptionName kOptionNames[] = {
+    {ImportOption::root, "--root", [](const DescribeOptions& options) { return options.floating; }},
+    {ImportOption::massless, "--massless",
+     [](const DescribeOptions& options) { return options.massless != Massless::keep; }},
+    {ImportOption::friction, "--no-friction",
+     [](const DescribeOptions& options) { return !options.resistance; }},
+    {ImportOption::snap_angles, "--snap-angles",
+     [](const DescribeOptions& options) { return options.snap_angles != DescribeOptions{}.snap_angles; }},
+    {ImportOption::include, "--include",
+     [](const DescribeOptions& options) { return !options.include_folders.empty(); }},
+};
+
+/// A warning of options without use.
+void warn_of_unused(const std::shared_ptr<const SourceText>& source, const Importer& importer,
+                    const DescribeOptions& options, Warnings& warnings) {
+  std::string names;
+  int count = 0;
+  for (const OptionName& each : kOptionNames) {
+    if ((importer.options & static_cast<unsigned>(each.option)) != 0 || !each.is_given(options)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(each.name);
+    ++count;
+  }
+  if (count > 0)
+    warnings.push_back(
+        {{source, 1, 1},
+         fmt::format("{} {} no meaning for {}", names, count == 1 ? "has" : "have", importer.format)});
+}
 
 const Importer* importer_by_name(const SourceText& source) {
   const auto found = std::ranges::find_if(
@@ -62,6 +112,13 @@ const Importer* importer_unless_description(const SourceText& source) {
   if (const Importer* const by_name = importer_by_name(source)) return by_name;
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && source.text[first] == '<' ? &importer_of(source) : nullptr;
+}
+
+DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
+                               const DescribeOptions& options, Warnings& warnings) {
+  const Importer& importer = importer_of(*source);
+  warn_of_unused(source, importer, options, warnings);
+  return importer.describe(source, options, warnings);
 }
 
 std::string importable_formats() {

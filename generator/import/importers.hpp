@@ -11,9 +11,13 @@
 
 namespace alembert {
 
+/// What of DescribeOptions a format has a use for.
+enum class ImportOption : unsigned { root = 1, massless = 2, friction = 4, snap_angles = 8, include = 16 };
+
 struct Importer {
   std::string_view format;     ///< what people call it
   std::string_view extension;  ///< of its files, with the dot
+  unsigned options;            ///< ImportOption, or'ed
   /// Whether a text without that extension, as from standard input, looks like one.
   bool (*recognises)(std::string_view text);
   /// A text in; its description in the language of mechanisms out, every value with its place in the text.
@@ -31,6 +35,11 @@ const Importer& importer_of(const SourceText& source);
 
 /// The importer of a source that is no description: whose name says so, or that is XML. Null for a description.
 const Importer* importer_unless_description(const SourceText& source);
+
+/// Describes a source by its importer. Options that are given and that its format has no use for are a warning.
+/// Throws InputError.
+DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
+                               const DescribeOptions& options, Warnings& warnings);
 
 /// `URDF`, or `A, B or C`.
 std::string importable_formats();

@@ -184,5 +184,83 @@ TEST(Import, IsDoneInSecondsWhateverIsNested) {
   EXPECT_THAT(result.err, testing::HasSubstr(": error: "));
 }
 
+/// Stands in for xacro, which few machines have: takes <xacro:nothing/> out, or fails.
+class Xacro : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* const path = std::getenv("PATH");
+    before_ = path == nullptr ? "" : path;
+    std::filesystem::create_directories(folder_ / "bin");
+    const std::string program =
+        folder_.write("bin/xacro",
+                      "#!/bin/sh\nif grep -q wrong \"$1\"; then echo \"no macro wrong\" >&2; exit 2; fi\n"
+                      "echo \"$#\" > \"$(dirname \"$0\")/arguments\"\nsed 's:<xacro.nothing/>::' \"$1\"\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+  void TearDown() override { setenv("PATH", before_.c_str(), 1); }
+  void put_on_path() const { setenv("PATH", ((folder_ / "bin") + ":" + before_).c_str(), 1); }
+
+  static std::string robot(const std::string& inner) {
+    return "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><link name='a'/><link "
+           "name='b'><inertial><mass "
+           "value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><joint "
+           "name='j' "
+           "type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint>" +
+           inner + "</robot>";
+  }
+
+  TemporaryFolder folder_;
+
+ private:
+  std::string before_;
+};
+
+TEST_F(Xacro, ExpandsWhatUsesIt) {
+  put_on_path();
+  // No shell reads the name.
+  const std::string name = "x; touch gone $(touch gone) .xacro";
+  const std::string file = folder_.write(name, robot("<xacro:nothing/>"));
+  const CommandResult result = alembert(folder_, "import '" + file + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, testing::HasSubstr("coordinates: [j]"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "gone"));
+  EXPECT_EQ(read_text(folder_ / "bin/arguments"), "1\n");
+  const std::string urdf = folder_.write("r.urdf", robot("<xacro:nothing/>"));
+  EXPECT_EQ(alembert(folder_, "report " + urdf + " --functions energy").exit_code, 0);
+  // What it made needs it no more.
+  std::filesystem::remove(folder_ / "bin/arguments");
+  EXPECT_EQ(alembert(folder_, "import " + folder_.write("s.urdf", robot(""))).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bin/arguments"));
+}
+
+TEST_F(Xacro, SaysWhatIsWrong) {
+  put_on_path();
+  const CommandResult result =
+      alembert(folder_, "import " + folder_.write("r.xacro", robot("<xacro:wrong/>")));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::HasSubstr("r.xacro:1:1: error: xacro failed with exit code 2"));
+  EXPECT_THAT(result.err, testing::HasSubstr("no macro wrong"));
+}
+
+TEST_F(Xacro, IsMissed) {
+  setenv("PATH", "/usr/bin:/bin", 1);
+  if (std::filesystem::exists("/usr/bin/xacro") || std::filesystem::exists("/bin/xacro"))
+    GTEST_SKIP() << "this machine has xacro";
+  const CommandResult result = alembert(folder_, "import " + folder_.write("r.xacro", robot("")));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, testing::HasSubstr("this needs the program xacro, which is not on PATH"));
+  EXPECT_THAT(result.err, testing::HasSubstr("expand it first: xacro FILE > robot.urdf"));
+}
+
+TEST(Import, TakesSdfInEveryCommand) {
+  const TemporaryFolder folder;
+  const std::string file = ALEMBERT_SOURCE_DIR "/tests/sdf/models/gears.sdf";
+  EXPECT_EQ(alembert(folder, "report " + file + " --functions energy").exit_code, 0);
+  EXPECT_EQ(alembert(folder, "check " + file + " --states 3").exit_code, 0);
+  const CommandResult result = alembert(folder, "import " + file + " --massless freeze --root floating");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, testing::HasSubstr("warning: --root, --massless have no meaning for SDF"));
+}
+
 }  // namespace
 }  // namespace alembert::test

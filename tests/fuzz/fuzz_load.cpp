@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes in; the loader, or the reader of URDF or OpenSim if they begin as XML does, must give a
+// libFuzzer target: any bytes in; the loader, or the reader of URDF, SDF or OpenSim if they begin as XML does, must give a
 // mechanism or an InputError with a place inside the text, and never crash, hang, leak or throw anything
 // else.
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "import/common/yaml.hpp"
 #include "import/opensim/describe_osim.hpp"
+#include "import/sdf/describe_sdf.hpp"
 #include "import/urdf/describe.hpp"
 #include "import/urdf/robot.hpp"
 #include "mechanism/load.hpp"
@@ -22,6 +23,8 @@ alembert::Mechanism load(const std::shared_ptr<const alembert::SourceText>& sour
   alembert::Warnings warnings;
   if (source->text.find("<OpenSimDocument") != std::string::npos)
     return alembert::load_mechanism(alembert::describe_osim(source, {}, warnings).document, graph);
+  if (source->text.find("<sdf") != std::string::npos)
+    return alembert::load_mechanism(alembert::describe_sdf(source, {}, warnings).document, graph);
   const alembert::UrdfRobot robot = alembert::read_urdf(source, warnings);
   // All options, by the length of the text.
   const std::size_t length = source->text.size();
@@ -56,7 +59,7 @@ void check_mechanism(const alembert::Mechanism& mechanism) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   auto source = std::make_shared<alembert::SourceText>();
-  source->name = "fuzz";
+  source->name = "<stdin>";  // which has no folder
   source->text.assign(reinterpret_cast<const char*>(data), size);
   const std::ptrdiff_t lines = std::count(source->text.begin(), source->text.end(), '\n') + 1;
   alembert::ExprGraph graph;
@@ -65,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const alembert::InputError& error) {
     require(error.where().line >= 1 && error.where().line <= lines, "a line outside the text");
     require(error.where().column >= 1, "a column before the line");
-    require(std::string(error.what()).starts_with("fuzz:"), "a diagnostic without its place");
+    require(std::string(error.what()).starts_with("<stdin>:"), "a diagnostic without its place");
   }
   return 0;
 }

@@ -20,7 +20,7 @@ struct Imported {
 
 inline Imported import(std::shared_ptr<const SourceText> source, const DescribeOptions& options = {}) {
   Warnings warnings;
-  const DescribedRobot described = importer_of(*source).describe(source, options, warnings);
+  const DescribedRobot described = describe_source(source, options, warnings);
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());

@@ -1,6 +1,9 @@
 // What every importer is asked for, and what it gives.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "mechanism/document.hpp"
 #include "support/error.hpp"
 
@@ -23,6 +26,8 @@ struct DescribeOptions {
   Massless massless = Massless::keep;  ///< what becomes of joints that move no mass
   double armature = 1e-4;              ///< kg m^2 or kg, of their coordinates, if they get one
   bool resistance = true;              ///< damping and friction of joints act
+  std::vector<std::string> include_folders =
+      {};  ///< where included models are looked for, besides the file's folder
 };
 
 struct DescribedRobot {

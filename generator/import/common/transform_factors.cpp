@@ -15,6 +15,26 @@ Vector clean_axis(const Vector& axis) {
   return without_rounding(axis, std::hypot(axis[0], axis[1], axis[2]));
 }
 
+/// Roll, pitch and yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll). About a coordinate axis, the angle about it.
+Vector angles_of(const Eigen::Quaterniond& turn) {
+  constexpr double kRounding = 1e-12;
+  const Eigen::Vector3d axis = turn.vec();
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(axis[(i + 1) % 3]) > kRounding || std::abs(axis[(i + 2) % 3]) > kRounding) continue;
+    Vector out{};
+    const double sign = turn.w() < 0 ? -1 : 1;
+    out[static_cast<std::size_t>(i)] = 2 * std::atan2(sign * axis[i], sign * turn.w());
+    return out;
+  }
+  Eigen::Matrix3d r = turn.toRotationMatrix();
+  for (double& entry : r.reshaped())
+    if (std::abs(entry) < kRounding) entry = 0;
+  const double yaw = std::atan2(r(1, 0), r(0, 0)), c = std::cos(yaw), s = std::sin(yaw);
+  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  // From what yaw leaves: right where yaw and roll turn about one axis, too.
+  return {std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1)), pitch, yaw};
+}
+
 }  // namespace
 
 Vector without_rounding(Vector v, double length) {
@@ -37,6 +57,10 @@ void TransformFactors::add_pose(YamlNode& factors, const Vector& xyz, const Vect
     const SnappedAngle angle(rpy[axis], snap_angles_);
     if (!angle.is_zero()) add_rotation(factors, letter(axis, where), angle.text(), where);
   }
+}
+
+void TransformFactors::add_pose(YamlNode& factors, const RigidPose& pose, const SourceLocation& where) const {
+  add_pose(factors, {pose.shift.x(), pose.shift.y(), pose.shift.z()}, angles_of(pose.turn), where);
 }
 
 void TransformFactors::add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "import/common/description_nodes.hpp"
+#include "import/common/rigid_pose.hpp"
 
 namespace alembert {
 
@@ -23,6 +24,7 @@ class TransformFactors {
   /// Appends a shift by xyz and the rotation Rz(yaw) Ry(pitch) Rx(roll), rpy being roll, pitch and yaw.
   void add_pose(YamlNode& factors, const std::array<double, 3>& xyz, const std::array<double, 3>& rpy,
                 const SourceLocation& where) const;
+  void add_pose(YamlNode& factors, const RigidPose& pose, const SourceLocation& where) const;
   void add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,
                     const SourceLocation& where) const;
   /// Appends a shift by a position along an axis.

@@ -180,19 +180,32 @@ pugi::xml_attribute XmlText::require_attribute(pugi::xml_node element, const cha
   return found;
 }
 
+SourceLocation XmlText::where_text(pugi::xml_node element) const {
+  const std::string_view text = element.child_value();
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? where(element) : place_of(text.data() + first, 0);
+}
+
 std::vector<double> XmlText::number_list(pugi::xml_attribute attribute, std::string_view what,
                                          std::size_t least, std::size_t most) const {
-  const std::string_view text = attribute.value();
+  return number_list(attribute.value(), where(attribute), what, least, most);
+}
+
+std::vector<double> XmlText::number_list(pugi::xml_node element, std::string_view what, std::size_t least,
+                                         std::size_t most) const {
+  return number_list(element.child_value(), where_text(element), what, least, most);
+}
+
+std::vector<double> XmlText::number_list(std::string_view text, const SourceLocation& where,
+                                         std::string_view what, std::size_t least, std::size_t most) const {
   const auto fail = [&] {
     if (text.find("${") != std::string_view::npos)
-      return InputError(where(attribute), fmt::format("'{}' is of xacro, not of URDF", printable(text)),
-                        kExpandXacro);
-    return InputError(where(attribute),
-                      fmt::format("expected {} as {}, found '{}'",
-                                  most == 1       ? "a number"
-                                  : least == most ? fmt::format("{} numbers", most)
-                                                  : fmt::format("{} to {} numbers", least, most),
-                                  what, printable(text)));
+      return InputError(where, fmt::format("'{}' is of xacro, not of URDF", printable(text)), kExpandXacro);
+    return InputError(where, fmt::format("expected {} as {}, found '{}'",
+                                         most == 1       ? "a number"
+                                         : least == most ? fmt::format("{} numbers", most)
+                                                         : fmt::format("{} to {} numbers", least, most),
+                                         what, printable(text)));
   };
   const auto skip_space = [&](std::size_t at) {
     while (at < text.size() && is_space(text[at])) ++at;
@@ -217,7 +230,7 @@ std::vector<double> XmlText::number_list(pugi::xml_attribute attribute, std::str
     i = end;
   }
   if (out.size() < least) throw fail();
-  if (split) warn({where(attribute), fmt::format("a blank after a sign in {}", what), {}, "split sign"});
+  if (split) warn({where, fmt::format("a blank after a sign in {}", what), {}, "split sign"});
   return out;
 }
 

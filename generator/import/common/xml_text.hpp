@@ -84,8 +84,15 @@ class XmlText {
   double number(pugi::xml_attribute attribute, std::string_view what) const {
     return numbers<1>(attribute, what)[0];
   }
+  /// The same of an element's text.
+  std::vector<double> number_list(pugi::xml_node element, std::string_view what, std::size_t least,
+                                  std::size_t most) const;
+  /// Of an element's text, without the white space before it; of the element where it has none.
+  SourceLocation where_text(pugi::xml_node element) const;
 
  private:
+  std::vector<double> number_list(std::string_view text, const SourceLocation& where, std::string_view what,
+                                  std::size_t least, std::size_t most) const;
   void blank_strange_bytes();
   void check_duplicate_attributes() const;
   void warn_instead(const InputError& error, const std::string& consequence) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "import/common/mass_nodes.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
 
@@ -17,26 +18,6 @@ Vector array_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// Roll, pitch and yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll). About a coordinate axis, the angle about it.
-Vector angles_of(const Eigen::Quaterniond& turn) {
-  constexpr double kRounding = 1e-12;
-  const Eigen::Vector3d axis = turn.vec();
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(axis[(i + 1) % 3]) > kRounding || std::abs(axis[(i + 2) % 3]) > kRounding) continue;
-    Vector out{};
-    const double sign = turn.w() < 0 ? -1 : 1;
-    out[static_cast<std::size_t>(i)] = 2 * std::atan2(sign * axis[i], sign * turn.w());
-    return out;
-  }
-  Eigen::Matrix3d r = turn.toRotationMatrix();
-  for (double& entry : r.reshaped())
-    if (std::abs(entry) < kRounding) entry = 0;
-  const double yaw = std::atan2(r(1, 0), r(0, 0)), c = std::cos(yaw), s = std::sin(yaw);
-  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
-  // From what yaw leaves: right where yaw and roll turn about one axis, too.
-  return {std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1)), pitch, yaw};
-}
-
 /// Whether the sum of two shifts is none.
 Eigen::Vector3d cleaned(Eigen::Vector3d v, double scale) {
   for (double& x : v)
@@ -45,10 +26,6 @@ Eigen::Vector3d cleaned(Eigen::Vector3d v, double scale) {
 }
 
 }  // namespace
-
-void MjcfBodyNodes::add_pose(YamlNode& factors, const MjcfPose& pose, const SourceLocation& where) const {
-  factors_.add_pose(factors, array_of(pose.shift), angles_of(pose.turn), where);
-}
 
 double MjcfBodyNodes::armature(std::size_t joint) const {
   double sum = model_.joints[joint].armature;
@@ -79,7 +56,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
     start.assign(model_.start.begin() + static_cast<std::ptrdiff_t>(first),
                  model_.start.begin() + static_cast<std::ptrdiff_t>(first + position_count(joint.type)));
   } else if (free) {
-    const MjcfPose& pose = model_.bodies[joint.body].pose;
+    const RigidPose& pose = model_.bodies[joint.body].pose;
     start = {pose.shift.x(), pose.shift.y(), pose.shift.z(), pose.turn.w(),
              pose.turn.x(),  pose.turn.y(),  pose.turn.z()};
   } else {
@@ -168,9 +145,9 @@ void MjcfBodyNodes::add_joints(YamlNode& factors, const MjcfBody& body) const {
   if (!body.joints.empty() && model_.joints[body.joints[0]].type == MjcfJointType::free)
     return factors_.add_free(factors, naming_.coordinates(body.joints[0]), body.where);
   // Shifts that follow each other are one.
-  MjcfPose pending = body.pose;
+  RigidPose pending = body.pose;
   const auto flush = [&] {
-    add_pose(factors, pending, body.where);
+    factors_.add_pose(factors, pending, body.where);
     pending = {};
   };
   for (const std::size_t j : body.joints) {
@@ -188,61 +165,13 @@ void MjcfBodyNodes::add_joints(YamlNode& factors, const MjcfBody& body) const {
   flush();
 }
 
-void MjcfBodyNodes::add_mass(YamlNode& node, const MjcfBody& body) const {
-  const BodyMass& mass = body.mass;
-  if (mass.mass == 0 && mass.inertia.isZero()) return;
-  nodes_.put(node, "mass", nodes_.text(number_text(mass.mass), body.where));
-  if (const Vector com = without_rounding(array_of(mass.centre), 1); com != Vector{})
-    nodes_.put(node, "com", nodes_.numbers(com, body.where));
-  if (mass.inertia.isZero()) return;
-  YamlNode& entries = nodes_.mapping(body.where);
-  const double rounding = 1e-14 * mass.inertia.cwiseAbs().maxCoeff();
-  for (const std::string_view key : {"xx", "yy", "zz", "xy", "xz", "yz"}) {
-    const double value = mass.inertia(key[0] - 'x', key[1] - 'x');
-    if (key[0] == key[1] || std::abs(value) > rounding)
-      nodes_.put(entries, std::string(key), nodes_.text(number_text(value), body.where));
-  }
-  nodes_.put(node, "inertia", entries);
-}
-
 void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
   // Those that MuJoCo's viewers show; of a body that has none, the others.
-  const bool any = std::ranges::any_of(body.shapes, [](const MjcfShape& shape) { return !shape.hidden; });
+  const bool any = std::ranges::any_of(body.shapes, [](const SolidShape& shape) { return !shape.hidden; });
   YamlNode& shapes = nodes_.sequence(body.where);
-  for (const MjcfShape& shape : body.shapes) {
+  for (const SolidShape& shape : body.shapes) {
     if (any && shape.hidden) continue;
-    YamlNode& item = nodes_.mapping(shape.where);
-    const Vector& s = shape.sizes;
-    const auto put_radius_and_length = [&](std::string key) {
-      YamlNode& size = nodes_.mapping(shape.where);
-      nodes_.put(size, "radius", nodes_.text(number_text(s[0]), shape.where));
-      nodes_.put(size, "length", nodes_.text(number_text(s[1]), shape.where));
-      nodes_.put(item, std::move(key), size);
-    };
-    switch (shape.kind) {
-      case MjcfShapeKind::sphere:
-        nodes_.put(item, "sphere", nodes_.text(number_text(s[0]), shape.where));
-        break;
-      case MjcfShapeKind::box:
-        nodes_.put(item, "box", nodes_.numbers(s, shape.where));
-        break;
-      case MjcfShapeKind::ellipsoid:
-        nodes_.put(item, "ellipsoid", nodes_.numbers(s, shape.where));
-        break;
-      case MjcfShapeKind::cylinder:
-        put_radius_and_length("cylinder");
-        break;
-      case MjcfShapeKind::capsule:
-        put_radius_and_length("capsule");
-        break;
-      case MjcfShapeKind::none:
-        continue;
-    }
-    YamlNode& factors = nodes_.sequence(shape.where);
-    add_pose(factors, shape.pose, shape.where);
-    if (!factors.items.empty()) nodes_.put(item, "transform", factors);
-    if (shape.colour) nodes_.put(item, "color", nodes_.numbers(*shape.colour, shape.where));
-    shapes.items.push_back(&item);
+    add_shape(nodes_, factors_, shapes, shape);
   }
   if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
 }
@@ -255,7 +184,7 @@ void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
   YamlNode& factors = nodes_.sequence(body.where);
   add_joints(factors, body);
   if (!factors.items.empty()) nodes_.put(node, "transform", factors);
-  add_mass(node, body);
+  add_mass(nodes_, node, body.mass, body.where);
   add_shapes(node, body);
   list.items.push_back(&node);
 }
@@ -271,13 +200,13 @@ void MjcfBodyNodes::add_scenery(YamlNode& list) const {
   list.items.push_back(&node);
 }
 
-void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body, const MjcfPose& pose,
-                              const SourceLocation& where) const {
+void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body,
+                              const RigidPose& pose, const SourceLocation& where) const {
   YamlNode& node = nodes_.mapping(where);
   nodes_.put(node, "name", nodes_.text(name, where));
   nodes_.put(node, "body", nodes_.text(naming_.body(body), where));
   YamlNode& factors = nodes_.sequence(where);
-  add_pose(factors, pose, where);
+  factors_.add_pose(factors, pose, where);
   if (!factors.items.empty()) nodes_.put(node, "transform", factors);
   list.items.push_back(&node);
 }

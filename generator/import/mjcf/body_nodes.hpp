@@ -22,7 +22,7 @@ class MjcfBodyNodes {
   void add_body(YamlNode& list, std::size_t body) const;
   /// What of the world is drawn.
   void add_scenery(YamlNode& list) const;
-  void add_frame(YamlNode& list, const std::string& name, std::size_t body, const MjcfPose& pose,
+  void add_frame(YamlNode& list, const std::string& name, std::size_t body, const RigidPose& pose,
                  const SourceLocation& where) const;
 
  private:
@@ -30,9 +30,7 @@ class MjcfBodyNodes {
   double armature(std::size_t joint) const;
   void add_joints(YamlNode& factors, const MjcfBody& body) const;
   void add_turn(YamlNode& factors, std::size_t joint) const;
-  void add_pose(YamlNode& factors, const MjcfPose& pose, const SourceLocation& where) const;
   void add_shapes(YamlNode& node, const MjcfBody& body) const;
-  void add_mass(YamlNode& node, const MjcfBody& body) const;
 
   DescriptionNodes& nodes_;
   const MjcfModel& model_;

@@ -40,14 +40,6 @@ Quaterniond from_z(const Vector3d& z) {
 
 }  // namespace
 
-MjcfPose operator*(const MjcfPose& first, const MjcfPose& then) {
-  return {first.shift + first.turn * then.shift, (first.turn * then.turn).normalized()};
-}
-
-MjcfPose inverse(const MjcfPose& pose) {
-  return {-(pose.turn.conjugate() * pose.shift), pose.turn.conjugate()};
-}
-
 double MjcfCompiler::angle(double value) const {
   return degrees ? value * std::numbers::pi / 180 : value;
 }
@@ -88,7 +80,7 @@ Quaterniond MjcfCompiler::turn(const MjcfElement& element) const {
   return out.normalized();
 }
 
-MjcfPose MjcfCompiler::pose(const MjcfElement& element) const {
+RigidPose MjcfCompiler::pose(const MjcfElement& element) const {
   return {element.vector("pos", Vector3d::Zero()), turn(element)};
 }
 

@@ -1,21 +1,13 @@
 // What <compiler> says of how a model is to be read; orientations, which depend on it.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <string>
 
+#include "import/common/rigid_pose.hpp"
 #include "import/mjcf/element.hpp"
 
 namespace alembert {
-
-/// Shift, then rotation.
-struct MjcfPose {
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-};
-MjcfPose operator*(const MjcfPose& first, const MjcfPose& then);
-MjcfPose inverse(const MjcfPose& pose);
 
 struct MjcfCompiler {
   bool degrees = true;
@@ -30,7 +22,7 @@ struct MjcfCompiler {
 
   /// Radians of an angle as the model gives it.
   double angle(double value) const;
-  MjcfPose pose(const MjcfElement& element) const;
+  RigidPose pose(const MjcfElement& element) const;
   Eigen::Quaterniond turn(const MjcfElement& element) const;
 };
 

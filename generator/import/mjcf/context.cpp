@@ -114,7 +114,7 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
   }
   equality.first = context.find(of, "body1", "body", context.tree.bodies);
   equality.second = of.has("body2") ? context.find(of, "body2", "body", context.tree.bodies) : 0;
-  const MjcfPose between =
+  const RigidPose between =
       inverse(reference_pose(model, equality.first)) * reference_pose(model, *equality.second);
   const Eigen::Vector3d anchor = of.vector("anchor", Eigen::Vector3d::Zero());
   if (weld) {

@@ -14,20 +14,11 @@ std::string count_text(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-void warn_of_options(const MjcfModel& model, const DescribeOptions& options, Warnings& warnings) {
-  if (options.floating)
-    warnings.push_back({model.where, "--root says nothing of MJCF, whose free joints say what floats"});
-  if (options.massless != Massless::keep)
-    warnings.push_back(
-        {model.where, "--massless says nothing of MJCF: MuJoCo has no joints that move no mass"});
-}
-
 }  // namespace
 
 DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const SourceText> source,
                               const DescribeOptions& options) {
   Warnings warnings;
-  warn_of_options(model, options, warnings);
   const SourceLocation& top = model.where;
   DescriptionNodes nodes(model.places);
   MjcfNaming naming(model, warnings);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "import/common/mass_nodes.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
 
@@ -293,11 +294,8 @@ void MjcfForceNodes::add_borne_weight(YamlNode& list) {
     if (body.weightless == 0 || body.mass.mass == 0 || !moves(b)) continue;
     const std::string frame = naming_.new_frame(naming_.body(b) + "_centre");
     bodies_.add_frame(frames_, frame, b, {body.mass.centre, Eigen::Quaterniond::Identity()}, body.where);
-    YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_gravcomp"), body.where);
-    nodes_.put(node, "at", nodes_.text(frame, body.where));
-    nodes_.put(node, "axes", nodes_.text("world", body.where));
-    const Eigen::Vector3d lift = -body.weightless * body.mass.mass * model_.gravity;
-    nodes_.put(node, "force", nodes_.numbers({lift.x(), lift.y(), lift.z()}, body.where));
+    alembert::add_borne_weight(nodes_, list, naming_.new_force(naming_.body(b) + "_gravcomp"), frame,
+                               -body.weightless * body.mass.mass * model_.gravity, body.where);
   }
 }
 

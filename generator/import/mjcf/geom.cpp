@@ -3,89 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace alembert {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 constexpr int kVisibleGroups = 3;  // 0, 1 and 2, as MuJoCo's viewers have it
-
-/// Inertia about the centre from integrals of x^2, y^2 and z^2.
-Eigen::Matrix3d from_squares(double xx, double yy, double zz) {
-  return Eigen::Vector3d(yy + zz, xx + zz, xx + yy).asDiagonal();
-}
-
-BodyMass solid(MjcfShapeKind kind, const std::array<double, 3>& s) {
-  const double a = s[0], b = s[1], c = s[2];
-  switch (kind) {
-    case MjcfShapeKind::sphere: {
-      const double m = 4 * kPi / 3 * a * a * a, each = m * a * a / 5;
-      return {m, {0, 0, 0}, from_squares(each, each, each)};
-    }
-    case MjcfShapeKind::ellipsoid: {
-      const double m = 4 * kPi / 3 * a * b * c / 5;
-      return {5 * m, {0, 0, 0}, from_squares(m * a * a, m * b * b, m * c * c)};
-    }
-    case MjcfShapeKind::box: {
-      const double m = 8 * a * b * c / 3;
-      return {3 * m, {0, 0, 0}, from_squares(m * a * a, m * b * b, m * c * c)};
-    }
-    case MjcfShapeKind::cylinder: {
-      const double m = 2 * kPi * a * a * b;
-      return {m, {0, 0, 0}, from_squares(m * a * a / 4, m * a * a / 4, m * b * b / 3)};
-    }
-    case MjcfShapeKind::capsule: {
-      // A cylinder, and two halves of a ball whose centres of mass lie 3/8 of the radius outside its ends.
-      const double m = 2 * kPi * a * a * b, ball = 4 * kPi / 3 * a * a * a;
-      const double across = m * a * a / 4 + ball * a * a / 5;
-      const double along = m * b * b / 3 + ball * (a * a / 5 + b * b + 3 * a * b / 4);
-      return {m + ball, {0, 0, 0}, from_squares(across, across, along)};
-    }
-    case MjcfShapeKind::none:
-      break;
-  }
-  return {};
-}
-
-/// Of the surface, the mass being the area.
-BodyMass surface(MjcfShapeKind kind, const std::array<double, 3>& s) {
-  const double a = s[0], b = s[1], c = s[2];
-  switch (kind) {
-    case MjcfShapeKind::sphere: {
-      const double m = 4 * kPi * a * a, each = m * a * a / 3;
-      return {m, {0, 0, 0}, from_squares(each, each, each)};
-    }
-    case MjcfShapeKind::box: {
-      const double x = 8 * b * c, y = 8 * a * c, z = 8 * a * b;  // areas of pairs of faces
-      return {x + y + z,
-              {0, 0, 0},
-              from_squares(a * a * (x + y / 3 + z / 3), b * b * (y + x / 3 + z / 3),
-                           c * c * (z + x / 3 + y / 3))};
-    }
-    case MjcfShapeKind::cylinder: {
-      const double side = 4 * kPi * a * b, ends = 2 * kPi * a * a;
-      const double across = side * a * a / 2 + ends * a * a / 4;
-      return {side + ends, {0, 0, 0}, from_squares(across, across, side * b * b / 3 + ends * b * b)};
-    }
-    case MjcfShapeKind::capsule: {
-      const double side = 4 * kPi * a * b, ball = 4 * kPi * a * a;
-      const double across = side * a * a / 2 + ball * a * a / 3;
-      const double along = side * b * b / 3 + ball * (a * a / 3 + b * b + a * b);
-      return {side + ball, {0, 0, 0}, from_squares(across, across, along)};
-    }
-    case MjcfShapeKind::ellipsoid:
-    case MjcfShapeKind::none:
-      break;
-  }
-  return {};
-}
 
 }  // namespace
 
-MjcfGeom::MjcfGeom(const MjcfElement& element, const MjcfPose& frame, const MjcfCompiler& compiler,
+MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const MjcfCompiler& compiler,
                    const MjcfAssets& assets)
     : element_(element), assets_(assets) {
   shape_.where = element.where();
@@ -93,13 +19,13 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const MjcfPose& frame, const Mjcf
       "type", {"plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf"}, 2);
   massless_kind_ = type < 2;
   mesh_ = type >= 7;
-  constexpr MjcfShapeKind kKinds[] = {MjcfShapeKind::sphere, MjcfShapeKind::capsule, MjcfShapeKind::ellipsoid,
-                                      MjcfShapeKind::cylinder, MjcfShapeKind::box};
+  constexpr SolidKind kKinds[] = {SolidKind::sphere, SolidKind::capsule, SolidKind::ellipsoid,
+                                  SolidKind::cylinder, SolidKind::box};
   group_ = static_cast<int>(element.number("group", 0));
   const bool primitive = type >= 2 && type < 7;
   // A primitive with a mesh is fitted to that, which is for viewers and contacts.
   if (primitive && !element.has("mesh")) shape_.kind = kKinds[type - 2];
-  MjcfPose pose = compiler.pose(element);
+  RigidPose pose = compiler.pose(element);
   constexpr std::size_t kCounts[] = {1, 2, 3, 2, 3};
   std::size_t count = primitive ? kCounts[type - 2] : 0;
   if (const std::vector<double> ends = element.list("fromto", 6, 6);
@@ -110,17 +36,17 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const MjcfPose& frame, const Mjcf
       throw element.error("fromto", fmt::format("the ends of {} are one point", element.what()));
     pose.shift = (from + to) / 2;
     pose.turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), (from - to) / length);
-    if (shape_.kind != MjcfShapeKind::none) read_sizes(1);
+    if (shape_.kind != SolidKind::none) read_sizes(1);
     half_[1] = length / 2;
     if (count == 3) half_ = {half_[0], half_[0], length / 2};
-  } else if (shape_.kind != MjcfShapeKind::none) {
+  } else if (shape_.kind != SolidKind::none) {
     read_sizes(count);
   }
   shape_.pose = frame * pose;
   shape_.hidden = group_ >= kVisibleGroups;
   shape_.sizes = half_;
   if (count == 2) shape_.sizes[1] *= 2;
-  if (shape_.kind == MjcfShapeKind::box)
+  if (shape_.kind == SolidKind::box)
     for (double& size : shape_.sizes) size *= 2;
   if (const std::vector<double> rgba = element.list("rgba", 4, 4); !rgba.empty())
     shape_.colour = {rgba[0], rgba[1], rgba[2]};
@@ -147,15 +73,16 @@ BodyMass MjcfGeom::of_unit_density(bool shell) const {
     const BodyMass mesh = assets_.mesh(element_, shell);
     return mesh.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
   }
-  if (shape_.kind == MjcfShapeKind::none)
+  if (shape_.kind == SolidKind::none)
     throw element_.error(
         "mesh", fmt::format("{} is fitted to a mesh: its inertia is not worked out", element_.what()),
         "give the body an <inertial>");
-  if (shell && shape_.kind == MjcfShapeKind::ellipsoid)
+  if (shell && shape_.kind == SolidKind::ellipsoid)
     throw element_.error("shellinertia", fmt::format("{} is the shell of an ellipsoid, whose inertia is not "
                                                      "worked out",
                                                      element_.what()));
-  const BodyMass out = shell ? surface(shape_.kind, half_) : solid(shape_.kind, half_);
+  const BodyMass out =
+      shell ? surface_of_unit_density(shape_.kind, half_) : solid_of_unit_density(shape_.kind, half_);
   return out.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
 }
 

@@ -14,7 +14,7 @@ BodyMass read_inertial(const MjcfElement& element, const MjcfCompiler& compiler)
           element.node(), element.what(), {},
           {"pos", "quat", "mass", "diaginertia", "axisangle", "xyaxes", "zaxis", "euler", "fullinertia"});
   BodyMass out;
-  const MjcfPose pose = compiler.pose(element);
+  const RigidPose pose = compiler.pose(element);
   if (!element.has("mass")) throw InputError(element.where(), "no attribute 'mass' of an inertial");
   out.mass = element.number("mass", 0);
   if (out.mass < 0) throw element.error("mass", "the mass of an inertial is negative");

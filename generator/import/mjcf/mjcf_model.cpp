@@ -81,19 +81,20 @@ void check_sections(const MjcfText& text) {
       throw InputError(text.where(flex), "a flexible body (<flex>) cannot be expressed");
 }
 
-MjcfPose pose_at(const MjcfModel& model, std::size_t body, bool rest) {
-  MjcfPose out;
+RigidPose pose_at(const MjcfModel& model, std::size_t body, bool rest) {
+  RigidPose out;
   for (; body != 0; body = model.bodies[body].parent) {
-    MjcfPose own = model.bodies[body].pose;
+    RigidPose own = model.bodies[body].pose;
     for (const std::size_t j : model.bodies[body].joints) {
       const MjcfJoint& joint = model.joints[j];
       const double by = joint.rest - joint.reference;
       if (!rest || by == 0) continue;
       const Eigen::Vector3d axis = joint.axis.normalized();
-      if (joint.type == MjcfJointType::slide) own = own * MjcfPose{by * axis, Eigen::Quaterniond::Identity()};
+      if (joint.type == MjcfJointType::slide)
+        own = own * RigidPose{by * axis, Eigen::Quaterniond::Identity()};
       if (joint.type != MjcfJointType::hinge) continue;
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(by, axis));
-      own = own * MjcfPose{joint.position - turn * joint.position, turn};
+      own = own * RigidPose{joint.position - turn * joint.position, turn};
     }
     out = own * out;
   }
@@ -109,11 +110,11 @@ std::size_t speed_count(MjcfJointType type) {
   return type == MjcfJointType::free ? 6 : type == MjcfJointType::ball ? 3 : 1;
 }
 
-MjcfPose reference_pose(const MjcfModel& model, std::size_t body) {
+RigidPose reference_pose(const MjcfModel& model, std::size_t body) {
   return pose_at(model, body, false);
 }
 
-MjcfPose rest_pose(const MjcfModel& model, std::size_t body) {
+RigidPose rest_pose(const MjcfModel& model, std::size_t body) {
   return pose_at(model, body, true);
 }
 

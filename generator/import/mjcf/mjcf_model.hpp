@@ -30,13 +30,13 @@ struct MjcfJoint {
 struct MjcfBody {
   std::string name;
   std::size_t parent = 0;
-  MjcfPose pose;                                    ///< in its parent, where no joint has moved
+  RigidPose pose;                                   ///< in its parent, where no joint has moved
   BodyMass mass;                                    ///< in its own frame
   std::optional<Eigen::Quaterniond> inertial_turn;  ///< axes of its inertia, if the model says them
   double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
-  std::vector<MjcfShape> shapes;
+  std::vector<SolidShape> shapes;
   SourceLocation where;
 };
 
@@ -44,7 +44,7 @@ struct MjcfBody {
 struct MjcfPlace {
   std::string name;
   std::size_t body = 0;
-  MjcfPose pose;
+  RigidPose pose;
   SourceLocation where;
 };
 
@@ -94,7 +94,7 @@ struct MjcfEquality {
   MjcfEqualityType type = MjcfEqualityType::connect;
   std::size_t first = 0;              ///< body, joint or tendon
   std::optional<std::size_t> second;  ///< likewise
-  MjcfPose first_pose, second_pose;   ///< of connect and weld: what coincides, in the two bodies
+  RigidPose first_pose, second_pose;  ///< of connect and weld: what coincides, in the two bodies
   std::array<double, 5> polynomial{0, 1, 0, 0, 0};
   SourceLocation where;
 };
@@ -128,10 +128,10 @@ std::size_t position_count(MjcfJointType type);
 std::size_t speed_count(MjcfJointType type);
 
 /// Where a body is if no joint has moved, in the world.
-MjcfPose reference_pose(const MjcfModel& model, std::size_t body);
+RigidPose reference_pose(const MjcfModel& model, std::size_t body);
 
 /// The same where springs of joints are at rest.
-MjcfPose rest_pose(const MjcfModel& model, std::size_t body);
+RigidPose rest_pose(const MjcfModel& model, std::size_t body);
 
 /// Reads a model. `warnings` gets what is doubtful or left out and does not change the equations. Throws
 /// InputError at what is no MJCF, cannot be understood or cannot be expressed.

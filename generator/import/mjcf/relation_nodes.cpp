@@ -2,24 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "import/common/loop_equations.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
 
 namespace alembert {
-namespace {
-
-/// The scalar product of steps from one origin to another.
-std::string step_product(const std::string& a, const std::string& to_a, const std::string& b,
-                         const std::string& to_b) {
-  std::string out;
-  for (const char* axis : kAxes)
-    out += fmt::format("{}(position({}).{} - position({}).{})*(position({}).{} - position({}).{})",
-                       out.empty() ? "" : " + ", to_a, axis, a, axis, to_b, axis, b, axis);
-  return out;
-}
-
-}  // namespace
-
 /// The body that a body is fixed to, itself if it moves by joints of its own.
 std::size_t MjcfRelationNodes::rigid_root(std::size_t body) const {
   while (body != 0 && model_.bodies[body].joints.empty()) body = model_.bodies[body].parent;
@@ -29,26 +19,17 @@ std::size_t MjcfRelationNodes::rigid_root(std::size_t body) const {
 void MjcfRelationNodes::add_coincidence(std::vector<std::string>& equations, const MjcfEquality& equality,
                                         const std::string& name) {
   const SourceLocation& where = equality.where;
-  const auto frame = [&](int end, const char* suffix, const Eigen::Vector3d& offset) {
+  LoopEquations loop([&](int end, const std::string& suffix, const Eigen::Vector3d& offset) {
     const std::size_t body = end == 1 ? equality.first : *equality.second;
-    MjcfPose pose = end == 1 ? equality.first_pose : equality.second_pose;
+    RigidPose pose = end == 1 ? equality.first_pose : equality.second_pose;
     pose.shift += pose.turn * offset;
     const std::string out = naming_.new_frame(fmt::format("{}_{}{}", name, end, suffix));
     bodies_.add_frame(frames_, out, body, pose, where);
     return out;
-  };
-  const std::string first = frame(1, "", {0, 0, 0}), second = frame(2, "", {0, 0, 0});
-  for (const char* axis : kAxes)
-    equations.push_back(fmt::format("position({}).{} - position({}).{}", first, axis, second, axis));
-  if (equality.type != MjcfEqualityType::weld) return;
-  // Axes of the one are at right angles to the next axes of the other.
-  std::string of_first[3], of_second[3];
-  for (int k = 0; k < 3; ++k) {
-    of_first[k] = frame(1, kAxes[k], Eigen::Vector3d::Unit(k));
-    of_second[k] = frame(2, kAxes[k], Eigen::Vector3d::Unit(k));
-  }
-  for (int k = 0; k < 3; ++k)
-    equations.push_back(step_product(first, of_first[k], second, of_second[(k + 1) % 3]));
+  });
+  loop.origins_meet();
+  if (equality.type == MjcfEqualityType::weld) loop.axes_meet();
+  std::ranges::move(loop.take(), std::back_inserter(equations));
 }
 
 void MjcfRelationNodes::add_function(std::vector<std::string>& equations,

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <initializer_list>
+#include "import/common/known_elements.hpp"
 
 namespace alembert {
 namespace {
@@ -80,28 +79,23 @@ const Attributes kOfOption = {"timestep",
                               "actuatorgroupdisable",
                               "collision"};
 
-struct KnownElement {
-  std::string_view name;
-  const Attributes* attributes;
-};
+const Attributes kOthers = {"plugin", "flag", "include"};  // within any of them
 
-const KnownElement kElements[] = {{"joint", &kOfJoint},       {"geom", &kOfGeom},
-                                  {"site", &kOfSite},         {"general", &kOfActuator},
-                                  {"motor", &kOfActuator},    {"position", &kOfActuator},
-                                  {"velocity", &kOfActuator}, {"intvelocity", &kOfActuator},
-                                  {"damper", &kOfActuator},   {"cylinder", &kOfActuator},
-                                  {"option", &kOfOption}};
+const KnownElement kElements[] = {{"joint", kOthers, kOfJoint},       {"geom", kOthers, kOfGeom},
+                                  {"site", kOthers, kOfSite},         {"general", kOthers, kOfActuator},
+                                  {"motor", kOthers, kOfActuator},    {"position", kOthers, kOfActuator},
+                                  {"velocity", kOthers, kOfActuator}, {"intvelocity", kOthers, kOfActuator},
+                                  {"damper", kOthers, kOfActuator},   {"cylinder", kOthers, kOfActuator},
+                                  {"option", kOthers, kOfOption}};
 
 }  // namespace
 
 void check_attributes(const MjcfText& text, pugi::xml_node element) {
-  const auto known = std::ranges::find(kElements, std::string_view(element.name()), &KnownElement::name);
-  if (known == std::end(kElements)) return;
   const char* name = element.attribute("name").value();
-  text.of(element).check_spelling(
-      element,
-      *name == '\0' ? fmt::format("a {}", known->name) : fmt::format("{} '{}'", known->name, printable(name)),
-      {"plugin", "flag", "include"}, *known->attributes);
+  check_known(text.of(element), element,
+              *name == '\0' ? fmt::format("a {}", element.name())
+                            : fmt::format("{} '{}'", element.name(), printable(name)),
+              kElements);
 }
 
 }  // namespace alembert

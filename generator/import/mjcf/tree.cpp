@@ -45,7 +45,7 @@ void MjcfTree::read() {
     read_children(world, scope);
   }
   for (const MjcfGeom& geom : geoms_[0])
-    if (geom.shape().kind != MjcfShapeKind::none) model_.bodies[0].shapes.push_back(geom.shape());
+    if (geom.shape().kind != SolidKind::none) model_.bodies[0].shapes.push_back(geom.shape());
   sort_joints();
   set_total_mass();
 }
@@ -112,7 +112,7 @@ void MjcfTree::read_replicate(pugi::xml_node element, Scope scope) {
   const pugi::xml_attribute childclass = element.attribute("childclass");
   defaults_.require(childclass);
   if (childclass) scope.childclass = childclass.value();
-  MjcfPose step{of.vector("offset", Eigen::Vector3d::Zero()), compiler_.turn(of)};
+  RigidPose step{of.vector("offset", Eigen::Vector3d::Zero()), compiler_.turn(of)};
   const std::string outer = scope.suffix;
   const std::size_t digits = std::to_string(static_cast<std::size_t>(count)).size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -154,7 +154,7 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element,
   MjcfBody& body = model_.bodies[index];
   const std::vector<MjcfGeom>& own = geoms_[index];
   for (const MjcfGeom& geom : own) {
-    if (geom.shape().kind != MjcfShapeKind::none) body.shapes.push_back(geom.shape());
+    if (geom.shape().kind != SolidKind::none) body.shapes.push_back(geom.shape());
     body.fluid_shapes = body.fluid_shapes || geom.has_fluid_shape();
   }
   const FromGeoms from = compiler_.inertia_from_geoms;
@@ -287,7 +287,7 @@ void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vecto
   MjcfPlace place;
   place.body = scope.body;
   place.where = of.has("name") ? of.where("name") : of.where();
-  MjcfPose pose = compiler_.pose(of);
+  RigidPose pose = compiler_.pose(of);
   if (const std::vector<double> ends = of.list("fromto", 6, 6); !ends.empty()) {
     const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
     pose = {(from + to) / 2, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to)};

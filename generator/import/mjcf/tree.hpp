@@ -24,7 +24,7 @@ class MjcfTree {
   /// Where elements stand: in a body, behind frames, with a class around them and a suffix of copies.
   struct Scope {
     std::size_t body = 0;
-    MjcfPose frame;
+    RigidPose frame;
     std::string childclass, suffix;
   };
   void read_children(pugi::xml_node parent, const Scope& scope);

@@ -1,0 +1,13 @@
+#include "import/common/rigid_pose.hpp"
+
+namespace alembert {
+
+RigidPose operator*(const RigidPose& first, const RigidPose& then) {
+  return {first.shift + first.turn * then.shift, (first.turn * then.turn).normalized()};
+}
+
+RigidPose inverse(const RigidPose& pose) {
+  return {-(pose.turn.conjugate() * pose.shift), pose.turn.conjugate()};
+}
+
+}  // namespace alembert

@@ -1,0 +1,34 @@
+// Shapes that viewers draw and whose mass properties are known; how the language says them.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "import/common/mass_properties.hpp"
+#include "import/common/transform_factors.hpp"
+
+namespace alembert {
+
+enum class SolidKind { none, sphere, capsule, ellipsoid, cylinder, box };
+
+/// What viewers draw; sizes as the language takes them.
+struct SolidShape {
+  SolidKind kind = SolidKind::none;
+  std::array<double, 3>
+      sizes{};  ///< sphere: radius; capsule, cylinder: radius and length; else along the axes
+  RigidPose pose;
+  std::optional<std::array<double, 3>> colour;
+  bool hidden = false;  ///< of a group that viewers leave out
+  SourceLocation where;
+};
+
+/// About the centre, in the axes of the shape. Half sizes: edges and lengths by two, radii as they are.
+BodyMass solid_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
+/// The same of the surface, the mass being the area; nothing for an ellipsoid.
+BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
+
+/// Appends an item of `geometry`, unless the kind is none.
+void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
+               const SolidShape& shape);
+
+}  // namespace alembert

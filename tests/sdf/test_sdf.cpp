@@ -1,0 +1,138 @@
+// Files of SDF in, descriptions out: whole texts to the letter, what each bad file is told, and that none reads more than
+// the folders it may.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <filesystem>
+#include <string>
+
+#include "mechanism/source.hpp"
+#include "urdf/imported.hpp"
+
+namespace alembert {
+namespace {
+
+namespace fs = std::filesystem;
+using test::import, test::Imported, test::same, test::warnings_of;
+using testing::HasSubstr;
+
+std::shared_ptr<const SourceText> file_of(std::string text, std::string name = "<stdin>") {
+  return std::make_shared<const SourceText>(SourceText{std::move(name), std::move(text)});
+}
+
+class SdfFile : public testing::TestWithParam<fs::path> {};
+
+TEST_P(SdfFile, BecomesTheDescriptionBesideIt) {
+  const auto source = read_source(GetParam());
+  const Imported imported = import(source);
+  test::expect_golden(imported.text, fs::path(GetParam()).replace_extension(".yaml"));
+  test::expect_golden(warnings_of(imported, GetParam()), fs::path(GetParam()).replace_extension(".err"));
+  Warnings warnings;
+  const DescribedRobot described = describe_source(source, {}, warnings);
+  EXPECT_TRUE(same(described.document.root(), Document(file_of(imported.text)).root()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SdfFile, testing::ValuesIn(test::files_in("tests/sdf/models", ".sdf")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+class DoubtfulSdf : public testing::TestWithParam<fs::path> {};
+
+TEST_P(DoubtfulSdf, IsReadWithAWarning) {
+  const std::string warnings = warnings_of(import(read_source(GetParam())), GetParam());
+  EXPECT_NE(warnings, "");
+  test::expect_golden(warnings, fs::path(GetParam()).replace_extension(".err"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DoubtfulSdf, testing::ValuesIn(test::files_in("tests/sdf/doubtful", ".sdf")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+class BadSdf : public testing::TestWithParam<fs::path> {};
+
+TEST_P(BadSdf, IsToldWhatIsWrong) {
+  const fs::path& path = GetParam();
+  try {
+    import(read_source(path));
+    FAIL() << "is read without an error";
+  } catch (const InputError& error) {
+    const std::string found = test::without_folder(error.what(), path) + "\n";
+    EXPECT_THAT(found, HasSubstr(".sdf:"));
+    test::expect_golden(found, fs::path(path).replace_extension(".err"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadSdf, testing::ValuesIn(test::files_in("tests/sdf/errors", ".sdf")),
+                         [](const auto& test) { return test.param.stem().string(); });
+
+const std::string kLink = "<link name='l'><inertial><mass>1</mass></inertial></link>";
+
+std::string model(const std::string& inner) {
+  return "<sdf version='1.9'><model name='m'>" + inner + "</model></sdf>";
+}
+
+TEST(Sdf, IsChosenByExtensionAndByText) {
+  EXPECT_EQ(importer_of({"model.sdf", ""}).format, "SDF");
+  EXPECT_EQ(importer_of({"scene.world", "<?xml version='1.0'?><sdf version='1.9'/>"}).format, "SDF");
+}
+
+TEST(Sdf, OfStandardInputHasNoFolder) {
+  EXPECT_THAT(import(file_of(model(kLink))).text, HasSubstr("l_rotation"));
+  EXPECT_THROW(import(file_of(model("<include><uri>model://leg</uri></include>"))), InputError);
+}
+
+TEST(Sdf, LooksForModelsInFoldersThatAreGiven) {
+  const std::string text =
+      "<sdf version='1.9'><world name='w'><include><uri>model://parts</uri></include></world></sdf>";
+  DescribeOptions options;
+  options.include_folders = {(fs::path(ALEMBERT_SOURCE_DIR) / "tests/sdf/models").string()};
+  EXPECT_THAT(import(file_of(text), options).text, HasSubstr("axle"));
+}
+
+TEST(Sdf, OptionsWithoutMeaningAreAWarning) {
+  DescribeOptions options;
+  options.floating = true;
+  options.massless = Massless::freeze;
+  const Imported imported = import(file_of(model(kLink)), options);
+  ASSERT_EQ(imported.warnings.size(), 1U);
+  EXPECT_THAT(imported.warnings[0], HasSubstr("--root, --massless have no meaning for SDF"));
+}
+
+TEST(Sdf, ResistanceMayBeLeftOut) {
+  const std::string text =
+      model(kLink +
+            "<joint name='j' type='revolute'><parent>world</parent><child>l</child><axis><xyz>0 0 1</xyz>"
+            "<dynamics><damping>2</damping><friction>1</friction></dynamics></axis></joint>");
+  EXPECT_THAT(import(file_of(text)).text, HasSubstr("damping: 2"));
+  DescribeOptions options;
+  options.resistance = false;
+  EXPECT_THAT(import(file_of(text), options).text, HasSubstr("coordinates: [j]"));
+}
+
+/// What a text is told that asks for a great deal, within some seconds of the processor.
+std::string refusal(const std::string& text) {
+  const std::clock_t began = std::clock();
+  std::string message = "none";
+  try {
+    import(file_of(text));
+  } catch (const InputError& error) {
+    message = error.message();
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 20);
+  return message;
+}
+
+TEST(SdfBombs, AreRefused) {
+  std::string deep;
+  for (int i = 0; i < 1000; ++i) deep += "<model name='m'>";
+  deep += kLink;
+  for (int i = 0; i < 1000; ++i) deep += "</model>";
+  EXPECT_THAT(refusal(model(deep)), HasSubstr("nested more than"));
+  std::string chain = kLink;
+  for (int i = 0; i < 20000; ++i)
+    chain += "<frame name='f" + std::to_string(i) + "' attached_to='" +
+             (i == 19999 ? std::string("l") : "f" + std::to_string(i + 1)) + "'/>";
+  EXPECT_THAT(refusal(model(chain)), HasSubstr("lie in each other more than"));
+}
+
+}  // namespace
+}  // namespace alembert
