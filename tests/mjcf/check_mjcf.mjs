@@ -236,10 +236,6 @@ function solved(A, b) {
 /// and accelerations as MuJoCo's rows give, whose rates are differences. \return how many were compared
 function compare_equalities(alembert, model, m, d, following, inputs, states, close) {
   const kinds = mujoco.mjtEq, rows_of = new Map([[kinds.mjEQ_CONNECT.value, 3], [kinds.mjEQ_WELD.value, 6]]);
-  const kept = Array.from({ length: m.neq }, (_, e) => e)
-    .filter((e) => m.eq_type[e] !== kinds.mjEQ_JOINT.value || !following.has(m.eq_obj1id[e]))
-    .filter((e) => active[e]);
-  if (kept.length === 0) return 0;
   m.opt.jacobian = mujoco.mjtJacobian.mjJAC_DENSE.value;
   const flags = m.opt.disableflags, off = mujoco.mjtDisableBit;
   m.opt.disableflags = (flags & ~off.mjDSBL_CONSTRAINT.value) | off.mjDSBL_CONTACT.value | off.mjDSBL_LIMIT.value | off.mjDSBL_FRICTIONLOSS.value;
@@ -254,28 +250,31 @@ function compare_equalities(alembert, model, m, d, following, inputs, states, cl
     }
     return found;
   };
+  rows_at(m.qpos0, []);
+  const active = new Set(Array.from(d.efc_id).filter((_, r) => d.efc_type[r] === mujoco.mjtConstraint.mjCNSTR_EQUALITY.value));
+  const kept = [...active].filter((e) => m.eq_type[e] !== kinds.mjEQ_JOINT.value || !following.has(m.eq_obj1id[e]));
+  if (kept.length === 0) return 0;
   d.ctrl.fill(0);
   d.act.fill(0);
   const zeros = (names) => Object.fromEntries([...names].map((name) => [name, 0]));
-  let compared = 0;
+  const lines = [], checks = [];
   const compare_at = (chosen, first_row, count) => {
-    const free = random_state(m, following), near = free.qpos;
+    const free = random_state(m, following);
     // Near the start, where models are put together; then onto it by Newton's method.
     const start = Float64Array.from(m.qpos0), wander = Float64Array.from({ length: m.nv }, () => 0.1 * random());
     free.qpos = moved(m, start, wander, 1);
+    const along = () => rows.J.map((row) => free.dofs.map((_, c) => sum(m.nv, (i) => row[i] * state.G[i][c])));
     let off_by = Infinity, state, rows;
     for (let k = 0; k < 60 && off_by > 1e-13; ++k) {
       state = project(m, following, free);
       rows = rows_at(state.qpos, chosen);
       off_by = largest(rows.position);
-      const along = rows.J.map((row) => free.dofs.map((_, c) => sum(m.nv, (i) => row[i] * state.G[i][c])));
-      const change = orthonormal(along, rows.position.map((x) => -x)).shortest, full = new Float64Array(m.nv);
+      const change = orthonormal(along(), rows.position.map((x) => -x)).shortest, full = new Float64Array(m.nv);
       free.dofs.forEach((dof, c) => (full[dof] = change[c]));
       free.qpos = moved(m, free.qpos, full, 1);
     }
     if (off_by > 1e-13) return false;
-    const along = (J) => J.map((row) => free.dofs.map((_, c) => sum(m.nv, (i) => row[i] * state.G[i][c])));
-    const Jf = along(rows.J);
+    const Jf = along();
     // Speeds that keep it.
     const wished = free.dofs.map((dof) => free.qvel[dof]);
     const excess = orthonormal(Jf, Jf.map((row) => dot(row, wished))).shortest;
@@ -301,25 +300,25 @@ function compare_equalities(alembert, model, m, d, following, inputs, states, cl
       else if (m.jnt_type[j] === kBall) q.push(x[at + 1], x[at + 2], x[at + 3], x[at]);
       else q.push(x[at]);
     }
-    const line = JSON.stringify({ q, qd: free.dofs.map((dof) => state.qvel[dof]), tau: free.dofs.map(() => 0), inputs: zeros(inputs), states: zeros(states) });
+    lines.push(JSON.stringify({ q, qd: free.dofs.map((dof) => state.qvel[dof]), tau: free.dofs.map(() => 0), inputs: zeros(inputs), states: zeros(states) }));
     const whole = first_row === undefined;
-    const found = JSON.parse(run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", whole ? "constraints,constrained_forward_dynamics" : "constraints"], line + "\n"));
-    const P = found.constraints.P.slice(first_row ?? 0, whole ? undefined : first_row + count);
-    const gamma = found.constraints.gamma.slice(first_row ?? 0, whole ? undefined : first_row + count);
-    assert.equal(orthonormal(P, gamma).basis.length, basis.length, "as many directions as MuJoCo binds");
-    P.forEach((row, r) => {
-      const outside = basis.reduce((rest, v) => { const part = dot(rest, v); return rest.map((x, i) => x - part * v[i]); }, row);
-      close(`P[${r}] outside of MuJoCo's rows`, outside, outside.map(() => 0), Math.hypot(...row) || 1);
+    checks.push((found) => {
+      const P = found.constraints.P.slice(first_row ?? 0, whole ? undefined : first_row + count);
+      const gamma = found.constraints.gamma.slice(first_row ?? 0, whole ? undefined : first_row + count);
+      assert.equal(orthonormal(P, gamma).basis.length, basis.length, "as many directions as MuJoCo binds");
+      P.forEach((row, r) => {
+        const outside = basis.reduce((rest, v) => { const part = dot(rest, v); return rest.map((x, i) => x - part * v[i]); }, row);
+        close(`P[${r}] outside of MuJoCo's rows`, outside, outside.map(() => 0), Math.hypot(...row) || 1);
+      });
+      const size = Math.max(largest(gamma), largest(shortest), 1);
+      close("P a + gamma", P.map((row, r) => dot(row, shortest) + gamma[r]), gamma.map(() => 0), size);
+      if (whole) {
+        const A = columns.map((column, i) => [...free.dofs.map((_, k) => columns[k][i]), ...basis.map((v) => v[i])]);
+        basis.forEach((v) => A.push([...v, ...basis.map(() => 0)]));
+        const qdd = solved(A, [...bias.map((x) => -x), ...values]).slice(0, n);
+        close("qdd under constraints", found.constrained_forward_dynamics.qdd, qdd, largest(qdd));
+      }
     });
-    const size = Math.max(largest(gamma), largest(shortest), 1);
-    close("P a + gamma", P.map((row, r) => dot(row, shortest) + gamma[r]), gamma.map(() => 0), size);
-    if (whole) {
-      const A = columns.map((column, i) => [...free.dofs.map((_, k) => columns[k][i]), ...basis.map((v) => v[i])]);
-      basis.forEach((v) => A.push([...v, ...basis.map(() => 0)]));
-      const qdd = solved(A, [...bias.map((x) => -x), ...values]).slice(0, n);
-      close("qdd under constraints", found.constrained_forward_dynamics.qdd, qdd, largest(qdd));
-    }
-    ++compared;
     return true;
   };
   let row = 0;
@@ -330,7 +329,9 @@ function compare_equalities(alembert, model, m, d, following, inputs, states, cl
   }
   compare_at(kept);
   m.opt.disableflags = flags;
-  return compared;
+  const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", "constraints,constrained_forward_dynamics"], lines.join("\n") + "\n");
+  output.trim().split("\n").forEach((line, k) => checks[k](JSON.parse(line)));
+  return checks.length;
 }
 
 function compare(alembert, model) {
