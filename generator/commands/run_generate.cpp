@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "commands/common_options.hpp"
+#include "commands/run_import.hpp"
 #include "emit/emit.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
@@ -50,11 +51,11 @@ void warn_of_contradictions(const CompiledMechanism& compiled) {
 }
 
 /// Depfile and stamp. Without a stamp the rule is for `output`; standard input is no file to depend on.
-std::vector<RunFile> run_files(const std::string& description, const GenerateOptions& options,
-                               const std::string& output) {
+/// \param dependencies  what was read besides the description
+std::vector<RunFile> run_files(const std::string& description, std::vector<std::string> dependencies,
+                               const GenerateOptions& options, const std::string& output) {
   std::vector<RunFile> out;
-  std::vector<std::string> dependencies;
-  if (description != "-") dependencies.push_back(description);
+  if (description != "-") dependencies.insert(dependencies.begin(), description);
   if (!options.depfile.empty()) {
     out.push_back(
         {options.depfile, depfile_text(options.stamp.empty() ? output : options.stamp, dependencies)});
@@ -71,7 +72,9 @@ std::vector<RunFile> run_files(const std::string& description, const GenerateOpt
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   const FunctionChoice choice = function_choice(options.functions);
-  const CompiledMechanism compiled = compile(common, choice.kinds, choice.inapplicable);
+  std::vector<std::string> read_files;
+  const CompiledMechanism compiled =
+      compile(common, description_of(common, &read_files), choice.kinds, choice.inapplicable);
 
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
@@ -93,7 +96,7 @@ int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   const bool only_look = options.dry_run || options.check;
   const std::vector<WrittenFile> written =
       write_files(files, options.out_dir, only_look ? WriteMode::dry_run : WriteMode::write,
-                  run_files(common.file, options, options.out_dir + "/" + files.front().path));
+                  run_files(common.file, read_files, options, options.out_dir + "/" + files.front().path));
   if (options.check) {
     for (const WrittenFile& file : written) {
       if (file.state != FileState::unchanged) {

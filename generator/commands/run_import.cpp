@@ -29,38 +29,40 @@ DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const D
   }
 }
 
-}  // namespace
-
-std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
-                          bool strict, std::string* summary) {
+/// The description of a robot in another format; checked as any other. Tells warnings.
+DescribedRobot imported(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
+                        bool strict) {
   Warnings warnings;
-  const DescribedRobot described = describe(source, options, warnings);
+  DescribedRobot described = describe(source, options, warnings);
   // What the language refuses is shown where it stands in the file.
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
   report_warnings(warnings, strict);
-  if (summary != nullptr) *summary = described.summary;
-  return yaml_text(described.document.root());
+  return described;
 }
 
-std::shared_ptr<const SourceText> description_of(const CommonOptions& common) {
+}  // namespace
+
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
+                                                 std::vector<std::string>* files) {
   std::shared_ptr<const SourceText> source = read_expanded(common.file);
   if (importer_unless_description(*source) == nullptr) return source;
   DescribeOptions options;
   options.include_folders = common.include_folders;
+  const DescribedRobot described = imported(source, options, common.strict);
+  if (files != nullptr) *files = described.files;
   return std::make_shared<const SourceText>(
-      SourceText{source->name + ", imported", imported_text(source, options, common.strict)});
+      SourceText{source->name + ", imported", yaml_text(described.document.root())});
 }
 
 int run_import(const CommonOptions& common, const ImportOptions& options) {
-  std::string summary;
   DescribeOptions describe_options = options.describe;
   describe_options.include_folders = common.include_folders;
-  const std::string text =
-      imported_text(read_expanded(common.file), describe_options, common.strict, &summary);
-  if (!summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, summary));
+  const DescribedRobot described = imported(read_expanded(common.file), describe_options, common.strict);
+  if (!described.summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, described.summary));
+  const std::string text = yaml_text(described.document.root());
   if (options.out == "-") {
     fmt::print("{}", text);
   } else {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands/common_options.hpp"
 #include "import/common/described.hpp"
@@ -14,12 +15,10 @@ struct ImportOptions {
   DescribeOptions describe;
 };
 
-/// The description, as text, of a robot in another format; checked as any other. Tells warnings.
-std::string imported_text(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
-                          bool strict, std::string* summary = nullptr);
-
 /// The text of a description, or that which is imported from a robot's file in another format.
-std::shared_ptr<const SourceText> description_of(const CommonOptions& common);
+/// \param files  gets what was read besides that file, if given
+std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
+                                                 std::vector<std::string>* files = nullptr);
 
 int run_import(const CommonOptions& common, const ImportOptions& options);
 

@@ -139,6 +139,21 @@ TEST(Generate, DepfileNamesTheStampAndTheDescription) {
   EXPECT_THAT(read_text(folder / "s.d"), HasSubstr("pendulum.yaml"));
 }
 
+TEST(Generate, DepfileNamesWhatARobotIsReadFrom) {
+  const TemporaryFolder folder;
+  const auto dependencies = [&](const std::string& file) {
+    const CommandResult result = alembert(
+        folder, "generate " ALEMBERT_SOURCE_DIR "/tests/" + file + " --functions body_poses --out-dir " +
+                    (folder / "out") + " --depfile " + (folder / "s.d") + " --stamp " + (folder / "s"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_text(folder / "s.d");
+  };
+  EXPECT_THAT(dependencies("mjcf/models/classes.xml"),
+              testing::AllOf(HasSubstr("mjcf/models/classes.xml"), HasSubstr("mjcf/models/parts/leg.xml")));
+  EXPECT_THAT(dependencies("mjcf/models/inertia.xml"), HasSubstr("mjcf/models/meshes/block.stl"));
+  EXPECT_THAT(dependencies("sdf/models/middle.sdf"), HasSubstr("sdf/models/parts/wheel.sdf"));
+}
+
 TEST(Generate, DepfileOfStandardInputNamesNoFile) {
   const TemporaryFolder folder;
   const CommandResult result = alembert(folder,

@@ -32,8 +32,9 @@ struct DescribeOptions {
 
 struct DescribedRobot {
   Document document;
-  Warnings warnings;         ///< what is doubtful or left out
-  std::string summary = {};  ///< what was taken, in a line; empty where the description says it
+  Warnings warnings;                    ///< what is doubtful or left out
+  std::string summary = {};             ///< what was taken, in a line; empty where the description says it
+  std::vector<std::string> files = {};  ///< what was read besides the source
 };
 
 }  // namespace alembert

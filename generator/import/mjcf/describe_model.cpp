@@ -75,7 +75,8 @@ DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const Sour
                                            {&constraints, "constraint", "constraints"}})
     if (!section->items.empty()) summary += ", " + count_text(section->items.size(), one, many);
   summary += "; left: contacts, meshes of viewers, cameras, lights and the solver's settings";
-  return {Document(std::move(source), nodes.take(), root), std::move(warnings), std::move(summary)};
+  return {Document(std::move(source), nodes.take(), root), std::move(warnings), std::move(summary),
+          model.files};
 }
 
 }  // namespace alembert

@@ -143,6 +143,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, Warnings& warnings
   read_sensors(context);
   read_start(text, model);
   disable(model, disabled);
+  model.files.assign(text.named_files().begin(), text.named_files().end());
   return model;
 }
 

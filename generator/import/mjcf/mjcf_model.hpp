@@ -120,6 +120,7 @@ struct MjcfModel {
   std::vector<double> start, start_speeds;  ///< of the first keyframe, quaternions w x y z; or empty
   std::vector<double> start_inputs;
   std::map<const SourceText*, SourceLocation> places;  ///< of included texts, in the model's own
+  std::vector<std::string> files;                      ///< included ones and meshes
   SourceLocation where;
 };
 

@@ -137,7 +137,9 @@ fs::path MjcfText::below(const std::string& file, const SourceLocation& where) c
   if (differs.in1 != folder.end())
     throw InputError(where, fmt::format("'{}' lies outside the folder of the model", printable(file)),
                      "files are read below the folder of the model only");
-  return (fs::path(model).parent_path() / file).lexically_normal();
+  const fs::path found = (fs::path(model).parent_path() / file).lexically_normal();
+  if (fs::exists(found)) named_files_.insert(found.string());
+  return found;
 }
 
 }  // namespace alembert

@@ -32,6 +32,9 @@ class MjcfText {
   const std::map<const SourceText*, SourceLocation>& places() const { return places_; }
   void warn(Warning warning) const { texts_.front()->warn(std::move(warning)); }
 
+  /// Files besides the model's own that `below` gave.
+  const std::set<std::string>& named_files() const { return named_files_; }
+
   /// Where a file that the model names lies. Throws InputError at `where` if that is not below the model's
   /// folder.
   std::filesystem::path below(const std::string& file, const SourceLocation& where) const;
@@ -46,6 +49,7 @@ class MjcfText {
   std::map<pugi::xml_node, std::size_t> included_;      ///< by <include>: the text
   std::map<const SourceText*, SourceLocation> places_;  ///< of includes, by text
   std::set<std::filesystem::path> files_;
+  mutable std::set<std::string> named_files_;
 };
 
 }  // namespace alembert

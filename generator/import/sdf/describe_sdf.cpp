@@ -70,7 +70,7 @@ class SdfDescriber {
                                        {"forces", &forces},
                                        {"constraints", &constraints}})
       if (!section->items.empty()) nodes_.put(root, key, *section);
-    return {Document(source, nodes_.take(), root), std::move(warnings_), summary()};
+    return {Document(source, nodes_.take(), root), std::move(warnings_), summary(), model_.files};
   }
 
  private:

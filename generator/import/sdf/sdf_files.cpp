@@ -152,6 +152,7 @@ fs::path SdfFiles::model_file(const fs::path& folder, pugi::xml_node uri) const 
   const fs::path config = folder / "model.config";
   if (!fs::exists(config)) return folder / "model.sdf";
   pugi::xml_document document;
+  named_files_.insert(config.string());
   if (!document.load_file(config.c_str()))
     throw InputError(where_text(uri),
                      fmt::format("'{}' has a model.config that is no XML", printable(text(uri))));
@@ -188,6 +189,7 @@ pugi::xml_node SdfFiles::include(pugi::xml_node element) {
   if (++includes_ > kMaximumSdfIncludes) throw InputError(place, "too many models are included");
   fs::path path = resolve(uri, "an include");
   if (fs::is_directory(path)) path = model_file(path, uri);
+  named_files_.insert(path.string());
   const fs::path canonical = fs::weakly_canonical(path);
   if (std::ranges::find(open_, canonical) != open_.end())
     throw InputError(place, fmt::format("'{}' includes itself", printable(text(uri))));
@@ -213,7 +215,9 @@ pugi::xml_node SdfFiles::include(pugi::xml_node element) {
 }
 
 fs::path SdfFiles::file_of(pugi::xml_node uri) const {
-  return resolve(uri, "a mesh");
+  const fs::path file = resolve(uri, "a mesh");
+  named_files_.insert(file.string());
+  return file;
 }
 
 std::string SdfFiles::text(pugi::xml_node element) {

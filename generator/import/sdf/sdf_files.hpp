@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,9 @@ class SdfFiles {
   void warn(Warning warning) const { texts_.front()->warn(std::move(warning)); }
   /// Where in the first file the texts stand that it includes.
   const std::map<const SourceText*, SourceLocation>& places() const { return places_; }
+
+  /// Files besides the first that include and file_of gave.
+  const std::set<std::string>& named_files() const { return named_files_; }
 
   /// Whether an <include> names what Gazebo brings along and nothing moves by: its sun and its ground.
   static bool is_scenery(pugi::xml_node include);
@@ -63,6 +67,7 @@ class SdfFiles {
   std::map<const SourceText*, SourceLocation> places_;
   std::vector<std::filesystem::path> open_;  ///< files that are being read
   std::size_t includes_ = 0;
+  mutable std::set<std::string> named_files_;
 };
 
 /// What is called so in messages: `link 'arm'`.

@@ -50,6 +50,7 @@ class SdfReader {
     read_frames();
     check_mimics();
     model_.places = files_.places();
+    model_.files.assign(files_.named_files().begin(), files_.named_files().end());
     return std::move(model_);
   }
 

@@ -67,6 +67,7 @@ struct SdfModel {
   std::vector<SdfFrame> frames;
   std::map<std::string, int> left_out;                 ///< by what it is: sensors and so on
   std::map<const SourceText*, SourceLocation> places;  ///< of included texts, in the first one
+  std::vector<std::string> files;                      ///< included ones and meshes
   SourceLocation where;
 };
 
