@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "commands/common_options.hpp"
 #include "commands/expand_xacro.hpp"
@@ -29,18 +30,14 @@ DescribedRobot describe(const std::shared_ptr<const SourceText>& source, const D
   }
 }
 
-/// The description of a robot in another format; checked as any other. Tells warnings.
-DescribedRobot imported(const std::shared_ptr<const SourceText>& source, const DescribeOptions& options,
-                        bool strict) {
-  Warnings warnings;
-  DescribedRobot described = describe(source, options, warnings);
+/// Checks a description as any other, and tells all warnings.
+void check(const DescribedRobot& described, Warnings warnings, bool strict) {
   // What the language refuses is shown where it stands in the file.
   ExprGraph graph;
   const Mechanism mechanism = load_mechanism(described.document, graph);
   warnings.insert(warnings.end(), described.warnings.begin(), described.warnings.end());
   warnings.insert(warnings.end(), mechanism.warnings.begin(), mechanism.warnings.end());
   report_warnings(warnings, strict);
-  return described;
 }
 
 }  // namespace
@@ -51,7 +48,9 @@ std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
   if (importer_unless_description(*source) == nullptr) return source;
   DescribeOptions options;
   options.include_folders = common.include_folders;
-  const DescribedRobot described = imported(source, options, common.strict);
+  Warnings warnings;
+  const DescribedRobot described = describe(source, options, warnings);
+  check(described, std::move(warnings), common.strict);
   if (files != nullptr) *files = described.files;
   return std::make_shared<const SourceText>(
       SourceText{source->name + ", imported", yaml_text(described.document.root())});
@@ -60,7 +59,9 @@ std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   DescribeOptions describe_options = options.describe;
   describe_options.include_folders = common.include_folders;
-  const DescribedRobot described = imported(read_expanded(common.file), describe_options, common.strict);
+  Warnings warnings;
+  const DescribedRobot described = describe(read_expanded(common.file), describe_options, warnings);
+  check(described, std::move(warnings), common.strict);
   if (!described.summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, described.summary));
   const std::string text = yaml_text(described.document.root());
   if (options.out == "-") {
