@@ -93,7 +93,7 @@ TEST(Forces, AnInputMayDependOnFramesPathsOutputsAndOtherInputs) {
     return refused.err;
   };
   EXPECT_THAT(said("--input push=share --input share=2*push"),
-              HasSubstr("--input:1:1: error: input 'share' is given by itself"));
+              HasSubstr("--input:1:1: error: input 'push' is given by itself"));
   EXPECT_THAT(said("--input push=pushed"), HasSubstr("--input:1:1: error: input 'push' is given by itself"));
   EXPECT_THAT(said("--input push=1 --input push=2"),
               HasSubstr("--input:1:1: error: a second expression of input 'push'"));
