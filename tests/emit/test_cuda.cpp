@@ -182,6 +182,13 @@ TEST(Cuda, KernelsCompile) {
   }
 }
 
+/// Files of a mechanism with a caller.cpp, as a library of the host.
+CLibrary<double> called_on_host(const std::vector<alembert::EmittedFile>& files, const Folder& folder) {
+  put(files, folder.path);
+  return CLibrary<double>(folder.path, ALEMBERT_HOST_CXX,
+                          fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+}
+
 /// A step is that of forward dynamics, many are steps one by one, and records are what is passed on the way.
 TEST(Cuda, RolloutMakesStepsOfForwardDynamics) {
   const alembert::CompiledMechanism compiled =
@@ -206,9 +213,7 @@ extern "C" int call(int steps, const double* const* a, double, const double*, co
 }
 )"});
   const Folder folder;
-  put(files, folder.path);
-  const CLibrary<double> library(folder.path, ALEMBERT_HOST_CXX,
-                                 fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+  const CLibrary<double> library = called_on_host(files, folder);
   ASSERT_TRUE(library.loaded());
   const std::size_t nq = static_cast<std::size_t>(mechanism.nq), nv = static_cast<std::size_t>(mechanism.nv);
   CState<double> state(mechanism, 1);
@@ -290,9 +295,7 @@ extern "C" int call(int kind, const double* const* a, double, const double*, con
 )",
                                              name, name)});
   const Folder folder;
-  put(files, folder.path);
-  const CLibrary<double> library(folder.path, ALEMBERT_HOST_CXX,
-                                 fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+  const CLibrary<double> library = called_on_host(files, folder);
   ASSERT_TRUE(library.loaded());
   const double start = 1;
   const auto speed_at = [](double t) { return 2 * (t - 0.75 * 0.05 * (1 - std::exp(-t / 0.05))); };
@@ -345,9 +348,7 @@ extern "C" int call(int steps, const double* const* a, double, const double*, co
 }
 )"});
   const Folder folder;
-  put(files, folder.path);
-  const CLibrary<double> library(folder.path, ALEMBERT_HOST_CXX,
-                                 fmt::format("-std=c++17 '-I{0}' '{0}/caller.cpp'", folder.path), 0);
+  const CLibrary<double> library = called_on_host(files, folder);
   ASSERT_TRUE(library.loaded());
   const CState<double> state(*compiled.mechanism, 1);
   const auto end = [&](std::size_t steps) {

@@ -7,14 +7,13 @@
 #include <filesystem>
 #include <string>
 
-#include "mechanism/source.hpp"
 #include "urdf/imported.hpp"
 
 namespace alembert {
 namespace {
 
 namespace fs = std::filesystem;
-using test::import, test::Imported, test::same, test::warnings_of;
+using test::import;
 
 std::shared_ptr<const SourceText> model_of(std::string text, std::string name = "<stdin>") {
   return std::make_shared<const SourceText>(SourceText{std::move(name), std::move(text)});
@@ -23,13 +22,7 @@ std::shared_ptr<const SourceText> model_of(std::string text, std::string name = 
 class MjcfFile : public testing::TestWithParam<fs::path> {};
 
 TEST_P(MjcfFile, BecomesTheDescriptionBesideIt) {
-  const auto source = read_source(GetParam());
-  const Imported imported = import(source);
-  test::expect_golden(imported.text, fs::path(GetParam()).replace_extension(".yaml"));
-  test::expect_golden(warnings_of(imported, GetParam()), fs::path(GetParam()).replace_extension(".err"));
-  Warnings warnings;
-  const DescribedRobot described = importer_of(*source).describe(source, {}, warnings);
-  EXPECT_TRUE(same(described.document.root(), Document(model_of(imported.text)).root()));
+  test::expect_description_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MjcfFile, testing::ValuesIn(test::files_in("tests/mjcf/models", ".xml")),
@@ -39,9 +32,7 @@ INSTANTIATE_TEST_SUITE_P(All, MjcfFile, testing::ValuesIn(test::files_in("tests/
 class DoubtfulMjcf : public testing::TestWithParam<fs::path> {};
 
 TEST_P(DoubtfulMjcf, IsReadWithAWarning) {
-  const std::string warnings = warnings_of(import(read_source(GetParam())), GetParam());
-  EXPECT_NE(warnings, "");
-  test::expect_golden(warnings, fs::path(GetParam()).replace_extension(".err"));
+  test::expect_warnings_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DoubtfulMjcf, testing::ValuesIn(test::files_in("tests/mjcf/doubtful", ".xml")),
@@ -50,15 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, DoubtfulMjcf, testing::ValuesIn(test::files_in("te
 class BadMjcf : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadMjcf, IsToldWhatIsWrong) {
-  const fs::path& path = GetParam();
-  try {
-    import(read_source(path));
-    FAIL() << "is read without an error";
-  } catch (const InputError& error) {
-    const std::string found = test::without_folder(error.what(), path) + "\n";
-    EXPECT_THAT(found, testing::HasSubstr(".xml:"));
-    test::expect_golden(found, fs::path(path).replace_extension(".err"));
-  }
+  test::expect_refusal_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadMjcf, testing::ValuesIn(test::files_in("tests/mjcf/errors", ".xml")),

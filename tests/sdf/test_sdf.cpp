@@ -7,14 +7,13 @@
 #include <filesystem>
 #include <string>
 
-#include "mechanism/source.hpp"
 #include "urdf/imported.hpp"
 
 namespace alembert {
 namespace {
 
 namespace fs = std::filesystem;
-using test::import, test::Imported, test::same, test::warnings_of;
+using test::import, test::Imported;
 using testing::HasSubstr;
 
 std::shared_ptr<const SourceText> file_of(std::string text, std::string name = "<stdin>") {
@@ -24,13 +23,7 @@ std::shared_ptr<const SourceText> file_of(std::string text, std::string name = "
 class SdfFile : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SdfFile, BecomesTheDescriptionBesideIt) {
-  const auto source = read_source(GetParam());
-  const Imported imported = import(source);
-  test::expect_golden(imported.text, fs::path(GetParam()).replace_extension(".yaml"));
-  test::expect_golden(warnings_of(imported, GetParam()), fs::path(GetParam()).replace_extension(".err"));
-  Warnings warnings;
-  const DescribedRobot described = describe_source(source, {}, warnings);
-  EXPECT_TRUE(same(described.document.root(), Document(file_of(imported.text)).root()));
+  test::expect_description_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SdfFile, testing::ValuesIn(test::files_in("tests/sdf/models", ".sdf")),
@@ -39,9 +32,7 @@ INSTANTIATE_TEST_SUITE_P(All, SdfFile, testing::ValuesIn(test::files_in("tests/s
 class DoubtfulSdf : public testing::TestWithParam<fs::path> {};
 
 TEST_P(DoubtfulSdf, IsReadWithAWarning) {
-  const std::string warnings = warnings_of(import(read_source(GetParam())), GetParam());
-  EXPECT_NE(warnings, "");
-  test::expect_golden(warnings, fs::path(GetParam()).replace_extension(".err"));
+  test::expect_warnings_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DoubtfulSdf, testing::ValuesIn(test::files_in("tests/sdf/doubtful", ".sdf")),
@@ -50,15 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, DoubtfulSdf, testing::ValuesIn(test::files_in("tes
 class BadSdf : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadSdf, IsToldWhatIsWrong) {
-  const fs::path& path = GetParam();
-  try {
-    import(read_source(path));
-    FAIL() << "is read without an error";
-  } catch (const InputError& error) {
-    const std::string found = test::without_folder(error.what(), path) + "\n";
-    EXPECT_THAT(found, HasSubstr(".sdf:"));
-    test::expect_golden(found, fs::path(path).replace_extension(".err"));
-  }
+  test::expect_refusal_beside(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadSdf, testing::ValuesIn(test::files_in("tests/sdf/errors", ".sdf")),

@@ -10,6 +10,7 @@
 #include "import/common/yaml.hpp"
 #include "import/importers.hpp"
 #include "mechanism/load.hpp"
+#include "mechanism/source.hpp"
 
 namespace alembert::test {
 
@@ -43,6 +44,37 @@ inline bool same(const YamlNode& a, const YamlNode& b) {
   for (std::size_t i = 0; i < a.items.size(); ++i)
     if (!same(*a.items[i], *b.items[i])) return false;
   return true;
+}
+
+/// A file becomes the description beside it, with the warnings beside it, and is read back from its text.
+inline void expect_description_beside(const std::filesystem::path& file) {
+  const auto source = read_source(file);
+  const Imported imported = import(source);
+  expect_golden(imported.text, std::filesystem::path(file).replace_extension(".yaml"));
+  expect_golden(warnings_of(imported, file), std::filesystem::path(file).replace_extension(".err"));
+  Warnings warnings;
+  const DescribedRobot described = describe_source(source, {}, warnings);
+  const Document again(std::make_shared<const SourceText>(SourceText{"again", imported.text}));
+  EXPECT_TRUE(same(described.document.root(), again.root()));
+}
+
+/// A file is read with the warnings beside it.
+inline void expect_warnings_beside(const std::filesystem::path& file) {
+  const std::string warnings = warnings_of(import(read_source(file)), file);
+  EXPECT_NE(warnings, "");
+  expect_golden(warnings, std::filesystem::path(file).replace_extension(".err"));
+}
+
+/// A file is refused with the message beside it, at a place in it or in a file of its kind that it includes.
+inline void expect_refusal_beside(const std::filesystem::path& file) {
+  try {
+    import(read_source(file));
+    FAIL() << "is read without an error";
+  } catch (const InputError& error) {
+    const std::string found = without_folder(error.what(), file) + "\n";
+    EXPECT_NE(found.find(file.extension().string() + ":"), std::string::npos) << found;
+    expect_golden(found, std::filesystem::path(file).replace_extension(".err"));
+  }
 }
 
 }  // namespace alembert::test
