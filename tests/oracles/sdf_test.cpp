@@ -31,6 +31,7 @@
 #include <string>
 
 #include "oracles/alembert_process.hpp"
+#include "oracles/dart_motion.hpp"
 #include "oracles/engines/silence.hpp"
 
 namespace alembert::oracles {
@@ -43,11 +44,6 @@ using Eigen::Isometry3d, Eigen::Vector3d;
 constexpr double kTolerance = 1e-9;
 constexpr int kStates = 10;
 constexpr double kFrictionWidth = 0.01;
-
-struct Follows {
-  std::string joint;
-  double multiplier, offset;
-};
 
 /// Mass properties that this version of libsdformat does not work out, by link.
 using Inertias = std::map<std::string, ignition::math::Inertiald>;
@@ -223,11 +219,6 @@ std::string our_name(const std::string& name) {
   return std::regex_replace(name, std::regex("[^A-Za-z0-9]+"), "_");
 }
 
-struct Motion {
-  Eigen::VectorXd position, bias;
-  Eigen::MatrixXd J;
-};
-
 /// The tree in DART: joints in the order of the file, as soon as their parent is there, but for those that are cut.
 class Skeleton {
  public:
@@ -272,9 +263,9 @@ class Skeleton {
       if (which.cuts.count(joint.name) > 0) cuts_.push_back(&joint);
   }
 
-  Motion at(const Description& ours, const State& state) const {
+  DartMotion at(const Description& ours, const State& state) const {
     const auto n = static_cast<Eigen::Index>(skeleton_->getNumDofs());
-    Motion motion{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, ours.nv)};
+    DartMotion motion{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, ours.nv)};
     for (const Entry& entry : joints_) {
       if (entry.joint->getNumDofs() == 0) continue;
       const auto at = static_cast<Eigen::Index>(entry.joint->getIndexInSkeleton(0));
@@ -282,7 +273,7 @@ class Skeleton {
       if (entry.loaded == nullptr) {
         add_free(motion, ours, state, name, at);
       } else if (entry.loaded->type == sdf::JointType::BALL) {
-        const Coordinate& r = coordinate(ours, name);
+        const Coordinate& r = coordinate_called(ours, name);
         const double* q = state.q.data() + r.first_q;
         motion.position.segment<3>(at) =
             dd::BallJoint::convertToPositions(Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix());
@@ -290,14 +281,15 @@ class Skeleton {
       } else {
         const std::size_t axes = entry.loaded->axes.size();
         for (std::size_t a = 0; a < axes; ++a)
-          add_single(motion, ours, state, axes == 1 ? name : name + "_" + std::to_string(a + 1),
+          add_single(motion, ours, state, which_.follows,
+                     axes == 1 ? name : name + "_" + std::to_string(a + 1),
                      at + static_cast<Eigen::Index>(a));
       }
     }
     return motion;
   }
 
-  Dynamics dynamics(const Motion& motion, const State& state) const {
+  Dynamics dynamics(const DartMotion& motion, const State& state) const {
     const auto nv = motion.J.cols();
     const Eigen::Map<const Eigen::VectorXd> speeds(state.speeds.data(), nv), rates(state.rates.data(), nv);
     skeleton_->setPositions(motion.position);
@@ -316,7 +308,7 @@ class Skeleton {
   }
 
   /// Motions that the joints which close chains lock, by our speeds.
-  Eigen::MatrixXd locked(const Motion& motion) const {
+  Eigen::MatrixXd locked(const DartMotion& motion) const {
     skeleton_->setPositions(motion.position);
     std::vector<Eigen::RowVectorXd> rows;
     for (const LoadedJoint* cut : cuts_) {
@@ -476,39 +468,6 @@ class Skeleton {
       out += force * (child.transpose() * ends[1] - parent.transpose() * ends[0]);
     }
     return out;
-  }
-
-  static const Coordinate& coordinate(const Description& ours, const std::string& name) {
-    for (const Coordinate& c : ours.coordinates)
-      if (c.name == name) return c;
-    throw std::runtime_error("no coordinate " + name);
-  }
-
-  void add_single(Motion& motion, const Description& ours, const State& state, const std::string& name,
-                  Eigen::Index at) const {
-    const auto found = which_.follows.find(name);
-    const Follows follows = found == which_.follows.end() ? Follows{name, 1, 0} : found->second;
-    const Coordinate& c = coordinate(ours, follows.joint);
-    motion.position[at] = follows.multiplier * state.q[static_cast<std::size_t>(c.first_q)] + follows.offset;
-    motion.J(at, c.first_speed) = follows.multiplier;
-  }
-
-  /// DART: the twist in the body's axes, angular first. Ours: the velocity in the world's axes, the angular velocity in
-  /// the body's.
-  static void add_free(Motion& motion, const Description& ours, const State& state, const std::string& name,
-                       Eigen::Index at) {
-    const Coordinate &x = coordinate(ours, name + "_x"), &r = coordinate(ours, name + "_rotation");
-    const double* q = state.q.data() + r.first_q;
-    const Eigen::Matrix3d R = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
-    const Eigen::Map<const Vector3d> p(state.q.data() + x.first_q), v(state.speeds.data() + x.first_speed),
-        w(state.speeds.data() + r.first_speed);
-    Isometry3d pose = Isometry3d::Identity();
-    pose.linear() = R;
-    pose.translation() = p;
-    motion.position.segment<6>(at) = dd::FreeJoint::convertToPositions(pose);
-    motion.J.block<3, 3>(at, r.first_speed).setIdentity();
-    motion.J.block<3, 3>(at + 3, x.first_speed) = R.transpose();
-    motion.bias.segment<3>(at + 3) = -w.cross(R.transpose() * v);
   }
 
   const LoadedFile& file_;

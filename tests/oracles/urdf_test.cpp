@@ -17,6 +17,7 @@
 #include <string>
 
 #include "oracles/alembert_process.hpp"
+#include "oracles/dart_motion.hpp"
 #include "oracles/engines/silence.hpp"
 
 namespace alembert::oracles {
@@ -27,12 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr double kTolerance = 1e-9;
 constexpr int kStates = 10;
-
-/// Of a mimicking joint, in terms of one that is not.
-struct Follows {
-  std::string joint;
-  double multiplier, offset;
-};
 
 struct Case {
   std::string file;  ///< URDF; a folder that may be missing is that of Debian's dart-doc
@@ -56,20 +51,14 @@ dd::SkeletonPtr read_by_dart(const Case& which) {
   return loader.parseSkeletonString(std::regex_replace(text, shapes, ""), which.file);
 }
 
-/// How DART's coordinates go with ours at one state: positions, and speeds J u with rates J du/dt + bias.
-struct Motion {
-  Eigen::VectorXd position, bias;
-  Eigen::MatrixXd J;
-};
-
 class Correspondence {
  public:
   Correspondence(const Description& ours, const dd::SkeletonPtr& theirs, const Case& which)
       : ours_(ours), theirs_(theirs), which_(which) {}
 
-  Motion at(const State& state) const {
+  DartMotion at(const State& state) const {
     const auto n = static_cast<Eigen::Index>(theirs_->getNumDofs());
-    Motion motion{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, ours_.nv)};
+    DartMotion motion{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, ours_.nv)};
     for (std::size_t j = 0; j < theirs_->getNumJoints(); ++j) {
       const dd::Joint* joint = theirs_->getJoint(j);
       const auto dofs = joint->getNumDofs();
@@ -79,13 +68,13 @@ class Correspondence {
                                    ? joint->getChildBodyNode()->getName()
                                    : our_name(joint->getName());
       if (dofs == 1) {
-        add_single(motion, state, name, at);
+        add_single(motion, ours_, state, which_.follows, name, at);
       } else if (dofs == 3) {
         for (Eigen::Index i = 0; i < 3; ++i)
-          add_single(motion, state, name + std::array{"_x", "_y", "_angle"}[static_cast<std::size_t>(i)],
-                     at + i);
+          add_single(motion, ours_, state, which_.follows,
+                     name + std::array{"_x", "_y", "_angle"}[static_cast<std::size_t>(i)], at + i);
       } else {
-        add_free(motion, state, name, at);
+        add_free(motion, ours_, state, name, at);
       }
     }
     return motion;
@@ -94,43 +83,12 @@ class Correspondence {
  private:
   static std::string our_name(const std::string& name) { return name.substr(name[0] == '/' ? 1 : 0); }
 
-  const Coordinate& coordinate(const std::string& name) const {
-    for (const Coordinate& c : ours_.coordinates)
-      if (c.name == name) return c;
-    throw std::runtime_error("no coordinate " + name);
-  }
-
-  void add_single(Motion& motion, const State& state, const std::string& name, Eigen::Index at) const {
-    const auto found = which_.follows.find(name);
-    const Follows follows = found == which_.follows.end() ? Follows{name, 1, 0} : found->second;
-    const Coordinate& c = coordinate(follows.joint);
-    motion.position[at] = follows.multiplier * state.q[static_cast<std::size_t>(c.first_q)] + follows.offset;
-    motion.J(at, c.first_speed) = follows.multiplier;
-  }
-
-  /// DART: the twist in the body's axes, angular first. Ours: the velocity in the parent's axes, the angular
-  /// velocity in the body's.
-  void add_free(Motion& motion, const State& state, const std::string& name, Eigen::Index at) const {
-    const Coordinate &x = coordinate(name + "_x"), &r = coordinate(name + "_rotation");
-    const double* q = state.q.data() + r.first_q;
-    const Eigen::Matrix3d R = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
-    const Eigen::Map<const Eigen::Vector3d> p(state.q.data() + x.first_q),
-        v(state.speeds.data() + x.first_speed), w(state.speeds.data() + r.first_speed);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = R;
-    pose.translation() = p;
-    motion.position.segment<6>(at) = dd::FreeJoint::convertToPositions(pose);
-    motion.J.block<3, 3>(at, r.first_speed).setIdentity();
-    motion.J.block<3, 3>(at + 3, x.first_speed) = R.transpose();
-    motion.bias.segment<3>(at + 3) = -w.cross(R.transpose() * v);
-  }
-
   const Description& ours_;
   const dd::SkeletonPtr& theirs_;
   const Case& which_;
 };
 
-Dynamics dynamics(const dd::SkeletonPtr& skeleton, const Motion& motion, const State& state) {
+Dynamics dynamics(const dd::SkeletonPtr& skeleton, const DartMotion& motion, const State& state) {
   const auto nv = motion.J.cols();
   const Eigen::Map<const Eigen::VectorXd> speeds(state.speeds.data(), nv), rates(state.rates.data(), nv);
   skeleton->setPositions(motion.position);
