@@ -57,17 +57,29 @@ Classes classes_of(const UnsignedProgram& program, int depth) {
   return current;
 }
 
+using Users = std::vector<std::vector<std::uint32_t>>;
+
+/// Values by class, and the users of each in the order of their classes: those of one class are found without a look at
+/// the others, of which a sine may have hundreds.
+struct Level {
+  Classes classes;
+  Users users;
+
+  std::span<const std::uint32_t> users_of_class(std::uint32_t v, std::uint64_t wanted) const {
+    return std::ranges::equal_range(users[v], wanted, {}, [&](std::uint32_t user) { return classes[user]; });
+  }
+};
+
 class Growth {
  public:
-  Growth(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users, Shift shift)
-      : program_(program), users_(users) {
+  Growth(const UnsignedProgram& program, const Users& users, Shift shift) : program_(program), users_(users) {
     map_.shift = shift;
     map_.next.assign(program.size(), kNoValue);
     map_.previous.assign(program.size(), kNoValue);
   }
 
-  void grow(const Classes& classes) {
-    classes_ = &classes;
+  void grow(const Level& level) {
+    level_ = &level;
     start();
     ambiguous_.clear();
     for (std::uint32_t v = 0; v < program_.size(); ++v)
@@ -136,7 +148,7 @@ class Growth {
 
   bool possible(std::uint32_t a, std::uint32_t b) const {
     if (map_.next[a] == b) return true;
-    if (a == b || (*classes_)[a] != (*classes_)[b] || program_.constant(a)) return false;
+    if (a == b || level_->classes[a] != level_->classes[b] || program_.constant(a)) return false;
     if (map_.next[a] != kNoValue || map_.previous[b] != kNoValue) return false;
     const InputSlot *from = input(a), *to = input(b);
     if (from == nullptr) return true;
@@ -248,30 +260,32 @@ class Growth {
     bool done = true;
     for (const std::uint32_t user : users_[a]) {
       if (map_.next[user] != kNoValue) continue;
-      const auto like = [&](std::uint32_t other) { return (*classes_)[other] == (*classes_)[user]; };
-      const auto of_a = std::ranges::count_if(users_[a], like), of_b = std::ranges::count_if(users_[b], like);
-      if (of_a == 1 && of_b == 1) {
-        propose(user, *std::ranges::find_if(users_[b], like));
+      const auto of_a = level_->users_of_class(a, level_->classes[user]);
+      const auto of_b = level_->users_of_class(b, level_->classes[user]);
+      if (of_a.size() == 1 && of_b.size() == 1) {
+        propose(user, of_b[0]);
         continue;
       }
       // All operands known: the only user that has what corresponds to them. A sum and a difference of the
       // same two values are told apart by what they are used for.
-      const auto match = only(users_[b], [&](std::uint32_t other) {
-        return like(other) && map_.previous[other] == kNoValue && operands_known(user, other);
+      const bool known = std::ranges::all_of(
+          program_.operands(user), [&](const Operand& x) { return map_.next[x.value] != kNoValue; });
+      const auto match = !known ? kNoValue : only(of_b, [&](std::uint32_t other) {
+        return map_.previous[other] == kNoValue && operands_known(user, other);
       });
-      const bool alone = match != kNoValue && only(users_[a], [&](std::uint32_t other) {
-                                                return like(other) && map_.next[other] == kNoValue &&
-                                                       operands_known(other, match);
-                                              }) == user;
+      const bool alone =
+          match != kNoValue && only(of_a, [&](std::uint32_t other) {
+                                 return map_.next[other] == kNoValue && operands_known(other, match);
+                               }) == user;
       if (alone) propose(user, match);
-      done &= alone || of_b == 0;
+      done &= alone || of_b.empty();
     }
     return done;
   }
 
   /// The only one of which the condition holds, or kNoValue.
   template <class Condition>
-  static std::uint32_t only(const std::vector<std::uint32_t>& values, const Condition& condition) {
+  static std::uint32_t only(std::span<const std::uint32_t> values, const Condition& condition) {
     std::uint32_t found = kNoValue;
     for (const std::uint32_t v : values)
       if (condition(v)) {
@@ -281,16 +295,16 @@ class Growth {
     return found;
   }
 
-  bool operands_known(std::uint32_t a, std::uint32_t b) const {
+  bool operands_known(std::uint32_t a, std::uint32_t b) {
     const auto from = program_.operands(a), to = program_.operands(b);
     if (from.size() != to.size()) return false;
-    std::vector<bool> taken(to.size(), false);
+    taken_.assign(to.size(), false);
     for (std::size_t i = 0; i < from.size(); ++i) {
       bool known = false;
       for (std::size_t k = 0; k < to.size() && !known; ++k) {
-        if (taken[k] || (k != i && !program_.commutes(a)) || map_.next[from[i].value] != to[k].value)
+        if (taken_[k] || (k != i && !program_.commutes(a)) || map_.next[from[i].value] != to[k].value)
           continue;
-        known = taken[k] = true;
+        taken_[k] = known = true;
       }
       if (!known) return false;
     }
@@ -298,25 +312,32 @@ class Growth {
   }
 
   const UnsignedProgram& program_;
-  const Classes* classes_ = nullptr;
-  const std::vector<std::vector<std::uint32_t>>& users_;
+  const Level* level_ = nullptr;
+  const Users& users_;
   Correspondence map_;
+  std::vector<char> taken_;  // of operands_known(), which is asked too often to take memory
   std::deque<std::pair<std::uint32_t, std::uint32_t>> queue_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ambiguous_;
 };
 
-std::vector<std::vector<std::uint32_t>> users_of(const UnsignedProgram& program) {
-  std::vector<std::vector<std::uint32_t>> users(program.size());
+Users users_of(const UnsignedProgram& program) {
+  Users users(program.size());
   for (std::uint32_t v = 0; v < program.size(); ++v)
     for (const auto& operand : program.operands(v))
       if (users[operand.value].empty() || users[operand.value].back() != v) users[operand.value].push_back(v);
   return users;
 }
 
-std::vector<Classes> classes_of(const UnsignedProgram& program, std::span<const int> depths) {
-  std::vector<Classes> classes;
-  for (const int depth : depths) classes.push_back(classes_of(program, depth));
-  return classes;
+std::vector<Level> levels_of(const UnsignedProgram& program, const Users& users,
+                             std::span<const int> depths) {
+  std::vector<Level> levels;
+  for (const int depth : depths) {
+    Level level{classes_of(program, depth), users};
+    for (std::vector<std::uint32_t>& all : level.users)
+      std::ranges::stable_sort(all, {}, [&](std::uint32_t user) { return level.classes[user]; });
+    levels.push_back(std::move(level));
+  }
+  return levels;
 }
 
 /// Numbers of coordinates and speeds, as far as arguments and results tell.
@@ -345,10 +366,10 @@ std::size_t whole_pairs(const UnsignedProgram& program, const Correspondence& ma
   return count;
 }
 
-Correspondence grown(const UnsignedProgram& program, const std::vector<std::vector<std::uint32_t>>& users,
-                     Shift shift, const std::vector<Classes>& classes) {
+Correspondence grown(const UnsignedProgram& program, const Users& users, Shift shift,
+                     const std::vector<Level>& levels) {
   Growth growth(program, users, shift);
-  for (const Classes& alike : classes) growth.grow(alike);
+  for (const Level& level : levels) growth.grow(level);
   return growth.found();
 }
 
@@ -411,17 +432,18 @@ std::vector<std::uint32_t> UnsignedProgram::wanted() const {
 
 Correspondence corresponding_values(const UnsignedProgram& program, Shift shift,
                                     std::span<const int> depths) {
-  return grown(program, users_of(program), shift, classes_of(program, depths));
+  const Users users = users_of(program);
+  return grown(program, users, shift, levels_of(program, users, depths));
 }
 
 Shift shift_of_steps(const UnsignedProgram& program, std::span<const int> depths) {
-  const std::vector<std::vector<std::uint32_t>> users = users_of(program);
-  const std::vector<Classes> classes = classes_of(program, depths);
+  const Users users = users_of(program);
+  const std::vector<Level> levels = levels_of(program, users, depths);
   const auto [coordinates, speeds] = dimensions(program.program());
   Shift best;
   std::size_t size = 0;
   const auto attempt = [&](Shift shift) {
-    const std::size_t found = whole_pairs(program, grown(program, users, shift, classes));
+    const std::size_t found = whole_pairs(program, grown(program, users, shift, levels));
     if (found > size) best = shift;
     size = std::max(size, found);
   };
