@@ -12,7 +12,7 @@
 // --root R            fixed, floating or both (default)
 // --require-import    what is not imported counts as wrong
 // --only SUBSTRING    files whose path has it
-// --thirds            functions besides the dynamics of about every third robot only
+// --in-turn           functions besides the dynamics of about every seventh robot only
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,7 +52,7 @@ struct Options {
   std::vector<std::string> folders;
   std::set<std::string> functions;
   int seconds = 120, jobs = 1, limit = 1000000;
-  bool require_import = false, thirds = false;
+  bool require_import = false, in_turn = false;
   std::string only, root = "both";
 };
 
@@ -174,7 +174,7 @@ void compare_robot(const Options& options, const fs::path& description_file, Row
       options.functions.empty() ? comparable_functions(description) : options.functions;
   if (options.functions.empty() && description.nv > kFew)
     functions.erase("inverse_dynamics_second_derivatives");
-  if (options.thirds) {
+  if (options.in_turn) {
     const std::string file = fs::path(row.file).filename().string();
     functions =
         functions_in_turn(functions, std::accumulate(file.begin(), file.end(), row.floating ? 1u : 0u));
@@ -279,8 +279,8 @@ Options read_options(int argc, char** argv) {
       options.root = value();
     } else if (word == "--require-import") {
       options.require_import = true;
-    } else if (word == "--thirds") {
-      options.thirds = true;
+    } else if (word == "--in-turn") {
+      options.in_turn = true;
     } else if (options.executable.empty()) {
       options.executable = word;
     } else {
@@ -298,7 +298,7 @@ int main(int argc, char** argv) {
     std::fprintf(
         stderr,
         "usage: oracle_corpus EXECUTABLE FOLDER... [--functions f,g] [--seconds N] [--jobs N] [--limit N] "
-        "[--only SUBSTRING] [--root R] [--require-import] [--thirds]\n");
+        "[--only SUBSTRING] [--root R] [--require-import] [--in-turn]\n");
     return 2;
   }
   std::vector<std::string> files;

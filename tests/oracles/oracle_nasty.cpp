@@ -1,8 +1,8 @@
 // oracle_nasty EXECUTABLE [COUNT] [SEED]: mechanisms that are hard on numbers, every function of each at six
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
-// random forces of every kind, with states and outputs, on such mechanisms and on random trees, and --thirds asks for
-// functions besides the dynamics of every third mechanism only.
+// random forces of every kind, with states and outputs, on such mechanisms and on random trees, and --in-turn asks for
+// functions besides the dynamics of every seventh mechanism only.
 #include <unistd.h>
 
 #include <algorithm>
@@ -88,14 +88,14 @@ struct Summary {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool quiet = false, forces = false, thirds = false;
+  bool quiet = false, forces = false, in_turn = false;
   for (; argc > 1 && std::strncmp(argv[1], "--", 2) == 0; ++argv, --argc) {
     quiet = quiet || std::strcmp(argv[1], "--quiet") == 0;
     forces = forces || std::strcmp(argv[1], "--forces") == 0;
-    thirds = thirds || std::strcmp(argv[1], "--thirds") == 0;
+    in_turn = in_turn || std::strcmp(argv[1], "--in-turn") == 0;
   }
   if (argc < 2) {
-    std::fprintf(stderr, "usage: oracle_nasty [--quiet] [--forces] [--thirds] EXECUTABLE [COUNT] [SEED]\n");
+    std::fprintf(stderr, "usage: oracle_nasty [--quiet] [--forces] [--in-turn] EXECUTABLE [COUNT] [SEED]\n");
     return 2;
   }
   const std::string executable = argv[1];
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
     std::ofstream(file) << mechanism.text;
     std::set<std::string> asked = comparable_functions(mechanism.description);
-    if (thirds) asked = functions_in_turn(asked, here);
+    if (in_turn) asked = functions_in_turn(asked, here);
     const std::vector<Reference> references =
         taylor_references(mechanism.description, mechanism.states, asked);
     std::vector<Comparison> lines = compare_functions(executable, file.string(), mechanism.description.name,

@@ -1,5 +1,5 @@
 // oracle_random EXECUTABLE [COUNT] [SEED]: random mechanisms against every oracle, three states each, runtime
-// parameters off their defaults; functions besides the dynamics of every third mechanism. With `-` for the executable,
+// parameters off their defaults; functions besides the dynamics of every seventh mechanism. With `-` for the executable,
 // oracles are compared with each other. What disagrees is printed with its description; exit 1.
 #include <algorithm>
 #include <cstdio>

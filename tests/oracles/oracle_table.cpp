@@ -1,5 +1,5 @@
-// oracle_table EXECUTABLE MECHANISMS EQUIVALENTS [STATES] [--thirds]: every mechanism of a folder against every oracle,
-// at random states; --thirds asks for functions besides the dynamics of every third mechanism only. With `-` for the
+// oracle_table EXECUTABLE MECHANISMS EQUIVALENTS [STATES] [--in-turn]: every mechanism of a folder against every oracle,
+// at random states; --in-turn asks for functions besides the dynamics of every seventh mechanism only. With `-` for the
 // executable, the numeric Lagrangian stands in for it, and oracles are compared with each other. Exit 1 if any line
 // fails, or if an engine is missing that this build requires.
 #include <algorithm>
@@ -13,12 +13,12 @@
 int main(int argc, char** argv) {
   using alembert::oracles::Comparison;
   if (argc < 4) {
-    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS EQUIVALENTS [STATES] [--thirds]\n");
+    std::fprintf(stderr, "usage: oracle_table EXECUTABLE|- MECHANISMS EQUIVALENTS [STATES] [--in-turn]\n");
     return 2;
   }
   const std::string executable = std::string(argv[1]) == "-" ? "" : argv[1];
   const int states = argc > 4 ? std::atoi(argv[4]) : 20;
-  const bool thirds = argc > 5 && std::string(argv[5]) == "--thirds";
+  const bool in_turn = argc > 5 && std::string(argv[5]) == "--in-turn";
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(argv[2])) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     for (Comparison& line :
          alembert::oracles::compare(executable, file.string(), states, 2024,
                                     std::filesystem::exists(equivalent) ? equivalent.string() : "", {},
-                                    thirds ? std::optional(turn) : std::nullopt)) {
+                                    in_turn ? std::optional(turn) : std::nullopt)) {
       lines.push_back(std::move(line));
     }
   }

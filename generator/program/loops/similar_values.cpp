@@ -66,7 +66,9 @@ struct Level {
   Users users;
 
   std::span<const std::uint32_t> users_of_class(std::uint32_t v, std::uint64_t wanted) const {
-    return std::ranges::equal_range(users[v], wanted, {}, [&](std::uint32_t user) { return classes[user]; });
+    const auto of_class = [&](std::uint32_t user) { return classes[user]; };
+    return {std::ranges::lower_bound(users[v], wanted, {}, of_class),
+            std::ranges::upper_bound(users[v], wanted, {}, of_class)};
   }
 };
 

@@ -776,7 +776,7 @@ std::set<std::string> functions_in_turn(const std::set<std::string>& functions, 
       "constrained_forward_dynamics_derivatives", "base_regressor"};
   std::set<std::string> some;
   for (const std::string& name : functions) {
-    if (always.count(name) != 0 || turn % (long_ones.count(name) != 0 ? 9 : 3) == 0) some.insert(name);
+    if (always.count(name) != 0 || turn % (long_ones.count(name) != 0 ? 13 : 7) == 0) some.insert(name);
     if (always.count(name) == 0) ++turn;
   }
   return some;
