@@ -105,8 +105,7 @@ class SdfLinkReader {
     }
     if (mass == 0 && !inertia) matrix.setZero();
     const RigidPose pose = files_.pose(inertial.child("pose"));
-    link_.mass =
-        BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose.turn.toRotationMatrix(), pose.shift);
+    link_.mass = BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose);
   }
 
   /// Inertia that follows from the shapes of contacts.
@@ -128,8 +127,7 @@ class SdfLinkReader {
         if (shape.kind == SolidKind::cylinder || shape.kind == SolidKind::capsule) half[1] /= 2;
         unit = solid_of_unit_density(shape.kind, half);
       }
-      link_.mass += unit.times(files_.number(collision, "density", density))
-                        .moved(shape.pose.turn.toRotationMatrix(), shape.pose.shift);
+      link_.mass += unit.times(files_.number(collision, "density", density)).moved(shape.pose);
     }
     if (!(link_.mass.mass > 0))
       throw InputError(
