@@ -159,9 +159,9 @@ void MjcfBodyNodes::add_joints(YamlNode& factors, const MjcfBody& body) const {
 
 void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
   // Those that MuJoCo's viewers show; of a body that has none, the others.
-  const bool any = std::ranges::any_of(body.shapes, [](const SolidShape& shape) { return !shape.hidden; });
+  const bool any = std::ranges::any_of(body.shapes, [](const PlacedShape& shape) { return !shape.hidden; });
   YamlNode& shapes = nodes_.sequence(body.where);
-  for (const SolidShape& shape : body.shapes) {
+  for (const PlacedShape& shape : body.shapes) {
     if (any && shape.hidden) continue;
     add_shape(nodes_, factors_, shapes, shape);
   }

@@ -36,7 +36,7 @@ struct MjcfBody {
   double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
-  std::vector<SolidShape> shapes;
+  std::vector<PlacedShape> shapes;
   SourceLocation where;
 };
 

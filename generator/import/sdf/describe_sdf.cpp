@@ -285,7 +285,7 @@ class SdfDescriber {
     if (!factors.items.empty()) nodes_.put(node, "transform", factors);
     if (!of.fixed) add_mass(nodes_, node, of.mass, of.where);
     YamlNode& shapes = nodes_.sequence(of.where);
-    for (const SolidShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape);
+    for (const PlacedShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape);
     if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
     list.items.push_back(&node);
   }

@@ -112,7 +112,7 @@ class SdfLinkReader {
   void read_collisions(pugi::xml_node node, pugi::xml_node inertial) {
     const double density = files_.number(inertial, "density", 1000);
     for (const pugi::xml_node collision : node.children("collision")) {
-      const SolidShape shape = read_shape(collision);
+      const PlacedShape shape = read_shape(collision);
       BodyMass unit;
       if (const pugi::xml_node mesh = collision.child("geometry").child("mesh")) {
         unit = mesh_mass(mesh);
@@ -162,8 +162,8 @@ class SdfLinkReader {
   }
 
   /// Of a <visual> or <collision>.
-  SolidShape read_shape(pugi::xml_node owner) const {
-    SolidShape out;
+  PlacedShape read_shape(pugi::xml_node owner) const {
+    PlacedShape out;
     out.where = files_.where(owner);
     out.pose = pose_of(owner);
     const pugi::xml_node geometry = owner.child("geometry");
@@ -207,7 +207,7 @@ class SdfLinkReader {
   void read_visual(pugi::xml_node visual) {
     const XmlText& text = files_.of(visual);
     text.tolerate("it is not drawn", [&] {
-      SolidShape shape = read_shape(visual);
+      PlacedShape shape = read_shape(visual);
       if (shape.kind == SolidKind::none) {
         if (!visual.child("geometry").child("empty"))
           ++left_out_[visual.child("geometry").child("mesh") ? "mesh" : "shape"];
