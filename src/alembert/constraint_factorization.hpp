@@ -26,7 +26,7 @@ namespace alembert {
 /// Angles do not depend on the units of rows, speeds or masses. Which rows are zero does, on those of rows: where
 /// all terms of a row cancel, as those of the axis of a hinge that closes a chain in a plane, what is left is as
 /// independent as any row, and only beside other rows is it seen to be rounding. So rows, positions and angles
-/// alike, may differ by 1 / (64 max(n, k) epsilon) in the metric of M^-1: about 1e12 in double and 1e3 in single
+/// alike, may differ by 1 / (64 max(n, k) epsilon) in the metric of M^-1: about 1e12 in double and 1e4 in single
 /// precision.
 ///
 /// S scalar, N speeds n, K rows k of constraints; N and K may be Eigen::Dynamic.
