@@ -23,6 +23,12 @@ namespace alembert {
 /// rows that could be taken next, the first one of at least a quarter of the best pivot is, so that of two
 /// equal rows the first stays.
 ///
+/// Angles do not depend on the units of rows, speeds or masses. Which rows are zero does, on those of rows: where
+/// all terms of a row cancel, as those of the axis of a hinge that closes a chain in a plane, what is left is as
+/// independent as any row, and only beside other rows is it seen to be rounding. So rows, positions and angles
+/// alike, may differ by 1 / (64 max(n, k) epsilon) in the metric of M^-1: about 1e12 in double and 1e4 in single
+/// precision.
+///
 /// S scalar, N speeds n, K rows k of constraints; N and K may be Eigen::Dynamic.
 /// Golub and Van Loan, Matrix Computations, 4.2.8 and 4.4.6; one step of refinement as in the corrected
 /// semi-normal equations, Bjoerck, Linear Algebra and its Applications 88/89 (1987).

@@ -94,9 +94,17 @@ template <class S, int N, int K>
   return all_finite(x) ? Status::ok : Status::not_finite;
 }
 
+/// Whether the largest of written rates tells that M is not singular. Zero does not: nothing drives what M leaves
+/// open then.
+template <class S>
+bool is_ordinary_rate(S largest) {
+  using std::sqrt;
+  return largest > S(0) && largest < S(1) / sqrt(std::numeric_limits<S>::epsilon());
+}
+
 /// The generated forward dynamics has no checks. What a mass matrix that is not positive definite leads to, at
-/// a singular state of coordinates, is not finite or large; then, and where masses may be negative because
-/// parameters are arguments, M decides.
+/// a singular state of coordinates, is not finite, large or, without driving forces, zero; then, and where
+/// masses may be negative because parameters are arguments, M decides.
 ///
 /// \return whether x are the rates
 template <class M>
@@ -106,10 +114,8 @@ template <class M>
                                  [[maybe_unused]] const typename M::Inputs& in,
                                  [[maybe_unused]] SpeedVector<M>& x) {
   if constexpr (HasForwardDynamics<M>::value && ParameterCount<typename M::Inputs>::value == 0) {
-    using S = typename M::Scalar;
-    using std::sqrt;
     x = M::forward_dynamics(q, qd, tau, in);
-    return all_finite(x) && x.cwiseAbs().maxCoeff() < S(1) / sqrt(std::numeric_limits<S>::epsilon());
+    return all_finite(x) && is_ordinary_rate(x.cwiseAbs().maxCoeff());
   } else {
     return false;
   }
@@ -119,7 +125,12 @@ template <class M>
 
 /// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
 /// (constrained_dynamics.hpp has those): by the generated M::forward_dynamics where M has it and its masses
-/// are not arguments, otherwise, and where that finds no rates of ordinary size, by factoring M.
+/// are not arguments. Otherwise, and where that finds rates that are not finite, large or all zero, M is factored
+/// and tells whether it is singular.
+///
+/// The generated function keeps its digits closer to a singular state than M does. There, where forces move some
+/// coordinates and leave alone what M leaves open, its rates may be the result, with ok: they solve
+/// M qdd = tau - c, and change without bounds as the state does.
 ///
 /// \param q    coordinates, n_q x 1
 /// \param qd   speeds, n_v x 1

@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "alembert/rollout.hpp"
 
@@ -206,7 +205,6 @@ class PackedBlock {
     in_.common.t = t;
     static_cast<void>(packed_.forward_dynamics(lanes_, lanes_, q.data(), u.data(), tau_.data(), in_,
                                                rate_.data(), options_));
-    const double most = 1 / std::sqrt(std::numeric_limits<double>::epsilon());
     double largest[kMostLanes] = {};
     bool finite[kMostLanes];
     std::fill(finite, finite + lanes_, true);
@@ -216,7 +214,7 @@ class PackedBlock {
         largest[l] = std::max(largest[l], std::abs(rate_[i][l]));
       }
     for (std::size_t l = 0; l < count_; ++l) {
-      if (!live_[l] || failed_[l] != Status::ok || (finite[l] && largest[l] < most)) continue;
+      if (!live_[l] || failed_[l] != Status::ok || (finite[l] && is_ordinary_rate(largest[l]))) continue;
       CoordinateVector<M> position;
       SpeedVector<M> speed, force, qdd;
       typename M::Inputs in{};

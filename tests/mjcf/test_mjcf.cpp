@@ -87,6 +87,27 @@ TEST(MjcfBombs, AreRefused) {
               testing::HasSubstr("expected 1 to 3 numbers"));
 }
 
+TEST(MjcfLengths, AreOfAnySize) {
+  test::expect_the_same_however_small("model.xml", R"(<mujoco><compiler angle='radian'/><worldbody>
+    <frame pos='@0.1 @0.2 @-0.3' euler='0.3 0 0.5'>
+      <body name='base' pos='@0.7 0 @0.3' euler='0 1.5707963267948966 0'>
+        <joint name='turn' pos='@0.1 @0.2 @0.05' axis='0 1 0'/>
+        <joint name='turn_on' pos='@0.1 @0.2 @0.05' axis='1 0 0'/>
+        <joint name='slide' type='slide' ref='@0.2617993877991494'/>
+        <geom type='box' size='@0.1 @0.2 @0.3' pos='@0.1 0 @0.2' mass='0.7'/>
+        <geom type='capsule' fromto='@-0.1 0 @0.2 @0.1 0 @0.3' size='@0.05' mass='0.3'/>
+        <body name='tip' pos='@0.3 @0.1 0' quat='0.5 0.5 0.5 0.5'>
+          <joint name='tip' pos='@0.3 0 @0.1' axis='0 0 1'/>
+          <inertial pos='@0.01 0 0' mass='0.2' diaginertia='@@0.01 @@0.01 @@0.015' euler='0.1 0.2 0.3'/>
+          <site name='end' pos='@0.3 @0.1 @0.2'/>
+        </body>
+      </body>
+    </frame>
+  </worldbody>
+  <equality><connect body1='tip' anchor='@0.1 @0.2 @0.3'/></equality>
+  <sensor><framepos objtype='site' objname='end'/></sensor></mujoco>)");
+}
+
 TEST(MjcfOptions, ResistanceMayBeLeftOut) {
   const std::string text =
       model("<body><joint name='j' damping='1' frictionloss='2'/><geom size='0.1'/></body>");

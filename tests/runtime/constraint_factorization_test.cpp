@@ -124,6 +124,74 @@ TEST(ConstraintFactorization, RowsMayHaveAnyUnits) {
   EXPECT_LT((P * x - Eigen::Vector2d(1e9, 1e-3)).cwiseQuotient(Eigen::Vector2d(1e9, 1e-3)).norm(), 1e-14);
 }
 
+TEST(ConstraintFactorization, UnitsOfRowsAndCoordinatesDoNotMatter) {
+  // Millimetres beside metres, degrees, grams: powers of two, so that nothing is rounded.
+  Random random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int n = random.integer(1, 9), k = random.integer(1, 9), rank = random.integer(1, std::min(n, k));
+    const MatrixXd M = random.positive_definite(n), P = random.matrix(k, rank) * random.matrix(rank, n);
+    const VectorXd b = random.matrix(n, 1), r = P * random.matrix(n, 1);
+    const auto powers = [&](int size) {
+      VectorXd out(size);
+      for (double& each : out) each = std::ldexp(1, random.integer(-17, 17));
+      return out;
+    };
+    const VectorXd of_row = powers(k), of_coordinate = powers(n);
+    const Eigen::DiagonalMatrix<double, Eigen::Dynamic> rows(of_row), columns(of_coordinate);
+    Factorization plain, scaled;
+    ASSERT_EQ(plain.factor(M, P), Status::ok);
+    ASSERT_EQ(scaled.factor(columns * M * columns, rows * P * columns), Status::ok);
+    ASSERT_EQ(scaled.rank(), rank) << "trial " << trial;
+    ASSERT_TRUE((scaled.redundant() == plain.redundant()).all()) << "trial " << trial;
+    VectorXd x, y, lambda, mu;
+    ASSERT_EQ(plain.solve(b, r, x, lambda), -1);
+    ASSERT_EQ(scaled.solve(columns * b, rows * r, y, mu), -1);
+    EXPECT_EQ(columns * y, x) << "trial " << trial;
+    EXPECT_EQ(rows * mu, lambda) << "trial " << trial;
+  }
+}
+
+TEST(ConstraintFactorization, PositionsAndOrientationsAreComparedWhateverTheSizeOfTheBody) {
+  // A body in the plane, of radius of gyration r: the position of a point on it, its angle, that of another point.
+  for (const double r : {1e3, 1.0, 1e-3, 1e-6, 1e-9}) {
+    const MatrixXd M = Eigen::Vector3d(2, 2, 2 * r * r).asDiagonal();
+    MatrixXd P(5, 3);
+    P << 1, 0, -0.3 * r,  //
+        0, 0, 1,          //
+        0, 1, 0.7 * r,    //
+        1, 0, 0.4 * r,    //
+        0, 1, -1.1 * r;
+    for (const double unit : {1.0, 1e3, 1e-3}) {
+      MatrixXd in_units = P;
+      in_units.bottomRows(2) *= unit;
+      Factorization factorization;
+      ASSERT_EQ(factorization.factor(M, in_units.topRows(2)), Status::ok);
+      EXPECT_EQ(factorization.rank(), 2) << r;
+      ASSERT_EQ(factorization.factor(M, in_units), Status::ok);
+      EXPECT_EQ(factorization.rank(), 3) << r;
+      for (int i = 0; i < 5; ++i) EXPECT_EQ(factorization.redundant(i), i > 2) << r << " row " << i;
+      const VectorXd acceleration = Eigen::Vector3d(r, -2 * r, 3);
+      VectorXd x, lambda;
+      EXPECT_EQ(factorization.solve(VectorXd::Zero(3), in_units * acceleration, x, lambda), -1) << r;
+      EXPECT_LT((x - acceleration).cwiseQuotient(acceleration).norm(), 1e-13) << r;
+    }
+  }
+}
+
+TEST(ConstraintFactorization, RowsOfRoundingAreRedundant) {
+  // Of a hinge that closes a chain in a plane the rows of its axis are products of directions at right angles: by
+  // themselves they are as independent as any, and have no correct digit.
+  Random random(4);
+  for (int trial = 0; trial < 50; ++trial) {
+    MatrixXd P = random.matrix(4, 6);
+    P.bottomRows(2) *= 0x1p-52;
+    Factorization factorization;
+    ASSERT_EQ(factorization.factor(random.positive_definite(6), P), Status::ok);
+    EXPECT_EQ(factorization.rank(), 2);
+    EXPECT_TRUE(factorization.redundant(2) && factorization.redundant(3));
+  }
+}
+
 TEST(ConstraintFactorization, AngleBetweenRowsDecides) {
   // Two rows an angle apart: independent at 1e-5, redundant at 1e-9, in double precision.
   for (const double angle : {1e-5, 1e-9}) {

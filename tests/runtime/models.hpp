@@ -123,6 +123,27 @@ struct WrittenPendulum : Pendulum<> {
   }
 };
 
+/// Two hinges about one axis. Where the body between them has little inertia, M is singular but for rounding; the
+/// written rates without forces are zero all the same.
+struct HingesInLine {
+  using Scalar = double;
+  static constexpr int kNq = 2, kNv = 2;
+  static constexpr std::array<int, 0> kQuaternionOffsets{};
+  using Vector = Eigen::Vector2d;
+  using Inputs = models::Inputs<double>;
+  static inline double inner = 0.5;
+  static void mass_matrix_and_bias(const Vector&, const Vector&, const Inputs&, Eigen::Matrix2d& M,
+                                   Vector& c) {
+    M << 1 + inner, 1, 1, 1;
+    c.setZero();
+  }
+  static Vector forward_dynamics(const Vector&, const Vector&, const Vector& tau, const Inputs&) {
+    const double rate = (tau(0) - tau(1)) / inner;
+    return {rate, tau(1) - rate};
+  }
+  static Vector coordinate_rates(const Vector&, const Vector& qd) { return qd; }
+};
+
 /// Has sizes and nothing else.
 struct NotAMechanism {
   using Scalar = double;

@@ -322,6 +322,29 @@ TEST(Rollout, PoliciesStopMotions) {
   EXPECT_FALSE(motions.stopped[0]);
 }
 
+/// Packs ask M, too, where the generated function has rates of zero at a singular mass matrix.
+TEST(Rollout, SaysThatMIsSingularWhereNothingDrives) {
+  using M = models::HingesInLine;
+  using In = Batch<M>::Inputs;
+  const PackedDynamics<In> written(+[](std::size_t n, std::size_t stride, const double*, const double*,
+                                       const double* tau, const In&, double* qdd,
+                                       const alembert::BatchOptions&) -> std::size_t {
+    for (std::size_t s = 0; s < n; ++s) {
+      const M::Vector rate = M::forward_dynamics({}, {}, {tau[s], tau[stride + s]}, {});
+      for (int i = 0; i < M::kNv; ++i) qdd[static_cast<std::size_t>(i) * stride + s] = rate(i);
+    }
+    return 0;
+  });
+  const double ordinary = M::inner;
+  for (const double inner : {1e-17, ordinary}) {
+    M::inner = inner;
+    Motions<M> motions(9);
+    const std::size_t failed = alembert::rollout_in_packs<M>(motions.way, motions.results(), written);
+    EXPECT_EQ(failed, inner == ordinary ? 0U : 9U);
+    EXPECT_EQ(motions.status[4], inner == ordinary ? Status::ok : Status::not_positive_definite);
+  }
+}
+
 /// A mass matrix 1 / (1 + i + j) + t on the diagonal: singular for t = -1 at first, and never in what packs give.
 TEST(Rollout, SaysWhyThereIsNoStep) {
   using M = models::Dense<1>;

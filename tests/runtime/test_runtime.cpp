@@ -153,6 +153,23 @@ TEST(ForwardDynamics, IsTheGeneratedOneWhereMIsSurelyPositive) {
   EXPECT_NEAR(qdd(0), expected, 1e-14);
 }
 
+TEST(ForwardDynamics, SingularMassMatrixIsReportedWithoutForcesToo) {
+  using M = models::HingesInLine;
+  const M::Vector none = M::Vector::Zero(), before = M::Vector::Constant(7);
+  M::Vector qdd = before;
+  M::inner = 1e-17;
+  for (const M::Vector& tau : {none, M::Vector(1, 0)}) {
+    EXPECT_EQ(alembert::forward_dynamics<M>(none, none, tau, {}, qdd), Status::not_positive_definite);
+    EXPECT_EQ(qdd, before);
+  }
+  M::Vector q = none, qd = none;
+  M::Inputs in;
+  EXPECT_EQ(alembert::rk4_step<M>(q, qd, in, 0.01, no_force<M>), Status::not_positive_definite);
+  M::inner = 0.5;
+  EXPECT_EQ(alembert::forward_dynamics<M>(none, none, none, {}, qdd), Status::ok);
+  EXPECT_EQ(qdd, none);
+}
+
 TEST(Linearize, IsTheGeneratedDerivativesOfFewSpeeds) {
   using M = models::WrittenPendulum<0>;
   const M::Vector q(0.7), qd(0.1), tau(0.3);

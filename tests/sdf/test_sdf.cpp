@@ -91,6 +91,30 @@ TEST(Sdf, ResistanceMayBeLeftOut) {
   EXPECT_THAT(import(file_of(text), options).text, HasSubstr("coordinates: [j]"));
 }
 
+TEST(SdfLengths, AreOfAnySize) {
+  test::expect_the_same_however_small("model.sdf", R"(<sdf version='1.10'><model name='m'>
+    <pose>@0.1 @0.2 @0.3 0.3 0.2 0.1</pose>
+    <link name='base'><pose>@0.7 @0.1 0 0 0 1.5707963267948966</pose>
+      <inertial><pose>@0.1 @0.01 0 0.1 0.2 0.3</pose><mass>2</mass>
+        <inertia><ixx>@@0.02</ixx><iyy>@@0.02</iyy><izz>@@0.03</izz></inertia></inertial>
+      <visual name='v'><pose>@0.1 0 @0.1 0 0.5 0</pose><geometry><box><size>@0.1 @0.2 @0.3</size></box></geometry>
+      </visual>
+    </link>
+    <link name='arm'><pose>@0.7 @0.3 @0.2 0.7 0.1 0</pose>
+      <inertial auto='true'><mass>1</mass></inertial>
+      <collision name='a'><pose>@0.1 0 0 0 0 0</pose><geometry><sphere><radius>@0.1</radius></sphere></geometry>
+      </collision>
+      <collision name='b'><pose>@-0.1 0 0 0 0 0</pose><geometry><sphere><radius>@0.1</radius></sphere></geometry>
+      </collision>
+    </link>
+    <frame name='tip' attached_to='arm'><pose>@0.1 @0.2 @0.3 0 0 0</pose></frame>
+    <joint name='j' type='revolute'><pose relative_to='base'>@0.1 @0.2 @0.3 0 0 0</pose>
+      <parent>base</parent><child>arm</child><axis><xyz>0 1 0</xyz></axis></joint>
+    <link name='hand'><pose>@0.3 @0.7 @0.1 0.7 0.1 0.4</pose></link>
+    <joint name='at_hand' type='revolute'><parent>arm</parent><child>hand</child><axis/></joint>
+  </model></sdf>)");
+}
+
 /// What a text is told that asks for a great deal, within some seconds of the processor.
 std::string refusal(const std::string& text) {
   const std::clock_t began = std::clock();

@@ -1,12 +1,16 @@
 // A robot's file in another format in; its description and what is told about it out, as `import` has them.
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "golden/golden_file.hpp"
+#include "import/common/snapped_angle.hpp"
 #include "import/common/yaml.hpp"
 #include "import/importers.hpp"
 #include "mechanism/load.hpp"
@@ -56,6 +60,55 @@ inline void expect_description_beside(const std::filesystem::path& file) {
   const DescribedRobot described = describe_source(source, {}, warnings);
   const Document again(std::make_shared<const SourceText>(SourceText{"again", imported.text}));
   EXPECT_TRUE(same(described.document.root(), again.root()));
+}
+
+/// A text with each number behind an @, a length, times a factor, and each behind @@, an inertia, times its square.
+inline std::string with_lengths(const std::string& text, double factor) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    double by = 1;
+    for (; text[at] == '@'; ++at) by *= factor;
+    if (at == 0 || text[at - 1] != '@') {
+      out += text[at];
+      continue;
+    }
+    std::size_t digits = 0;
+    out += number_text(std::stod(text.substr(at), &digits) * by);
+    at += digits - 1;
+  }
+  return out;
+}
+
+inline std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> out;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    for (char& c : line)
+      if (std::string_view("[],(){}").find(c) != std::string_view::npos) c = ' ';
+    std::istringstream words(line);
+    for (std::string word; words >> word;) out.push_back(word);
+  }
+  return out;
+}
+
+/// A robot a trillion times as small has the same description but for lengths, and inertias, which are as many times
+/// smaller, to the last digit: nothing is judged by metres.
+/// \param text  as with_lengths takes it
+inline void expect_the_same_however_small(const std::string& name, const std::string& text) {
+  const auto words = [&](double factor) {
+    return words_of(
+        import(std::make_shared<const SourceText>(SourceText{name, with_lengths(text, factor)})).text);
+  };
+  const double factor = std::ldexp(1, -40);
+  const std::vector<std::string> large = words(1), small = words(factor);
+  ASSERT_EQ(large.size(), small.size()) << testing::PrintToString(large) << testing::PrintToString(small);
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    if (large[i] == small[i]) continue;
+    double a = 0, b = 0;
+    ASSERT_NO_THROW(a = std::stod(large[i])) << large[i] << " and " << small[i];
+    ASSERT_NO_THROW(b = std::stod(small[i])) << large[i] << " and " << small[i];
+    EXPECT_TRUE(b == a * factor || b == a * factor * factor) << large[i] << " and " << small[i];
+  }
 }
 
 /// A file is read with the warnings beside it.

@@ -221,6 +221,34 @@ TEST(UrdfAngles, TurnByExactQuarters) {
   EXPECT_EQ(SnappedAngle(0.3, 1e-12).cosine_and_sine(), (Pair{std::cos(0.3), std::sin(0.3)}));
 }
 
+TEST(UrdfLengths, AreOfAnySize) {
+  test::expect_the_same_however_small("robot.urdf", R"(<robot name='r'>
+    <link name='base'><visual><origin xyz='@0.1 0 @0.2'/><geometry><box size='@0.1 @0.2 @0.3'/></geometry></visual>
+    </link>
+    <link name='arm'><inertial><origin xyz='@0.1 @0.05 0' rpy='0.1 0.2 0.3'/><mass value='2'/>
+      <inertia ixx='@@0.02' iyy='@@0.02' izz='@@0.03' ixy='0' ixz='0' iyz='0'/></inertial></link>
+    <joint name='j' type='continuous'><parent link='base'/><child link='arm'/><axis xyz='0 0 1'/>
+      <origin xyz='@0.1 @0.2 @0.3' rpy='0 0.5 0'/></joint></robot>)");
+}
+
+TEST(UrdfLengths, ThatAreRoundingAreNone) {
+  const auto robot = [](const std::string& inner) {
+    return import(source_of(
+                      "<robot name='r'><link name='a'/><link name='b'>" + std::string(kInertial) +
+                      "</link><link name='c'>" + kInertial +
+                      "</link><joint name='j' type='continuous'><parent link='a'/><child link='b'/><axis "
+                      "xyz='0 0 1'/><origin xyz='" +
+                      inner +
+                      "'/></joint><joint name='k' type='continuous'><parent link='b'/><child link='c'/><axis "
+                      "xyz='0 0 1'/><origin xyz='0 4e-19 0'/></joint></robot>"))
+        .text;
+  };
+  EXPECT_THAT(robot("0.3 0 1e-17"), testing::HasSubstr("translate: [0.3, 0, 0]"));
+  EXPECT_THAT(robot("0.3 0 0"), testing::Not(testing::HasSubstr("4e-19")));
+  EXPECT_THAT(robot("3e-6 0 0"), testing::HasSubstr("translate: [3e-06, 0, 0]"));
+  EXPECT_THAT(robot("3e-17 0 0"), testing::HasSubstr("translate: [0, 4e-19, 0]"));
+}
+
 TEST(UrdfLimits, StartInside) {
   const auto coordinate = [](const std::string& limit) {
     const std::string text = import(source_of(with_joint(limit))).text;

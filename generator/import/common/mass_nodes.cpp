@@ -8,11 +8,11 @@
 namespace alembert {
 
 void add_mass(DescriptionNodes& nodes, YamlNode& body, const BodyMass& mass, const SourceLocation& where) {
-  if (mass.mass == 0 && mass.inertia.isZero()) return;
+  if (mass.mass == 0 && mass.inertia.isZero(0)) return;
   nodes.put(body, "mass", nodes.text(number_text(mass.mass), where));
-  const std::array<double, 3> com = without_rounding({mass.centre.x(), mass.centre.y(), mass.centre.z()}, 1);
+  const std::array<double, 3> com = shift_without_rounding(mass.frame());
   if (com != std::array<double, 3>{}) nodes.put(body, "com", nodes.numbers(com, where));
-  if (mass.inertia.isZero()) return;
+  if (mass.inertia.isZero(0)) return;
   YamlNode& entries = nodes.mapping(where);
   const double rounding = 1e-14 * mass.inertia.cwiseAbs().maxCoeff();
   for (const std::string_view key : {"xx", "yy", "zz", "xy", "xz", "yz"}) {

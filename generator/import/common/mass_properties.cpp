@@ -14,14 +14,16 @@ BodyMass& BodyMass::operator+=(const BodyMass& other) {
   const double sum = mass + other.mass;
   if (sum <= 0) return *this;
   const Eigen::Vector3d between = other.centre - centre;
+  summed = std::max(frame().longest(), other.frame().longest());
   inertia += other.inertia + mass * other.mass / sum * of_point(between);
   centre += other.mass / sum * between;
   mass = sum;
   return *this;
 }
 
-BodyMass BodyMass::moved(const Eigen::Matrix3d& turn, const Eigen::Vector3d& shift) const {
-  return {mass, turn * centre + shift, turn * inertia * turn.transpose()};
+BodyMass BodyMass::moved(const RigidPose& pose) const {
+  const Eigen::Matrix3d turn = pose.turn.toRotationMatrix();
+  return {mass, turn * centre + pose.shift, turn * inertia * turn.transpose(), (pose * frame()).summed};
 }
 
 }  // namespace alembert

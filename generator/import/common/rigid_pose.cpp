@@ -3,11 +3,12 @@
 namespace alembert {
 
 RigidPose operator*(const RigidPose& first, const RigidPose& then) {
-  return {first.shift + first.turn * then.shift, (first.turn * then.turn).normalized()};
+  return {first.shift + first.turn * then.shift, (first.turn * then.turn).normalized(),
+          std::max(first.longest(), then.longest())};
 }
 
 RigidPose inverse(const RigidPose& pose) {
-  return {-(pose.turn.conjugate() * pose.shift), pose.turn.conjugate()};
+  return {-(pose.turn.conjugate() * pose.shift), pose.turn.conjugate(), pose.longest()};
 }
 
 }  // namespace alembert

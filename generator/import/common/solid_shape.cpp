@@ -81,8 +81,7 @@ BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& s)
   return {};
 }
 
-void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
-               const SolidShape& shape) {
+void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose) {
   YamlNode& item = nodes.mapping(shape.where);
   const std::array<double, 3>& s = shape.sizes;
   const auto put_radius_and_length = [&](std::string key) {
@@ -110,11 +109,16 @@ void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNod
     case SolidKind::none:
       return;
   }
-  YamlNode& pose = nodes.sequence(shape.where);
-  factors.add_pose(pose, shape.pose, shape.where);
   if (!pose.items.empty()) nodes.put(item, "transform", pose);
   if (shape.colour) nodes.put(item, "color", nodes.numbers(*shape.colour, shape.where));
   shapes.items.push_back(&item);
+}
+
+void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
+               const PlacedShape& shape) {
+  YamlNode& pose = nodes.sequence(shape.where);
+  factors.add_pose(pose, shape.pose, shape.where);
+  add_shape(nodes, shapes, shape, pose);
 }
 
 }  // namespace alembert

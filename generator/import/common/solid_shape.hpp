@@ -16,10 +16,13 @@ struct SolidShape {
   SolidKind kind = SolidKind::none;
   std::array<double, 3>
       sizes{};  ///< sphere: radius; capsule, cylinder: radius and length; else along the axes
-  RigidPose pose;
-  std::optional<std::array<double, 3>> colour;
-  bool hidden = false;  ///< of a group that viewers leave out
+  std::optional<std::array<double, 3>> colour;  ///< red green blue
   SourceLocation where;
+};
+
+struct PlacedShape : SolidShape {
+  RigidPose pose;       ///< in the body
+  bool hidden = false;  ///< of a group that viewers leave out
 };
 
 /// About the centre, in the axes of the shape. Half sizes: edges and lengths by two, radii as they are.
@@ -28,7 +31,9 @@ BodyMass solid_of_unit_density(SolidKind kind, const std::array<double, 3>& half
 BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
 
 /// Appends an item of `geometry`, unless the kind is none.
+/// \param pose  factors of where it lies in the body; may be empty
+void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose);
 void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
-               const SolidShape& shape);
+               const PlacedShape& shape);
 
 }  // namespace alembert

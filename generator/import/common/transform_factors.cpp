@@ -1,5 +1,6 @@
 #include "import/common/transform_factors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "import/common/snapped_angle.hpp"
@@ -9,10 +10,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kNoLength = 1e-12;
-
-Vector clean_axis(const Vector& axis) {
-  return without_rounding(axis, std::hypot(axis[0], axis[1], axis[2]));
+double length_of(const Vector& v) {
+  return std::hypot(v[0], v[1], v[2]);
 }
 
 /// Roll, pitch and yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll). About a coordinate axis, the angle about it.
@@ -37,10 +36,17 @@ Vector angles_of(const Eigen::Quaterniond& turn) {
 
 }  // namespace
 
-Vector without_rounding(Vector v, double length) {
+Vector without_rounding(Vector v, double summed) {
+  // A dozen decimals; some dozens of roundings.
+  constexpr double kOfItself = 1e-12, kOfSummed = 1e-14;
+  const double rounding = std::max(kOfItself * length_of(v), kOfSummed * summed);
   for (double& x : v)
-    if (std::abs(x) < kNoLength * length) x = 0;
+    if (std::abs(x) < rounding) x = 0;
   return v;
+}
+
+Vector shift_without_rounding(const RigidPose& pose) {
+  return without_rounding({pose.shift.x(), pose.shift.y(), pose.shift.z()}, pose.summed);
 }
 
 std::optional<std::size_t> coordinate_axis_of(const Vector& v) {
@@ -49,18 +55,26 @@ std::optional<std::size_t> coordinate_axis_of(const Vector& v) {
   return std::nullopt;
 }
 
-void TransformFactors::add_pose(YamlNode& factors, const Vector& xyz, const Vector& rpy,
+void TransformFactors::add_pose(YamlNode& factors, const Vector& xyz, const Vector& rpy, double summed,
                                 const SourceLocation& where) const {
-  const Vector shift = without_rounding(xyz, 1);
+  add_shift(factors, without_rounding(xyz, summed), where);
+  add_turns(factors, rpy, where);
+}
+
+void TransformFactors::add_pose(YamlNode& factors, const RigidPose& pose, const SourceLocation& where) const {
+  add_shift(factors, shift_without_rounding(pose), where);
+  add_turns(factors, angles_of(pose.turn), where);
+}
+
+void TransformFactors::add_shift(YamlNode& factors, const Vector& shift, const SourceLocation& where) const {
   if (shift != Vector{}) factors.items.push_back(&nodes_.single("translate", nodes_.numbers(shift, where)));
+}
+
+void TransformFactors::add_turns(YamlNode& factors, const Vector& rpy, const SourceLocation& where) const {
   for (const std::size_t axis : {2U, 1U, 0U}) {
     const SnappedAngle angle(rpy[axis], snap_angles_);
     if (!angle.is_zero()) add_rotation(factors, letter(axis, where), angle.text(), where);
   }
-}
-
-void TransformFactors::add_pose(YamlNode& factors, const RigidPose& pose, const SourceLocation& where) const {
-  add_pose(factors, {pose.shift.x(), pose.shift.y(), pose.shift.z()}, angles_of(pose.turn), where);
 }
 
 void TransformFactors::add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,
@@ -73,8 +87,8 @@ void TransformFactors::add_rotation(YamlNode& factors, const YamlNode& axis, std
 
 void TransformFactors::add_shift_along(YamlNode& factors, const Vector& axis, const std::string& position,
                                        const SourceLocation& where) const {
-  const Vector direction = clean_axis(axis);
-  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  const Vector direction = without_rounding(axis);
+  const double length = length_of(direction);
   const bool is_sum = position.find(' ') != std::string::npos;
   const std::string factor = is_sum ? "(" + position + ")" : position;
   const auto along = [&](double x) {
@@ -103,7 +117,7 @@ void TransformFactors::add_free(YamlNode& factors, const std::vector<std::string
 }
 
 const YamlNode& TransformFactors::axis(const Vector& vector, const SourceLocation& where) const {
-  const Vector clean = clean_axis(vector);
+  const Vector clean = without_rounding(vector);
   const std::optional<std::size_t> along = coordinate_axis_of(clean);
   return along ? letter(*along, where) : nodes_.numbers(clean, where);
 }

@@ -11,8 +11,10 @@
 
 namespace alembert {
 
-/// Components that are rounding of whoever wrote the file, beside a length, are 0.
-std::array<double, 3> without_rounding(std::array<double, 3> v, double length);
+/// Components that are rounding are 0: of decimals, beside the vector itself, and of sums, beside what is summed.
+/// \param summed  the longest vector that this one is a sum of, whoever added them up
+std::array<double, 3> without_rounding(std::array<double, 3> v, double summed = 0);
+std::array<double, 3> shift_without_rounding(const RigidPose& pose);
 /// The coordinate axis that a vector points along, if it does.
 std::optional<std::size_t> coordinate_axis_of(const std::array<double, 3>& v);
 
@@ -22,8 +24,9 @@ class TransformFactors {
   TransformFactors(DescriptionNodes& nodes, double snap_angles) : nodes_(nodes), snap_angles_(snap_angles) {}
 
   /// Appends a shift by xyz and the rotation Rz(yaw) Ry(pitch) Rx(roll), rpy being roll, pitch and yaw.
+  /// \param summed  see without_rounding
   void add_pose(YamlNode& factors, const std::array<double, 3>& xyz, const std::array<double, 3>& rpy,
-                const SourceLocation& where) const;
+                double summed, const SourceLocation& where) const;
   void add_pose(YamlNode& factors, const RigidPose& pose, const SourceLocation& where) const;
   void add_rotation(YamlNode& factors, const YamlNode& axis, std::string angle,
                     const SourceLocation& where) const;
@@ -42,6 +45,9 @@ class TransformFactors {
   }
 
  private:
+  void add_shift(YamlNode& factors, const std::array<double, 3>& shift, const SourceLocation& where) const;
+  void add_turns(YamlNode& factors, const std::array<double, 3>& rpy, const SourceLocation& where) const;
+
   DescriptionNodes& nodes_;
   double snap_angles_;
 };

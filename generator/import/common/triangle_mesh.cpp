@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <fstream>
@@ -82,6 +83,7 @@ BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how) {
   }
   if (out.mass == 0) return {};
   out.centre = (out.centre / out.mass + tip).eval();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) out.summed = std::max(out.summed, vertex.norm());
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T
   for (const auto& triangle : mesh.triangles) {
     const Pyramid pyramid(mesh, triangle, out.centre, how);

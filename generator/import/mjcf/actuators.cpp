@@ -138,14 +138,14 @@ std::string find_target(MjcfContext& context, const MjcfElement& of, MjcfActuato
 double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
   const MjcfJoint& of = model.joints[joint];
   const RigidPose at = reference_pose(model, of.body);
-  const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = at.shift + at.turn * of.position;
+  const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = (at * of.anchor).shift;
   std::vector<bool> moves(model.bodies.size(), false);
   double sum = of.armature;
   for (std::size_t b = of.body; b < model.bodies.size(); ++b) {
     moves[b] = b == of.body || moves[model.bodies[b].parent];
     if (!moves[b]) continue;
     const RigidPose pose = reference_pose(model, b);
-    const BodyMass mass = model.bodies[b].mass.moved(pose.turn.toRotationMatrix(), pose.shift);
+    const BodyMass mass = model.bodies[b].mass.moved(pose);
     sum += of.type == MjcfJointType::slide
                ? mass.mass
                : axis.dot(mass.inertia * axis) + mass.mass * axis.cross(mass.centre - anchor).squaredNorm();

@@ -18,13 +18,6 @@ Vector array_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// Whether the sum of two shifts is none.
-Eigen::Vector3d cleaned(Eigen::Vector3d v, double scale) {
-  for (double& x : v)
-    if (std::abs(x) < 1e-12 * scale) x = 0;
-  return v;
-}
-
 }  // namespace
 
 double MjcfBodyNodes::armature(std::size_t joint) const {
@@ -133,7 +126,7 @@ void MjcfBodyNodes::add_turn(YamlNode& factors, std::size_t j) const {
     factors_.add_joint(factors, joint.type == MjcfJointType::slide ? "prismatic" : "revolute", axis,
                        naming_.coordinates(j)[0], joint.where);
   } else {
-    const std::string position = less_angle(naming_.coordinates(j)[0], joint.reference);
+    const std::string position = naming_.from_reference(j);
     if (joint.type == MjcfJointType::slide)
       factors_.add_shift_along(factors, axis, position, joint.where);
     else
@@ -153,23 +146,22 @@ void MjcfBodyNodes::add_joints(YamlNode& factors, const MjcfBody& body) const {
   for (const std::size_t j : body.joints) {
     const MjcfJoint& joint = model_.joints[j];
     const bool turns = joint.type != MjcfJointType::slide;
-    const double scale = std::max(1.0, joint.position.norm());
-    if (turns) {
-      if (!pending.turn.isApprox(Eigen::Quaterniond::Identity(), 1e-15) && !joint.position.isZero()) flush();
-      pending.shift = cleaned(pending.shift + joint.position, scale);
+    if (turns && !joint.anchor.shift.isZero(0)) {
+      if (!pending.turn.isApprox(Eigen::Quaterniond::Identity(), 1e-15)) flush();
+      pending = pending * joint.anchor;
     }
     flush();
     add_turn(factors, j);
-    if (turns) pending.shift = -joint.position;
+    if (turns) pending = inverse(joint.anchor);
   }
   flush();
 }
 
 void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
   // Those that MuJoCo's viewers show; of a body that has none, the others.
-  const bool any = std::ranges::any_of(body.shapes, [](const SolidShape& shape) { return !shape.hidden; });
+  const bool any = std::ranges::any_of(body.shapes, [](const PlacedShape& shape) { return !shape.hidden; });
   YamlNode& shapes = nodes_.sequence(body.where);
-  for (const SolidShape& shape : body.shapes) {
+  for (const PlacedShape& shape : body.shapes) {
     if (any && shape.hidden) continue;
     add_shape(nodes_, factors_, shapes, shape);
   }

@@ -14,7 +14,6 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr const char* kTurns[] = {"axisangle", "xyaxes", "zaxis", "euler"};
-constexpr double kNoDirection = 1e-14;
 
 Vector3d normalised(const Vector3d& v, const MjcfElement& element, const char* name) {
   if (!(v.norm() > kNoDirection))

@@ -9,6 +9,9 @@
 
 namespace alembert {
 
+/// Vectors and quaternions shorter than this have no direction for MuJoCo.
+inline constexpr double kNoDirection = 1e-14;
+
 struct MjcfCompiler {
   bool degrees = true;
   std::string euler = "xyz";  ///< axes in order; capital ones do not move

@@ -126,7 +126,8 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
     }
   } else {
     equality.first_pose.shift = anchor;
-    equality.second_pose.shift = (inverse(between) * equality.first_pose).shift;
+    equality.second_pose = inverse(between) * equality.first_pose;
+    equality.second_pose.turn.setIdentity();
   }
 }
 
@@ -152,7 +153,7 @@ std::size_t MjcfContext::place(const MjcfElement& element, const char* type, con
     case 1:
       place.body = find(element, name, "body", tree.bodies);
       // The frame of `body` is that of its inertia; its origin is the centre of mass.
-      if (element.string(type) == "body") place.pose.shift = model.bodies[place.body].mass.centre;
+      if (element.string(type) == "body") place.pose = model.bodies[place.body].mass.frame();
       break;
     case 2:
       place = tree.geom_places[find(element, name, "geom", tree.geoms)];

@@ -293,7 +293,7 @@ void MjcfForceNodes::add_borne_weight(YamlNode& list) {
     const MjcfBody& body = model_.bodies[b];
     if (body.weightless == 0 || body.mass.mass == 0 || !moves(b)) continue;
     const std::string frame = naming_.new_frame(naming_.body(b) + "_centre");
-    bodies_.add_frame(frames_, frame, b, {body.mass.centre, Eigen::Quaterniond::Identity()}, body.where);
+    bodies_.add_frame(frames_, frame, b, body.mass.frame(), body.where);
     alembert::add_borne_weight(nodes_, list, naming_.new_force(naming_.body(b) + "_gravcomp"), frame,
                                -body.weightless * body.mass.mass * model_.gravity, body.where);
   }
@@ -321,11 +321,12 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
     axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.mass.inertia).eigenvectors();
   if (axes.determinant() < 0) axes.col(2) *= -1;
   const Eigen::Vector3d i = (axes.transpose() * body.mass.inertia * axes).diagonal();
+  constexpr double kLeast = 1e-15;  // MuJoCo's own, kg m^2
   std::array<double, 3> box;
   for (int k = 0; k < 3; ++k)
-    box[static_cast<std::size_t>(k)] = std::sqrt(std::max(1e-15, i.sum() - 2 * i[k]) / body.mass.mass * 6);
+    box[static_cast<std::size_t>(k)] = std::sqrt(std::max(kLeast, i.sum() - 2 * i[k]) / body.mass.mass * 6);
   const std::string frame = naming_.new_frame(naming_.body(b) + "_fluid");
-  bodies_.add_frame(frames_, frame, b, {body.mass.centre, Eigen::Quaterniond(axes)}, body.where);
+  bodies_.add_frame(frames_, frame, b, body.mass.frame(Eigen::Quaterniond(axes)), body.where);
   YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
   nodes_.put(node, "at", nodes_.text(frame, body.where));
   const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;

@@ -71,7 +71,7 @@ void MjcfGeom::read_sizes(std::size_t count) {
 BodyMass MjcfGeom::of_unit_density(bool shell) const {
   if (mesh_) {
     const BodyMass mesh = assets_.mesh(element_, shell);
-    return mesh.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
+    return mesh.moved(shape_.pose);
   }
   if (shape_.kind == SolidKind::none)
     throw element_.error(
@@ -83,7 +83,7 @@ BodyMass MjcfGeom::of_unit_density(bool shell) const {
                                                      element_.what()));
   const BodyMass out =
       shell ? surface_of_unit_density(shape_.kind, half_) : solid_of_unit_density(shape_.kind, half_);
-  return out.moved(shape_.pose.turn.toRotationMatrix(), shape_.pose.shift);
+  return out.moved(shape_.pose);
 }
 
 BodyMass MjcfGeom::mass() const {

@@ -16,7 +16,7 @@ class MjcfGeom {
   MjcfGeom(const MjcfElement& element, const RigidPose& frame, const MjcfCompiler& compiler,
            const MjcfAssets& assets);
 
-  const SolidShape& shape() const { return shape_; }
+  const PlacedShape& shape() const { return shape_; }
   const MjcfElement& element() const { return element_; }
   bool has_fluid_shape() const { return element_.string("fluidshape", "none") == "ellipsoid"; }
   int group() const { return group_; }
@@ -29,7 +29,7 @@ class MjcfGeom {
 
   MjcfElement element_;
   const MjcfAssets& assets_;
-  SolidShape shape_;
+  PlacedShape shape_;
   bool massless_kind_ = false, mesh_ = false;  ///< planes and height fields; meshes
   int group_ = 0;
   std::array<double, 3> half_{};  ///< sizes as the model gives them

@@ -43,19 +43,19 @@ BodyMass mass_of_geoms(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& c
 
 BodyMass corrected(BodyMass mass, const MjcfCompiler& compiler, const SourceLocation& where,
                    const std::string& what) {
-  constexpr double kRounding = 1e-12;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(mass.inertia);
   Eigen::Vector3d principal = solver.eigenvalues();  // ascending
-  if (principal[0] < -kRounding)
+  const double rounding = 1e-12 * principal.cwiseAbs().maxCoeff();
+  if (principal[0] < -rounding)
     throw InputError(
         where, fmt::format("the inertia of {} has a negative principal moment, {}", what, principal[0]));
-  const bool impossible = principal[0] + principal[1] < principal[2] - kRounding;
+  const bool impossible = principal[0] + principal[1] < principal[2] - rounding;
   const bool small = principal[0] < compiler.least_inertia;
   mass.mass = std::max(mass.mass, compiler.least_mass);
   if (!impossible && !small) return mass;
   // MuJoCo balances what is bounded already.
   principal = principal.cwiseMax(compiler.least_inertia);
-  if (principal[0] + principal[1] < principal[2] - kRounding) {
+  if (principal[0] + principal[1] < principal[2] - rounding) {
     if (!compiler.balance)
       throw InputError(
           where,

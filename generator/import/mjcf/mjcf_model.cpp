@@ -90,11 +90,10 @@ RigidPose pose_at(const MjcfModel& model, std::size_t body, bool rest) {
       const double by = joint.rest - joint.reference;
       if (!rest || by == 0) continue;
       const Eigen::Vector3d axis = joint.axis.normalized();
-      if (joint.type == MjcfJointType::slide)
-        own = own * RigidPose{by * axis, Eigen::Quaterniond::Identity()};
+      if (joint.type == MjcfJointType::slide) own = own * RigidPose{by * axis};
       if (joint.type != MjcfJointType::hinge) continue;
-      const Eigen::Quaterniond turn(Eigen::AngleAxisd(by, axis));
-      own = own * RigidPose{joint.position - turn * joint.position, turn};
+      const RigidPose turn{Eigen::Vector3d::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(by, axis))};
+      own = own * joint.anchor * turn * inverse(joint.anchor);
     }
     out = own * out;
   }

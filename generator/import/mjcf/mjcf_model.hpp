@@ -19,8 +19,8 @@ struct MjcfJoint {
   std::string name;
   MjcfJointType type = MjcfJointType::hinge;
   std::size_t body = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(),
-                  axis = Eigen::Vector3d::UnitZ();  ///< in the body's frame
+  RigidPose anchor;                                 ///< in the body's frame, not turned
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< likewise
   double reference = 0, rest = 0, stiffness = 0, damping = 0, armature = 0, friction = 0;
   std::optional<std::array<double, 2>> limits;
   std::optional<double> effort;
@@ -36,7 +36,7 @@ struct MjcfBody {
   double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
-  std::vector<SolidShape> shapes;
+  std::vector<PlacedShape> shapes;
   SourceLocation where;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
 #include "mechanism/names.hpp"
@@ -155,7 +157,7 @@ void MjcfNaming::write_text(std::size_t joint) {
     out.constant_slope = p[1] * *other.constant_slope;
     out.slope = number_text(*out.constant_slope);
   } else {
-    const std::string x = factor_text(less_angle(other.position, model_.joints[*equality.second].reference));
+    const std::string x = factor_text(from_reference(*equality.second));
     const std::string own = sum_text({{p[1], ""}, {2 * p[2], x}, {3 * p[3], x + "^2"}, {4 * p[4], x + "^3"}});
     out.slope = other.slope.empty() ? factor_text(own) : factor_text(own) + "*" + factor_text(other.slope);
   }
@@ -167,6 +169,15 @@ void MjcfNaming::write_text(std::size_t joint) {
   out.speed = factor_text(out.slope) + "*" + texts_[*out.base].speed;
 }
 
+std::string MjcfNaming::from_reference(std::size_t joint) const {
+  const std::string& position = texts_[joint].position;
+  const MjcfJoint& of = model_.joints[joint];
+  if (of.reference == 0) return position;
+  const double size = std::abs(of.reference);
+  return position + (of.reference < 0 ? " + " : " - ") +
+         (of.type == MjcfJointType::hinge ? SnappedAngle(size, 1e-12).text() : number_text(size));
+}
+
 std::string MjcfNaming::definition(std::size_t joint) const {
   const MjcfEquality& equality = model_.equalities[equality_of_[joint]];
   const std::array<double, 5>& p = equality.polynomial;
@@ -175,7 +186,7 @@ std::string MjcfNaming::definition(std::size_t joint) const {
   const double other = model_.joints[*equality.second].reference;
   const std::string& position = texts_[*equality.second].position;
   if (is_linear(p)) return sum_text({{p[1], position}, {own + p[0] - p[1] * other, ""}});
-  const std::string x = factor_text(less_angle(position, other));
+  const std::string x = factor_text(from_reference(*equality.second));
   return sum_text({{own + p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
 }
 

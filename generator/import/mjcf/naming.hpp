@@ -30,6 +30,8 @@ class MjcfNaming {
   const std::vector<std::string>& coordinates(std::size_t joint) const { return coordinates_[joint]; }
   bool follows(std::size_t joint) const { return equality_of_[joint] != kNone; }
   const JointText& text(std::size_t joint) const { return texts_[joint]; }
+  /// How far a hinge or slide is from its reference, an angle being a multiple of pi/12 if it is one.
+  std::string from_reference(std::size_t joint) const;
   /// The position of a joint that follows another.
   std::string definition(std::size_t joint) const;
   /// Joints that follow others, each behind the one that it needs.

@@ -21,10 +21,9 @@ void MjcfRelationNodes::add_coincidence(std::vector<std::string>& equations, con
   const SourceLocation& where = equality.where;
   LoopEquations loop([&](int end, const std::string& suffix, const Eigen::Vector3d& offset) {
     const std::size_t body = end == 1 ? equality.first : *equality.second;
-    RigidPose pose = end == 1 ? equality.first_pose : equality.second_pose;
-    pose.shift += pose.turn * offset;
+    const RigidPose& pose = end == 1 ? equality.first_pose : equality.second_pose;
     const std::string out = naming_.new_frame(fmt::format("{}_{}{}", name, end, suffix));
-    bodies_.add_frame(frames_, out, body, pose, where);
+    bodies_.add_frame(frames_, out, body, pose * RigidPose{offset}, where);
     return out;
   });
   loop.origins_meet();
@@ -35,12 +34,10 @@ void MjcfRelationNodes::add_coincidence(std::vector<std::string>& equations, con
 void MjcfRelationNodes::add_function(std::vector<std::string>& equations,
                                      const MjcfEquality& equality) const {
   const std::array<double, 5>& p = equality.polynomial;
-  const std::string own =
-      less_angle(naming_.text(equality.first).position, model_.joints[equality.first].reference);
+  const std::string own = naming_.from_reference(equality.first);
   std::string value = sum_text({{p[0], ""}});
   if (equality.second) {
-    const std::string x = factor_text(
-        less_angle(naming_.text(*equality.second).position, model_.joints[*equality.second].reference));
+    const std::string x = factor_text(naming_.from_reference(*equality.second));
     value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
   }
   equations.push_back(fmt::format("{} - {}", own, factor_text(value)));

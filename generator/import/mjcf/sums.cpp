@@ -34,12 +34,6 @@ std::string product_text(double factor, const std::string& text) {
   return number_text(factor) + "*" + factor_text(text);
 }
 
-std::string less_angle(const std::string& text, double offset) {
-  if (offset == 0) return text;
-  const std::string angle = SnappedAngle(std::abs(offset), 1e-12).text();
-  return text + (offset < 0 ? " + " : " - ") + angle;
-}
-
 std::string dot_text(const std::string (&row)[3], const std::string (&with)[3]) {
   std::string out;
   for (int i = 0; i < 3; ++i) {

@@ -22,9 +22,6 @@ std::string factor_text(const std::string& text);
 /// factor*text, or text alone where the factor is 1.
 std::string product_text(double factor, const std::string& text);
 
-/// text - offset, an angle being a multiple of pi/12 if it is one.
-std::string less_angle(const std::string& text, double offset);
-
 /// The product of a row of three with three expressions.
 std::string dot_text(const std::string (&row)[3], const std::string (&with)[3]);
 

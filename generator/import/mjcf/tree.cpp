@@ -188,11 +188,14 @@ void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
   joint.type = static_cast<MjcfJointType>(of.word("type", {"free", "ball", "slide", "hinge"}, 3));
   const bool hinge = joint.type == MjcfJointType::hinge, single = hinge || joint.type == MjcfJointType::slide;
   const auto radians = [&](double value) { return hinge ? compiler_.angle(value) : value; };
-  if (joint.type != MjcfJointType::free)
-    joint.position = scope.frame.shift + scope.frame.turn * of.vector("pos", {0, 0, 0});
+  if (joint.type != MjcfJointType::free) {
+    joint.anchor = scope.frame * RigidPose{of.vector("pos", {0, 0, 0})};
+    joint.anchor.turn.setIdentity();
+  }
   if (single) {
     joint.axis = scope.frame.turn * of.vector("axis", {0, 0, 1});
-    if (!(joint.axis.norm() > 1e-14)) throw of.error("axis", fmt::format("the axis of {} is 0", of.what()));
+    if (!(joint.axis.norm() > kNoDirection))
+      throw of.error("axis", fmt::format("the axis of {} is 0", of.what()));
     joint.reference = radians(of.number("ref", 0));
     joint.rest = radians(of.number("springref", 0));
   }

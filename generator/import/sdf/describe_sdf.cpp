@@ -150,7 +150,7 @@ class SdfDescriber {
       YamlNode& node = nodes_.mapping(of.where);
       nodes_.put(node, "name", nodes_.text(free_names_[link][static_cast<std::size_t>(i)], of.where));
       if (i < 3) {
-        const double initial = without_rounding(entries(of.pose.shift), 1)[static_cast<std::size_t>(i)];
+        const double initial = shift_without_rounding(of.pose)[static_cast<std::size_t>(i)];
         if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
       } else {
         nodes_.put(node, "type", nodes_.text("quaternion", of.where));
@@ -285,7 +285,7 @@ class SdfDescriber {
     if (!factors.items.empty()) nodes_.put(node, "transform", factors);
     if (!of.fixed) add_mass(nodes_, node, of.mass, of.where);
     YamlNode& shapes = nodes_.sequence(of.where);
-    for (const SolidShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape);
+    for (const PlacedShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape);
     if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
     list.items.push_back(&node);
   }
@@ -311,7 +311,7 @@ class SdfDescriber {
       const SdfLink& of = model_.links[link];
       if (!of.weightless || of.fixed || of.mass.mass == 0) continue;
       const std::string frame = frame_names_.add(of.name, of.where, "_centre");
-      add_frame(frames, frame, link, {of.mass.centre, Eigen::Quaterniond::Identity()}, of.where);
+      add_frame(frames, frame, link, of.mass.frame(), of.where);
       add_borne_weight(nodes_, list, force_names_.add(of.name, of.where, "_weightless"), frame,
                        -of.mass.mass * model_.gravity, of.where);
     }
@@ -346,11 +346,10 @@ class SdfDescriber {
     const std::string name = constraint_names_.add(joint.name, joint.where);
     std::array<std::string, 2> ends;
     LoopEquations loop([&](int end, const std::string& suffix, const Eigen::Vector3d& offset) {
-      RigidPose pose = end == 1 ? joint.in_parent : joint.in_child;
-      pose.shift += pose.turn * offset;
+      const RigidPose& pose = end == 1 ? joint.in_parent : joint.in_child;
       const std::string frame =
           frame_names_.add(fmt::format("{}_{}{}", joint.name, end, suffix), joint.where);
-      add_frame(frames, frame, end == 1 ? joint.parent : joint.child, pose, joint.where);
+      add_frame(frames, frame, end == 1 ? joint.parent : joint.child, pose * RigidPose{offset}, joint.where);
       if (suffix.empty()) ends[static_cast<std::size_t>(end - 1)] = frame;
       return frame;
     });

@@ -105,15 +105,14 @@ class SdfLinkReader {
     }
     if (mass == 0 && !inertia) matrix.setZero();
     const RigidPose pose = files_.pose(inertial.child("pose"));
-    link_.mass =
-        BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose.turn.toRotationMatrix(), pose.shift);
+    link_.mass = BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose);
   }
 
   /// Inertia that follows from the shapes of contacts.
   void read_collisions(pugi::xml_node node, pugi::xml_node inertial) {
     const double density = files_.number(inertial, "density", 1000);
     for (const pugi::xml_node collision : node.children("collision")) {
-      const SolidShape shape = read_shape(collision);
+      const PlacedShape shape = read_shape(collision);
       BodyMass unit;
       if (const pugi::xml_node mesh = collision.child("geometry").child("mesh")) {
         unit = mesh_mass(mesh);
@@ -128,8 +127,7 @@ class SdfLinkReader {
         if (shape.kind == SolidKind::cylinder || shape.kind == SolidKind::capsule) half[1] /= 2;
         unit = solid_of_unit_density(shape.kind, half);
       }
-      link_.mass += unit.times(files_.number(collision, "density", density))
-                        .moved(shape.pose.turn.toRotationMatrix(), shape.pose.shift);
+      link_.mass += unit.times(files_.number(collision, "density", density)).moved(shape.pose);
     }
     if (!(link_.mass.mass > 0))
       throw InputError(
@@ -164,8 +162,8 @@ class SdfLinkReader {
   }
 
   /// Of a <visual> or <collision>.
-  SolidShape read_shape(pugi::xml_node owner) const {
-    SolidShape out;
+  PlacedShape read_shape(pugi::xml_node owner) const {
+    PlacedShape out;
     out.where = files_.where(owner);
     out.pose = pose_of(owner);
     const pugi::xml_node geometry = owner.child("geometry");
@@ -209,7 +207,7 @@ class SdfLinkReader {
   void read_visual(pugi::xml_node visual) {
     const XmlText& text = files_.of(visual);
     text.tolerate("it is not drawn", [&] {
-      SolidShape shape = read_shape(visual);
+      PlacedShape shape = read_shape(visual);
       if (shape.kind == SolidKind::none) {
         if (!visual.child("geometry").child("empty"))
           ++left_out_[visual.child("geometry").child("mesh") ? "mesh" : "shape"];

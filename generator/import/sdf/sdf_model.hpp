@@ -19,7 +19,7 @@ struct SdfLink {
   BodyMass mass;     ///< in its own frame
   RigidPose pose;    ///< in the world
   bool fixed = false, weightless = false;
-  std::vector<SolidShape> shapes;
+  std::vector<PlacedShape> shapes;
   SourceLocation where;
 };
 

@@ -306,7 +306,7 @@ class Describer {
   const UrdfRobot& robot_;
   const DescribeOptions& options_;
   DescriptionNodes nodes_;
-  JointFactors factors_{nodes_, options_.snap_angles};
+  JointFactors factors_{nodes_, robot_, options_.snap_angles};
   LinkNodes link_nodes_{nodes_, factors_, options_.snap_angles};
   std::vector<bool> massless_;  ///< by joint
   Warnings warnings_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -13,15 +14,26 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector clean_axis(const UrdfJoint& joint) {
-  const Vector& a = joint.axis;
-  return without_rounding(a, std::hypot(a[0], a[1], a[2]));
+/// Of a joint in its parent. Exporters work origins out of numbers as large as the robot.
+double longest_origin(const UrdfRobot& robot) {
+  double out = 0;
+  for (const UrdfJoint& joint : robot.joints) {
+    const auto& [x, y, z] = joint.origin.xyz;
+    out = std::max(out, std::hypot(x, y, z));
+  }
+  return out;
 }
 
 }  // namespace
 
+JointFactors::JointFactors(DescriptionNodes& nodes, const UrdfRobot& robot, double snap_angles)
+    : nodes_(nodes),
+      factors_(nodes, snap_angles),
+      snap_angles_(snap_angles),
+      longest_(longest_origin(robot)) {}
+
 void JointFactors::add_origin(YamlNode& factors, const UrdfPose& pose) const {
-  factors_.add_pose(factors, pose.xyz, pose.rpy, pose.where);
+  factors_.add_pose(factors, pose.xyz, pose.rpy, longest_, pose.where);
 }
 
 void JointFactors::add_joint(YamlNode& factors, const UrdfJoint& joint,
@@ -50,7 +62,7 @@ void JointFactors::add_joint(YamlNode& factors, const UrdfJoint& joint,
 
 void JointFactors::add_planar(YamlNode& factors, const UrdfJoint& joint,
                               const std::vector<std::string>& names) const {
-  const Vector axis = clean_axis(joint);
+  const Vector axis = without_rounding(joint.axis);
   const SourceLocation& where = joint.where;
   if (const std::optional<std::size_t> normal = coordinate_axis_of(axis)) {
     std::array<std::string, 3> shift{"0", "0", "0"};

@@ -12,8 +12,7 @@ namespace alembert {
 class JointFactors {
  public:
   /// Angles of origins within `snap_angles` radians of a multiple of pi/12 are that multiple.
-  JointFactors(DescriptionNodes& nodes, double snap_angles)
-      : nodes_(nodes), factors_(nodes, snap_angles), snap_angles_(snap_angles) {}
+  JointFactors(DescriptionNodes& nodes, const UrdfRobot& robot, double snap_angles);
 
   /// Appends an origin: a shift and up to three turns.
   void add_origin(YamlNode& factors, const UrdfPose& pose) const;
@@ -29,7 +28,7 @@ class JointFactors {
 
   DescriptionNodes& nodes_;
   TransformFactors factors_;
-  double snap_angles_;
+  double snap_angles_, longest_;
 };
 
 }  // namespace alembert

@@ -64,11 +64,10 @@ UrdfInertial read_inertial(const XmlText& xml, pugi::xml_node element, const std
 }
 
 /// A size that is drawn.
-double positive(const XmlText& xml, pugi::xml_attribute attribute, double size, const std::string& what) {
+void check_positive(const XmlText& xml, pugi::xml_attribute attribute, double size, const std::string& what) {
   if (!(size > 0))
     throw InputError(xml.where(attribute),
                      fmt::format("expected a positive number as {}, found {}", what, size));
-  return size;
 }
 
 /// Nothing if the shape is a mesh, or one that is unknown.
@@ -80,35 +79,37 @@ std::optional<UrdfShape> read_shape(const XmlText& xml, pugi::xml_node visual, c
                      {"name"});
   UrdfShape shape;
   shape.where = xml.where(geometry);
-  const auto sizes = [&](pugi::xml_node element, UrdfShape::Kind kind,
-                         std::initializer_list<const char*> names) {
+  const auto sizes = [&](pugi::xml_node element, SolidKind kind, std::initializer_list<const char*> names) {
     shape.kind = kind;
+    std::size_t i = 0;
     for (const char* name : names) {
       const std::string of = fmt::format("the {} of {}", name, what);
       const pugi::xml_attribute attribute =
           xml.require_attribute(element, name, fmt::format("the {} of {}", element.name(), what));
-      shape.sizes.push_back(positive(xml, attribute, xml.number(attribute, of), of));
+      shape.sizes[i] = xml.number(attribute, of);
+      check_positive(xml, attribute, shape.sizes[i++], of);
     }
   };
   if (const pugi::xml_node box = geometry.child("box")) {
     const std::string of = "the box of " + what;
     const pugi::xml_attribute size = xml.require_attribute(box, "size", of);
-    for (const double edge : xml.numbers<3>(size, "the size of " + of))
-      shape.sizes.push_back(positive(xml, size, edge, "an edge of " + of));
+    shape.kind = SolidKind::box;
+    shape.sizes = xml.numbers<3>(size, "the size of " + of);
+    for (const double edge : shape.sizes) check_positive(xml, size, edge, "an edge of " + of);
   } else if (const pugi::xml_node sphere = geometry.child("sphere")) {
-    sizes(sphere, UrdfShape::Kind::sphere, {"radius"});
+    sizes(sphere, SolidKind::sphere, {"radius"});
   } else if (const pugi::xml_node cylinder = geometry.child("cylinder")) {
-    sizes(cylinder, UrdfShape::Kind::cylinder, {"radius", "length"});
+    sizes(cylinder, SolidKind::cylinder, {"radius", "length"});
   } else if (const pugi::xml_node capsule = geometry.child("capsule")) {
-    sizes(capsule, UrdfShape::Kind::capsule, {"radius", "length"});
+    sizes(capsule, SolidKind::capsule, {"radius", "length"});
   } else {
     return std::nullopt;
   }
   shape.origin = read_origin(xml, visual, what);
   if (const pugi::xml_node material = visual.child("material")) {
     const auto known = colours.find(material.attribute("name").value());
-    shape.color = read_colour(xml, material);
-    if (!shape.color && known != colours.end()) shape.color = known->second;
+    shape.colour = read_colour(xml, material);
+    if (!shape.colour && known != colours.end()) shape.colour = known->second;
   }
   return shape;
 }

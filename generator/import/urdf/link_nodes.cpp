@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "import/common/snapped_angle.hpp"
 
@@ -42,33 +41,9 @@ void LinkNodes::add_inertial(YamlNode& node, const UrdfInertial& inertial) const
 void LinkNodes::add_shapes(YamlNode& node, const UrdfLink& link) const {
   YamlNode& shapes = nodes_.sequence(link.where);
   for (const UrdfShape& shape : link.shapes) {
-    const std::vector<double>& sizes = shape.sizes;
-    YamlNode& item = nodes_.mapping(shape.where);
-    const auto put_radius_and_length = [&](std::string key) {
-      YamlNode& size = nodes_.mapping(shape.where);
-      nodes_.put(size, "radius", nodes_.text(number_text(sizes[0]), shape.where));
-      nodes_.put(size, "length", nodes_.text(number_text(sizes[1]), shape.where));
-      nodes_.put(item, std::move(key), size);
-    };
-    switch (shape.kind) {
-      case UrdfShape::Kind::box:
-        nodes_.put(item, "box", nodes_.numbers({sizes[0], sizes[1], sizes[2]}, shape.where));
-        break;
-      case UrdfShape::Kind::sphere:
-        nodes_.put(item, "sphere", nodes_.text(number_text(sizes[0]), shape.where));
-        break;
-      case UrdfShape::Kind::cylinder:
-        put_radius_and_length("cylinder");
-        break;
-      case UrdfShape::Kind::capsule:
-        put_radius_and_length("capsule");
-        break;
-    }
-    YamlNode& factors = nodes_.sequence(shape.where);
-    factors_.add_origin(factors, shape.origin);
-    if (!factors.items.empty()) nodes_.put(item, "transform", factors);
-    if (shape.color) nodes_.put(item, "color", nodes_.numbers(*shape.color, shape.where));
-    shapes.items.push_back(&item);
+    YamlNode& pose = nodes_.sequence(shape.where);
+    factors_.add_origin(pose, shape.origin);
+    add_shape(nodes_, shapes, shape, pose);
   }
   nodes_.put(node, "geometry", shapes);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "import/common/solid_shape.hpp"
 #include "support/error.hpp"
 
 namespace alembert {
@@ -26,13 +27,8 @@ struct UrdfInertial {
 };
 
 /// A shape of <visual> that is no mesh.
-struct UrdfShape {
-  enum class Kind { box, sphere, cylinder, capsule };
-  Kind kind = Kind::box;
-  std::vector<double> sizes;  ///< box: x y z; sphere: radius; cylinder, capsule: radius and length
+struct UrdfShape : SolidShape {
   UrdfPose origin;
-  std::optional<std::array<double, 3>> color;  ///< red green blue
-  SourceLocation where;
 };
 
 struct UrdfLink {
