@@ -30,6 +30,26 @@ def test_base_parameters_of_the_puma():
     assert "m cx(link2) + 0.4318 m(link3) + 0.4318 m(link4)" in text and "without effect on forces: m(link1)," in text
 
 
+def test_rounding_of_an_axis_is_no_parameter(tmp_path):
+    """A plate that turns about a slanted axis and slides beside it: mass, two moments, and the inertia about the axis."""
+    file = tmp_path / "plate.yaml"
+    file.write_text("""alembert: 1
+name: plate
+coordinates: [turn, slide]
+bodies:
+  - name: plate
+    transform:
+      - {rotate: {axis: [0.4204, 0.07383, 0.9644], angle: "atan2(sin(turn) + 0.279, 2 + cos(turn))*2"}}
+      - {translate: ["(2 + sin(slide))^1.5/2", "-0.181", "-slide^3/6 - slide"]}
+    mass: 2.2
+    com: [0.1, 0.2, -0.1]
+    inertia: {xx: 0.2, yy: 0.2, zz: 0.2}
+""")
+    done = subprocess.run([alembert.executable(), "identify", str(file), "--json"], capture_output=True, text=True, check=True)
+    base = [one["name"] for one in json.loads(done.stdout)["base_parameters"]]
+    assert base == ["m(plate)", "m cx(plate)", "m cy(plate)", "Ixx(plate)"]
+
+
 @pytest.mark.parametrize("name", ["puma560", "tree_every_joint"])
 def test_the_example_identifies(name, tmp_path):
     identify(name, "--example", str(tmp_path))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "dynamics/recursions/regressor.hpp"
 #include "dynamics/tree/state_values.hpp"
@@ -18,8 +19,10 @@ namespace {
 /// Points that must bring nothing new before the rank is believed, and states beyond those that give it, which the
 /// coefficients must obey too.
 constexpr unsigned kIdlePoints = 3;
-/// Relative to a column: less is rounding of 50 digits.
-const Extended kNothing = 1e-28;
+/// Relative to a column: less is rounding of the numbers that the description stands for, such as the components
+/// of an axis that was made a unit vector. Points modulo a prime take these for independent, and no measurement
+/// could tell them.
+const Extended kRounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// The regressor's columns that are not zero, as a table of expressions.
 struct Columns {
@@ -152,7 +155,7 @@ std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_firs
     const auto largest =
         std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
                          [&](const auto& x, const auto& y) { return abs(x[c]) < abs(y[c]); });
-    if (abs((*largest)[c]) < kNothing) continue;
+    if (abs((*largest)[c]) < kRounding) continue;
     std::swap(rows[k], *largest);
     const Extended pivot = rows[k][c];
     for (Extended& entry : rows[k]) entry /= pivot;
@@ -165,7 +168,7 @@ std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_firs
   }
   for (std::size_t r = firsts.size(); r < rows.size(); ++r)
     for (const Extended& left : rows[r])
-      if (abs(left) > sqrt(kNothing))
+      if (abs(left) > 64 * kRounding)
         throw InternalError("base parameters: the rank of the regressor is larger");
   return firsts;
 }
@@ -198,7 +201,7 @@ BaseParameters base_parameters(const Kinematics& kinematics) {
     BaseParameter& base = out.base.emplace_back(BaseParameter{columns.parameters[firsts[k]], {}});
     has_effect[base.parameter] = 1;
     for (std::size_t c = firsts[k] + 1; c < columns.parameters.size(); ++c) {
-      if (abs(rows[k][c]) < sqrt(kNothing) || std::ranges::count(firsts, c) > 0) continue;
+      if (abs(rows[k][c]) < kRounding || std::ranges::count(firsts, c) > 0) continue;
       const std::size_t other = columns.parameters[c];
       base.joined.emplace_back(other, static_cast<double>(rows[k][c] * sizes[c] / sizes[firsts[k]]));
       has_effect[other] = 1;
