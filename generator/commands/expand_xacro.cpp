@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "commands/work_folder.hpp"
 #include "mechanism/source.hpp"
@@ -10,14 +12,28 @@
 namespace alembert {
 namespace {
 
-/// Whether xacro has something to do: a file that it made may still declare its names.
+std::string without_comments(std::string_view text) {
+  std::string out;
+  while (true) {
+    const std::size_t begin = text.find("<!--");
+    out += text.substr(0, begin);
+    if (begin == std::string_view::npos) return out;
+    const std::size_t end = text.find("-->", begin + 4);
+    if (end == std::string_view::npos) return out;
+    text.remove_prefix(end + 3);
+  }
+}
+
+/// Whether xacro has something to do: a file that it made may still declare its names and have them in comments.
 bool needs_xacro(const SourceText& source) {
   if (source.name.ends_with(".xacro")) return true;
-  const std::size_t robot = source.text.find("<robot");
+  if (source.text.find("<xacro:") == std::string::npos) return false;
+  const std::string text = without_comments(source.text);
+  const std::size_t robot = text.find("<robot");
   if (robot == std::string::npos) return false;
-  const std::size_t end = source.text.find('>', robot);
-  return source.text.substr(robot, end - robot).find("xmlns:xacro") != std::string::npos &&
-         source.text.find("<xacro:", robot) != std::string::npos;
+  const std::size_t end = text.find('>', robot);
+  return text.substr(robot, end - robot).find("xmlns:xacro") != std::string::npos &&
+         text.find("<xacro:", robot) != std::string::npos;
 }
 
 }  // namespace

@@ -244,6 +244,10 @@ TEST_F(Xacro, SaysWhatIsWrong) {
 
 TEST_F(Xacro, IsMissed) {
   setenv("PATH", "/usr/bin:/bin", 1);
+  const std::string expanded =
+      folder_.write("expanded.urdf", "<!-- <robot> -->" + robot("<!--xacro:a/><xacro:b/-->"));
+  const CommandResult passed = alembert(folder_, "import " + expanded);
+  EXPECT_EQ(passed.exit_code, 0) << passed.err;
   if (std::filesystem::exists("/usr/bin/xacro") || std::filesystem::exists("/bin/xacro"))
     GTEST_SKIP() << "this machine has xacro";
   const CommandResult result = alembert(folder_, "import " + folder_.write("r.xacro", robot("")));
