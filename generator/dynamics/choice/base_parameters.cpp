@@ -168,6 +168,7 @@ std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_firs
   }
   for (std::size_t r = firsts.size(); r < rows.size(); ++r)
     for (const Extended& left : rows[r])
+      // Rounding that was passed over, times what reduction makes of it.
       if (abs(left) > 64 * kRounding)
         throw InternalError("base parameters: the rank of the regressor is larger");
   return firsts;

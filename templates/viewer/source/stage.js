@@ -301,7 +301,7 @@ export class Stage {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.element.append(this.renderer.domElement);
-    // Reflections on these materials are blurred: a small picture looks the same, and is made 16 times as fast where no GPU is.
+    // Reflections on these materials are blurred: a small picture looks the same, and most of the time to open a page without a GPU is saved.
     const environment = new PMREMGenerator(this.renderer);
     this.scene.environment = environment.fromScene(new RoomEnvironment(), 0.04, 0.1, 100, { size: 64 }).texture;
     this.scene.environmentRotation.set(Math.PI / 2, 0, 0);
