@@ -77,14 +77,19 @@ void LockedFolder::release() {
 }
 
 void LockedFolder::lock(Access access) {
-  for (;;) {
-    if (access == Access::write) make_root(root_);
-    descriptor_ = ::open(root_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // Another run that fails may at any moment take away the folders that it made; then this one begins again.
+  // The count ends it where a folder can never be made (/proc).
+  constexpr int kAttempts = 1000;
+  for (int attempt = 1;; ++attempt) {
+    const bool made = access == Access::read || make_root(root_);
+    descriptor_ = made ? ::open(root_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (descriptor_ < 0 && access == Access::read) return;
-    if (descriptor_ < 0) fail_at_path(directory_, "cannot open the folder: " + reason_of(errno));
+    if (descriptor_ < 0 && (errno != ENOENT || attempt == kAttempts))
+      fail_at_path(directory_,
+                   fmt::format("cannot {} the folder: {}", made ? "open" : "make", reason_of(errno)));
+    if (descriptor_ < 0) continue;
     while (::flock(descriptor_, access == Access::write ? LOCK_EX : LOCK_SH) != 0 && errno == EINTR) {
     }
-    // A run that failed may have removed, after this one opened it, the folder that it had made.
     struct stat mine {
     }, now{};
     if (::fstat(descriptor_, &mine) == 0 && ::stat(root_.c_str(), &now) == 0 && mine.st_ino == now.st_ino &&
@@ -92,18 +97,28 @@ void LockedFolder::lock(Access access) {
       return;
     ::close(descriptor_);
     descriptor_ = -1;
-    made_.clear();
   }
 }
 
-void LockedFolder::make_root(const fs::path& path) {
+/// Makes the folder and those above it. \return false, with errno ENOENT, where one of them is gone again.
+bool LockedFolder::make_root(const fs::path& path) {
   std::error_code error;
-  if (path.empty() || fs::is_directory(path, error)) return;
-  make_root(path.parent_path());
-  const bool made = ::mkdir(path.c_str(), 0777) == 0;
-  if (!made && errno != EEXIST) fail_at_path(directory_, "cannot make the folder: " + reason_of(errno));
-  if (!fs::is_directory(path, error)) fail_at_path(directory_, fmt::format("{} is no folder", path.string()));
-  if (made) made_.push_back(path);
+  if (path.empty() || fs::is_directory(path, error)) return true;
+  if (!make_root(path.parent_path())) return false;
+  if (::mkdir(path.c_str(), 0777) == 0) {
+    made_.push_back(path);
+    return true;
+  }
+  if (errno == EEXIST) {
+    if (fs::is_directory(path, error)) return true;
+    const fs::file_type type = fs::symlink_status(path, error).type();
+    if (type != fs::file_type::not_found && type != fs::file_type::directory)
+      fail_at_path(directory_, fmt::format("{} is no folder", path.string()));
+  } else if (errno != ENOENT) {
+    fail_at_path(directory_, "cannot make the folder: " + reason_of(errno));
+  }
+  errno = ENOENT;
+  return false;
 }
 
 std::optional<std::string> LockedFolder::unfinished() const {

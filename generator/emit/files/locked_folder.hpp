@@ -46,7 +46,7 @@ class LockedFolder {
   struct Step;
 
   void lock(Access access);
-  void make_root(const std::filesystem::path& path);
+  bool make_root(const std::filesystem::path& path);
   void clear_up();
   std::vector<Step> plan(std::span<const FileEdit> edits) const;
   std::vector<Step> read_journal(const std::string& name) const;
