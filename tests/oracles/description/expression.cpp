@@ -3,7 +3,6 @@
 
 #include <cctype>
 #include <map>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -140,7 +139,8 @@ class Parser {
     }
     if (name.empty()) fail("expected a number, a name or a parenthesis");
     if (peek() == '(') return is_quantity(name) ? quantity(name) : call(name);
-    if (name == "pi") return number(std::numbers::pi);
+    // To all digits of the scalar type: its sine times a weight is no force.
+    if (name == "pi") return make(Operation::multiply, number(4), make(Operation::atan, number(1)));
     if (name == "t") return make(Operation::time, nullptr);
     Expression value = lookup_(name);
     if (!value) fail("unknown name '" + name + "'");
