@@ -12,6 +12,7 @@
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/choice/base_parameters.hpp"
+#include "dynamics/choice/row_lengths.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "functions/array_shape.hpp"
@@ -310,6 +311,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
   auto loaded = std::make_unique<Mechanism>(load_mechanism(std::move(source), graph, options.inputs));
   std::vector<int>& base_columns = loaded->base_columns;
+  std::vector<double>& lengths = loaded->row_lengths;
   compiled.mechanism = std::move(loaded);
   const Mechanism& mechanism = *compiled.mechanism;
   if (options.warn) options.warn(mechanism.warnings);
@@ -349,6 +351,10 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
       options.functions.empty() ? default_functions(mechanism) : options.functions;
   check_applicable(kinematics, certificate.plain(), options, kinds);
   log.done("certificate", "the plain equations, and whether M is singular");
+  if (std::ranges::find(kinds, FunctionKind("constraints")) != kinds.end())
+    lengths = row_lengths(kinematics,
+                          constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, graph),
+                          candidates.front().M);
   const FunctionWriter writer(kinematics, bindings, certificate, options);
   for (const FunctionKind kind : kinds) {
     CompiledFunction written = writer.write(kind, candidates);

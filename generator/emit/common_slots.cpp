@@ -128,6 +128,14 @@ std::vector<std::string> holonomic(const Mechanism& mechanism, std::string_view 
   return out;
 }
 
+std::vector<std::string> row_lengths(const Mechanism& mechanism) {
+  std::vector<double> lengths = mechanism.row_lengths;
+  lengths.resize(constraint_rows(mechanism).size(), 1.0);
+  std::vector<std::string> out;
+  for (const double length : lengths) out.push_back(number_literal(length));
+  return out;
+}
+
 /// Where quaternions begin in q.
 std::vector<std::string> quaternion_offsets(const Mechanism& mechanism) {
   std::vector<std::string> out;
@@ -353,6 +361,7 @@ Slots cpp_constant_slots(const Mechanism& mechanism) {
       {"index_structs", index_structs(mechanism)},
       {"constraint_names", cpp_array(literals(names.constraints))},
       {"holonomic", cpp_array(holonomic(mechanism, "true", "false"))},
+      {"row_lengths", cpp_array(row_lengths(mechanism))},
       {"cpp_inputs", cpp_inputs(mechanism, names.wrench_bodies.size())},
   };
 }

@@ -259,7 +259,9 @@ struct Mechanism {
   Expr time;                                ///< the symbol t
   int nq = 0, nv = 0;
   std::vector<int> base_columns;  ///< those of the regressor that base_regressor has, once it is asked for
-  Warnings warnings;              ///< what is doubtful in the description
+  std::vector<double>
+      row_lengths;    ///< dynamics/choice/row_lengths.hpp, once the function constraints is asked for
+  Warnings warnings;  ///< what is doubtful in the description
   SourceLocation where;
 };
 

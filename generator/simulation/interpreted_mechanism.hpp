@@ -55,6 +55,8 @@ class InterpretedMechanism {
     return rows_[static_cast<std::size_t>(row)].type == ConstraintType::holonomic;
   }
 
+  double row_length(int row) const { return mechanism_.row_lengths[static_cast<std::size_t>(row)]; }
+
   /// Name and constraint of each row.
   const std::vector<ConstraintRow>& rows() const { return rows_; }
   /// time, parameters and wrenches with these q and speeds.

@@ -16,6 +16,7 @@
 //   inverse_dynamics_derivatives(q, u, rates, tau_q, tau_qd)   as in mechanism.hpp; called only by implicit steps
 //   quaternion_offsets()               a range of indices into q: where the unit quaternions start
 //   holonomic(row)                     whether a row of the constraints binds the coordinates
+//   row_length(row)                    its length (constraint_factorization.hpp)
 #pragma once
 
 #include <type_traits>
@@ -103,11 +104,29 @@ class BoundMechanism {
   }
   static constexpr auto quaternion_offsets() { return M::kQuaternionOffsets; }
   static constexpr bool holonomic(int row) { return M::kHolonomic[static_cast<std::size_t>(row)]; }
+  static constexpr Scalar row_length([[maybe_unused]] int row) {
+    if constexpr (detail::HasRowLengths<M>::value)
+      return Scalar(M::kRowLengths[static_cast<std::size_t>(row)]);
+    else
+      return Scalar(1);
+  }
 
  private:
   auto first_state() const { return in_.parameters.size() - static_cast<unsigned>(kNs); }
 
   typename M::Inputs& in_;
 };
+
+namespace detail {
+
+/// row_length of all rows.
+template <class System>
+Eigen::Matrix<typename System::Scalar, System::kNc, 1> row_lengths(const System& system) {
+  Eigen::Matrix<typename System::Scalar, System::kNc, 1> lengths(system.nc());
+  for (int row = 0; row < system.nc(); ++row) lengths(row) = system.row_length(row);
+  return lengths;
+}
+
+}  // namespace detail
 
 }  // namespace alembert

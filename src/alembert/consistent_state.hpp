@@ -101,7 +101,8 @@ template <class System, class Vector>
   if (!detail::is_finite(squares)) return Status::not_finite;
   detail::hold(options.held, mass, P);
   Factorization factorization;
-  if (const Status status = factorization.factor(mass, P); status != Status::ok) return status;
+  if (const Status status = factorization.factor(mass, P, detail::row_lengths(system)); status != Status::ok)
+    return status;
   report.rank = factorization.rank();
   report.redundant = factorization.redundant();
   velocity = -velocity;
@@ -161,7 +162,9 @@ template <class System, class Vector>
     if (!detail::all_finite(mass)) return Status::not_finite;
     detail::hold(options.held, mass, P);
     Factorization factorization;
-    if (const Status status = factorization.factor(mass, P); status != Status::ok) return status;
+    if (const Status status = factorization.factor(mass, P, detail::row_lengths(system));
+        status != Status::ok)
+      return status;
     report.rank = factorization.rank();
     report.redundant = factorization.redundant();
     const typename Factorization::ConstraintVector wanted = -position;

@@ -75,7 +75,8 @@ template <class System, class Vector>
   if (!detail::all_finite(mass) || !detail::all_finite(force) || !detail::all_finite(gamma))
     return Status::not_finite;
   Factorization factorization;
-  if (const Status status = factorization.factor(mass, P); status != Status::ok) return status;
+  if (const Status status = factorization.factor(mass, P, detail::row_lengths(system)); status != Status::ok)
+    return status;
   result.rank = factorization.rank();
   result.redundant = factorization.redundant();
   gamma = -gamma;

@@ -19,15 +19,16 @@ namespace alembert {
 /// S is factored with diagonal pivoting. A pivot of S over its diagonal entry is the square of the sine of
 /// the angle, in the metric of M^-1, between a row of P and the rows taken before it. A row is *redundant* if
 /// that is at most 16 max(n, k) epsilon (an angle of about 1e-7 in double precision), or if the row is zero:
-/// shorter than 64 max(n, k) epsilon times the longest row. A redundant row gets the multiplier zero. Among
-/// rows that could be taken next, the first one of at least a quarter of the best pivot is, so that of two
-/// equal rows the first stays.
+/// shorter than 64 max(n, k) epsilon times the longest row, both over the lengths that the caller gives. A
+/// redundant row gets the multiplier zero. Among rows that could be taken next, the first one of at least a
+/// quarter of the best pivot is, so that of two equal rows the first stays.
 ///
 /// Angles do not depend on the units of rows, speeds or masses. Which rows are zero does, on those of rows: where
 /// all terms of a row cancel, as those of the axis of a hinge that closes a chain in a plane, what is left is as
-/// independent as any row, and only beside other rows is it seen to be rounding. So rows, positions and angles
-/// alike, may differ by 1 / (64 max(n, k) epsilon) in the metric of M^-1: about 1e12 in double and 1e4 in single
-/// precision.
+/// independent as any row, and only beside other rows is it seen to be rounding. So the lengths say how long rows
+/// are whose terms do not cancel, in the metric of M^-1 and relative to each other; generated mechanisms know them
+/// (kRowLengths). Without them rows, positions and angles alike, may differ by 1 / (64 max(n, k) epsilon): about
+/// 1e12 in double and 1e4 in single precision.
 ///
 /// S scalar, N speeds n, K rows k of constraints; N and K may be Eigen::Dynamic.
 /// Golub and Van Loan, Matrix Computations, 4.2.8 and 4.4.6; one step of refinement as in the corrected
@@ -41,13 +42,19 @@ class ConstraintFactorization {
   using ConstraintVector = Eigen::Matrix<S, K, 1>;
   using Flags = Eigen::Array<bool, K, 1>;
 
-  /// \param M  n x n, symmetric, only the lower triangle is read
-  /// \param P  k x n
-  /// \return   ok, or not_finite or not_positive_definite as factor_ldlt says of M
+  /// \param M        n x n, symmetric, only the lower triangle is read
+  /// \param P        k x n
+  /// \param lengths  k x 1, positive: how long rows are, the longest 1
+  /// \return         ok, or not_finite or not_positive_definite as factor_ldlt says of M
   [[nodiscard]] Status factor(const SpeedMatrix& M, const ConstraintMatrix& P) {
+    return factor(M, P, ConstraintVector::Ones(P.rows()));
+  }
+  [[nodiscard]] Status factor(const SpeedMatrix& M, const ConstraintMatrix& P,
+                              const ConstraintVector& lengths) {
     const int n = static_cast<int>(M.rows()), k = static_cast<int>(P.rows());
     if (!detail::all_finite(P)) return Status::not_finite;
     mass_ = M;
+    lengths_ = lengths;
     if (const Status status = factor_ldlt(mass_); status != Status::ok) return status;
     Y_ = P.transpose();
     for (int r = 0; r < k; ++r)
@@ -82,8 +89,8 @@ class ConstraintFactorization {
   ///                tell
   /// \return        -1, or the redundant row that P x = r fails most: its right side does not follow from
   ///                the others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
-  ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units.
-  ///                x and lambda then solve the other rows. Where such a length overflows, x is NaN.
+  ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units
+  ///                times the length that the caller gave. x and lambda then solve the other rows. Where such a length overflows, x is NaN.
   int solve(const SpeedVector& b, const ConstraintVector& r, SpeedVector& x, ConstraintVector& lambda,
             S motion = S(0)) const {
     using std::abs;
@@ -124,7 +131,8 @@ class ConstraintFactorization {
       S worst(1);
       for (int i = 0; i < k; ++i) {
         if (!redundant_(i)) continue;
-        const S share = abs(residual(i)) / (relative * (abs(r(i)) + sqrt(diagonal_(i)) * length) + floor);
+        const S share =
+            abs(residual(i)) / (relative * (abs(r(i)) + sqrt(diagonal_(i)) * length) + floor * lengths_(i));
         if (share > worst) {
           worst = share;
           worst_row = i;
@@ -142,6 +150,7 @@ class ConstraintFactorization {
 
   /// LDL^T of rest_ = S with diagonal pivoting; spoils rest_.
   void factor_schur_complement(int n, int k) {
+    using std::sqrt;
     diagonal_ = rest_.diagonal();
     factor_.setZero(k, k);
     pivots_.setZero(k);
@@ -149,9 +158,10 @@ class ConstraintFactorization {
     redundant_.setConstant(k, true);
     rank_ = 0;
     S longest(0);
-    for (int i = 0; i < k; ++i) longest = diagonal_(i) > longest ? diagonal_(i) : longest;
-    const S noise = S(4) * threshold(n, k), zero = noise * noise * longest;
-    const auto share = [&](int i) { return diagonal_(i) > zero ? rest_(i, i) / diagonal_(i) : S(0); };
+    const auto length = [&](int i) { return S(sqrt(diagonal_(i)) / lengths_(i)); };
+    for (int i = 0; i < k; ++i) longest = length(i) > longest ? length(i) : longest;
+    const S zero = S(4) * threshold(n, k) * longest;
+    const auto share = [&](int i) { return length(i) > zero ? S(rest_(i, i) / diagonal_(i)) : S(0); };
     for (int step = 0; step < k; ++step) {
       S best(0);
       for (int i = 0; i < k; ++i)
@@ -205,6 +215,7 @@ class ConstraintFactorization {
   SizedMatrix<S, K, K> rest_;       // what is left of S while it is factored
   SizedMatrix<S, K, K> factor_;     // G: rows as in P, columns in the order of the pivots
   ConstraintVector diagonal_;       // of S
+  ConstraintVector lengths_;        // those that the caller gives
   ConstraintVector pivots_;         // E
   Eigen::Matrix<int, K, 1> order_;  // row of each pivot
   Flags redundant_;

@@ -24,6 +24,7 @@
 //   M::constraints(q, u, in, P, gamma, velocity, position)
 //                                            velocity = P u + (part from time) and position must be zero; the
 //                                            rate of velocity is P du/dt + gamma
+//   M::kRowLengths                           optional, std::array<double, n_c>: constraint_factorization.hpp
 // and then tau + P^T lambda = M du/dt + c, with lambda the reactions.
 //
 // Matrices are SizedMatrix of matrix.hpp: those of Eigen with fixed sizes, unless they are too large for the
@@ -163,6 +164,12 @@ struct HasConstraints<
                std::declval<const typename M::Inputs&>(), std::declval<typename M::ConstraintMatrix&>(),
                std::declval<typename M::ConstraintVector&>(), std::declval<typename M::ConstraintVector&>(),
                std::declval<typename M::ConstraintVector&>()))>> : std::bool_constant<(M::kNc > 0)> {};
+
+template <class M, class = void>
+struct HasRowLengths : std::false_type {};
+
+template <class M>
+struct HasRowLengths<M, std::void_t<decltype(M::kRowLengths[0])>> : std::true_type {};
 
 /// A vector of zeros, or an empty one where the size is Eigen::Dynamic.
 template <class Vector>

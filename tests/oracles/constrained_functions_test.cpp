@@ -161,5 +161,46 @@ TEST(ConstrainedFunctions, RowsThatFollowFromThoseBeforeThemHaveNoReaction) {
   EXPECT_EQ(lambda.bottomRows(lambda.rows() - 2).cwiseAbs().maxCoeff(), 0) << lambda.transpose();
 }
 
+// A robot of a tenth of a micrometre: a row on its angle is 1e15 times as long, in the metric of M^-1, as one on a square
+// of a distance. Both bind.
+TEST(ConstrainedFunctions, RowsOfUnitsFarApart) {
+  const ConstrainedMechanism robot(R"yaml(
+gravity: [0, 0, -9.81]
+coordinates:
+  - {name: x, limits: [-5e-8, 5e-8]}
+  - {name: y, limits: [-5e-8, 5e-8]}
+  - {name: turn, limits: [-3, 3]}
+  - {name: tilt, limits: [-3, 3]}
+  - {name: reach, limits: [-5e-8, 5e-8]}
+bodies:
+  - name: base
+    transform: [{joint: {type: planar, coordinates: [x, y, turn]}}]
+    mass: 1.9e-6
+    com: [-3.8e-9, -2.8e-8, -2.7e-8]
+    inertia: {xx: 2.3e-21, yy: 2.8e-21, zz: 1.6e-21, xy: -3.6e-23, xz: -4.9e-22, yz: 3.8e-23}
+  - name: arm
+    parent: base
+    transform:
+      - {joint: {type: revolute, axis: y, coordinates: [tilt]}}
+      - {translate: [0, 2.1e-9, -5.9e-8]}
+      - {joint: {type: prismatic, axis: y, coordinates: [reach]}}
+    mass: 5.3e-7
+    com: [2.2e-8, 3.0e-9, 1.7e-9]
+frames:
+  - {name: hand, body: arm, transform: [{translate: [0, 7.8e-9, 2.2e-8]}]}
+  - {name: eye, body: base, transform: [{translate: [1.1e-8, 0, -6.8e-8]}]}
+constraints:
+  - {name: geared, type: pfaffian, rows: ["1.85*d(tilt) - cos(turn)*d(turn)"]}
+  - name: rod
+    type: holonomic
+    equations: ["(position(hand).x - position(eye).x)^2 + (position(hand).y - position(eye).y)^2 + (position(hand).z - position(eye).z)^2 - 2.8e-15"]
+)yaml");
+  std::mt19937_64 random(6);
+  std::vector<State> states;
+  for (int i = 0; i < 5; ++i) states.push_back(random_state(robot.description, random));
+  robot.expect_right(states);
+  for (const State& state : states) EXPECT_NE(robot.reactions(state)(1), 0);
+}
+
 }  // namespace
 }  // namespace alembert::oracles

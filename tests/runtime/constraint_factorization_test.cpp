@@ -192,6 +192,24 @@ TEST(ConstraintFactorization, RowsOfRoundingAreRedundant) {
   }
 }
 
+TEST(ConstraintFactorization, RowsMayBeAsShortAsTheirLengthsSay) {
+  // A row that is 1e14 times shorter than another is a row if it is known to be that short, and rounding if not.
+  MatrixXd P(3, 3);
+  P << 1, 2, 0, 1e-14, 3e-14, 1e-14, 2e-30, 0, -1e-30;
+  const MatrixXd M = MatrixXd::Identity(3, 3);
+  Factorization factorization;
+  ASSERT_EQ(factorization.factor(M, P), Status::ok);
+  EXPECT_EQ(factorization.rank(), 1);
+  ASSERT_EQ(factorization.factor(M, P, Eigen::Vector3d(1, 1e-14, 1e-14)), Status::ok);
+  EXPECT_EQ(factorization.rank(), 2);
+  EXPECT_TRUE(factorization.redundant(2));
+  VectorXd x, lambda;
+  EXPECT_EQ(factorization.solve(Eigen::Vector3d(1, 1, 1), VectorXd::Zero(3), x, lambda), -1);
+  EXPECT_LT((P * x).cwiseQuotient(Eigen::Vector3d(1, 1e-14, 1e-14)).norm(), 1e-14);
+  // What rounding may leave in metres is much in millionths of them.
+  EXPECT_EQ(factorization.solve(VectorXd::Zero(3), Eigen::Vector3d(0, 0, 1e-20), x, lambda), 2);
+}
+
 TEST(ConstraintFactorization, AngleBetweenRowsDecides) {
   // Two rows an angle apart: independent at 1e-5, redundant at 1e-9, in double precision.
   for (const double angle : {1e-5, 1e-9}) {

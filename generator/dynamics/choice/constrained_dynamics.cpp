@@ -1,11 +1,17 @@
-// Forward dynamics under constraints by the Schur complement of M (see the header):
+// Forward dynamics under constraints (see the header) by rows that are independent in the metric of M^-1:
 //
-//   X = M^-1 P^T,  S = P X = G E G^T,  v = M^-1 (tau - c),  S lambda = -gamma - P v,  du/dt = v + X lambda
+//   X = M^-1 P^T,  S = P X = G E G^T,  P = G R,  Y = M^-1 R^T,  v = M^-1 (tau - c)
+//   G s = -gamma - P v,  E y = s,  G^T lambda = y,  du/dt = v + X lambda = v + Y y
 //
-// Rows are eliminated in their order. The pivot E_r is the square of the length, in the metric of M^-1, of what the rows
-// before it leave of row r: S_rr less what cancels. It is made of N_r = S_rr + sum_a G_ra^2 N_a. Where it is rounding of
-// that, the row follows from those before it: it is left out by a choice, without a branch, and has no reaction. (The
-// runtime's constraint_factorization.hpp compares with S_rr alone, and takes rows that are nearly dependent last.)
+// Rows are eliminated in their order. The pivot E_r is the square of the length of what the rows before it leave of row r:
+// S_rr less what cancels. It is made of N_r = S_rr + sum_a G_ra^2 N_a. Where it is rounding of that, the row follows from
+// those before it: it is left out by a choice, without a branch, and has no reaction. So is a row that is nothing but
+// rounding, over its length (row_lengths.hpp) next to all rows over theirs. (The runtime's constraint_factorization.hpp
+// compares with S_rr alone, and takes rows that are nearly dependent last.)
+//
+// Either R and Y are made, by modified Gram-Schmidt, or S is eliminated. What rounding leaves grows with the condition of
+// the rows, or with its square (Bjoerck, BIT 7, 1967). Elimination keeps rows short that concern few speeds, as those of
+// the legs of a platform: it is taken where it is much shorter.
 #include "dynamics/choice/constrained_dynamics.hpp"
 
 #include <fmt/format.h>
@@ -13,12 +19,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/choice/forward_dynamics.hpp"
+#include "dynamics/choice/row_lengths.hpp"
 #include "dynamics/recursions/constraints.hpp"
+#include "symbolic/count_operations.hpp"
 #include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
 
@@ -27,49 +36,103 @@ namespace {
 
 using Columns = std::vector<std::vector<Expr>>;
 
-/// The factors of S.
-class SchurComplement {
+Expr product(const std::vector<Expr>& a, const std::vector<Expr>& b) {
+  Expr sum = a.front().graph().zero();
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+/// a -= factor b
+void subtract(std::vector<Expr>& a, Expr factor, const std::vector<Expr>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] -= factor * b[k];
+}
+
+enum class RowMethod { gram_schmidt, elimination };
+
+class IndependentRows {
  public:
-  SchurComplement(std::vector<Expr> S, std::size_t rows, std::size_t speeds, ExprGraph& graph)
-      : G_(std::move(S)), rows_(rows), inverse_pivots_(rows) {
+  /// Rows of P and columns of X.
+  IndependentRows(Columns P, Columns X, const std::vector<double>& lengths, RowMethod method)
+      : method_(method), R_(std::move(P)), Y_(std::move(X)), G_(R_.size()) {
+    if (R_.empty()) return;
+    ExprGraph& graph = R_.front().front().graph();
+    const std::size_t count = R_.size();
+    const bool gram_schmidt = method == RowMethod::gram_schmidt;
+    Columns S(count);  // its lower triangle; of Gram-Schmidt the diagonal alone
+    for (std::size_t r = 0; r < count; ++r)
+      for (std::size_t s = 0; s <= r; ++s)
+        S[r].push_back(gram_schmidt && s < r ? graph.zero() : product(R_[r], Y_[s]));
     const double dependent =
-        16 * static_cast<double>(std::max(rows, speeds)) * std::numeric_limits<double>::epsilon();
+        16 * static_cast<double>(std::max(count, R_.front().size())) * std::numeric_limits<double>::epsilon();
     std::vector<Expr> made_of;  // N
     Expr sum = graph.zero();
-    for (std::size_t r = 0; r < rows; ++r) {
-      made_of.push_back(entry(r, r));
-      sum += entry(r, r);
+    for (std::size_t r = 0; r < count; ++r) {
+      made_of.push_back(S[r][r]);
+      sum += graph.real(1 / (lengths[r] * lengths[r])) * S[r][r];
     }
-    const Expr nothing = graph.real(16 * dependent * dependent) * sum;  // a row of zeros, but for rounding
-    for (std::size_t a = 0; a < rows; ++a) {
-      const Expr pivot = entry(a, a), clear = pivot - (graph.real(dependent) * made_of[a] + nothing);
+    for (std::size_t a = 0; a < count; ++a) {
+      const double rounding = 4 * dependent * lengths[a];
+      const Expr nothing = graph.real(rounding * rounding) * sum;
+      const Expr pivot = gram_schmidt ? product(R_[a], Y_[a]) : S[a][a];
+      const Expr clear = pivot - (graph.real(dependent) * made_of[a] + nothing);
       const Expr divisor = if_positive(clear, pivot) + unless_positive(clear, graph.one());
-      inverse_pivots_[a] = if_positive(clear, graph.one() / divisor);
-      std::vector<Expr> factors(rows);
-      for (std::size_t r = a + 1; r < rows; ++r) {
-        factors[r] = entry(r, a) * inverse_pivots_[a];
-        for (std::size_t s = a + 1; s <= r; ++s) entry(r, s) -= factors[r] * entry(s, a);
-        made_of[r] += factors[r] * factors[r] * made_of[a];
+      inverse_pivots_.push_back(if_positive(clear, graph.one() / divisor));
+      for (std::size_t r = a + 1; r < count; ++r) {
+        const Expr factor = (gram_schmidt ? product(R_[r], Y_[a]) : S[r][a]) * inverse_pivots_[a];
+        G_[r].push_back(factor);
+        made_of[r] += factor * factor * made_of[a];
+        if (gram_schmidt) {
+          subtract(R_[r], factor, R_[a]);
+          subtract(Y_[r], factor, Y_[a]);
+        } else {
+          for (std::size_t s = a + 1; s <= r; ++s) S[r][s] -= factor * S[s][a];
+        }
       }
-      for (std::size_t r = a + 1; r < rows; ++r) entry(r, a) = factors[r];
     }
   }
 
-  /// S x = right over the rows that are independent; 0 in the others.
-  std::vector<Expr> solve(std::vector<Expr> x) const {
-    for (std::size_t a = 0; a < rows_; ++a)
-      for (std::size_t r = a + 1; r < rows_; ++r) x[r] -= G_[r * rows_ + a] * x[a];
-    for (std::size_t a = 0; a < rows_; ++a) x[a] = x[a] * inverse_pivots_[a];
-    for (std::size_t a = rows_; a-- > 0;)
-      for (std::size_t r = a + 1; r < rows_; ++r) x[a] -= G_[r * rows_ + a] * x[r];
-    return x;
+  /// x and y of M x = f + P^T y, P x = g, for v = M^-1 f. Rows that are left out have y = 0.
+  std::pair<std::vector<Expr>, std::vector<Expr>> solved(std::vector<Expr> v, std::vector<Expr> g) const {
+    std::vector<Expr> y = std::move(g);
+    if (method_ == RowMethod::elimination)
+      for (std::size_t r = 0; r < y.size(); ++r) y[r] -= product(R_[r], v);
+    for (std::size_t a = 0; a < y.size(); ++a)
+      for (std::size_t r = a + 1; r < y.size(); ++r) y[r] -= G_[r][a] * y[a];
+    for (std::size_t r = 0; r < y.size(); ++r) {
+      if (method_ == RowMethod::gram_schmidt) y[r] -= product(R_[r], v);
+      y[r] = y[r] * inverse_pivots_[r];
+      if (method_ == RowMethod::gram_schmidt) subtract(v, -y[r], Y_[r]);
+    }
+    return with_reactions(std::move(v), std::move(y));
+  }
+
+  /// The same for g = 0 and v column k of M^-1, which P takes to column k of X^T, and R to that of Y^T.
+  std::pair<std::vector<Expr>, std::vector<Expr>> solved_for_force(std::size_t k, std::vector<Expr> v) const {
+    std::vector<Expr> y;
+    for (const std::vector<Expr>& column : Y_) y.push_back(-column[k]);
+    for (std::size_t a = 0; method_ == RowMethod::elimination && a < y.size(); ++a)
+      for (std::size_t r = a + 1; r < y.size(); ++r) y[r] -= G_[r][a] * y[a];
+    for (std::size_t r = 0; r < y.size(); ++r) {
+      y[r] = y[r] * inverse_pivots_[r];
+      if (method_ == RowMethod::gram_schmidt) subtract(v, -y[r], Y_[r]);
+    }
+    return with_reactions(std::move(v), std::move(y));
   }
 
  private:
-  Expr& entry(std::size_t r, std::size_t s) { return G_[r * rows_ + s]; }
+  /// G^T lambda = y; and v += X lambda where Y is not there.
+  std::pair<std::vector<Expr>, std::vector<Expr>> with_reactions(std::vector<Expr> v,
+                                                                 std::vector<Expr> y) const {
+    for (std::size_t a = y.size(); a-- > 0;)
+      for (std::size_t r = a + 1; r < y.size(); ++r) y[a] -= G_[r][a] * y[r];
+    if (method_ == RowMethod::elimination)
+      for (std::size_t r = 0; r < y.size(); ++r) subtract(v, -y[r], Y_[r]);
+    return {std::move(v), std::move(y)};
+  }
 
-  std::vector<Expr> G_;  ///< below its diagonal
-  std::size_t rows_;
+  RowMethod method_;
+  Columns R_, Y_;  ///< of elimination P and X
+  Columns G_;      ///< rows, below its diagonal
   std::vector<Expr> inverse_pivots_;
 };
 
@@ -77,61 +140,40 @@ class SchurComplement {
 class ConstrainedSystem {
  public:
   ConstrainedSystem(const Kinematics& kinematics, const EquationsOfMotion& equations)
-      : kinematics_(kinematics),
-        rows_(constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives,
-                                   kinematics.graph)),
-        count_(rows_.gamma.size()),
-        speeds_(static_cast<std::size_t>(kinematics.mechanism.nv)) {
-    Columns right{driving_forces(kinematics, equations)};
-    for (std::size_t r = 0; r < count_; ++r) {
-      const auto first = rows_.P.begin() + static_cast<std::ptrdiff_t>(r * speeds_);
-      right.emplace_back(first, first + static_cast<std::ptrdiff_t>(speeds_));
-    }
-    X_ = solved_for_columns(kinematics, equations, right);
-    free_ = std::move(X_.front());
-    X_.erase(X_.begin());
+      : rows_(constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives,
+                                   kinematics.graph)) {
+    const auto nv = static_cast<std::ptrdiff_t>(kinematics.mechanism.nv);
+    Columns P, right{driving_forces(kinematics, equations)};
+    for (auto row = rows_.P.begin(); row != rows_.P.end(); row += nv) P.emplace_back(row, row + nv);
+    right.insert(right.end(), P.begin(), P.end());
+    Columns X = solved_for_columns(kinematics, equations, right);
+    free_ = std::move(X.front());
+    X.erase(X.begin());
+    const std::vector<double> lengths = row_lengths(kinematics, rows_, equations.M);
+    independent_.emplace(P, X, lengths, RowMethod::gram_schmidt);
+    IndependentRows eliminated(std::move(P), std::move(X), lengths, RowMethod::elimination);
+    if (2 * operations(motion(eliminated)) < operations(motion())) independent_ = std::move(eliminated);
   }
 
   const ConstraintEquations& rows() const { return rows_; }
-  std::size_t count() const { return count_; }
-  const Columns& X() const { return X_; }
-
-  SchurComplement schur_complement() const {
-    std::vector<Expr> S(count_ * count_, kinematics_.graph.zero());
-    for (std::size_t r = 0; r < count_; ++r)
-      for (std::size_t s = 0; s <= r; ++s) S[r * count_ + s] = along(r, X_[s]);
-    return {std::move(S), count_, speeds_, kinematics_.graph};
-  }
-
-  /// M x = f + P^T y, P x = g for v = M^-1 f.
-  std::pair<std::vector<Expr>, std::vector<Expr>> solved(const SchurComplement& S, std::vector<Expr> v,
-                                                         std::vector<Expr> g) const {
-    for (std::size_t r = 0; r < count_; ++r) g[r] -= along(r, v);
-    std::vector<Expr> y = S.solve(std::move(g));
-    for (std::size_t k = 0; k < speeds_; ++k)
-      for (std::size_t r = 0; r < count_; ++r) v[k] += X_[r][k] * y[r];
-    return {std::move(v), std::move(y)};
-  }
-
-  ConstrainedMotion motion(const SchurComplement& S) const {
-    std::vector<Expr> g;
-    for (const Expr& gamma : rows_.gamma) g.push_back(-gamma);
-    auto [rates, lambdas] = solved(S, free_, std::move(g));
-    return {std::move(rates), std::move(lambdas)};
-  }
+  const IndependentRows& independent() const { return *independent_; }
+  ConstrainedMotion motion() const { return motion(*independent_); }
 
  private:
-  /// Row r of P times v.
-  Expr along(std::size_t r, const std::vector<Expr>& v) const {
-    Expr sum = kinematics_.graph.zero();
-    for (std::size_t k = 0; k < speeds_; ++k) sum += rows_.P[r * speeds_ + k] * v[k];
-    return sum;
+  ConstrainedMotion motion(const IndependentRows& independent) const {
+    std::vector<Expr> g;
+    for (const Expr& gamma : rows_.gamma) g.push_back(-gamma);
+    auto [rates, lambdas] = independent.solved(free_, std::move(g));
+    return {std::move(rates), std::move(lambdas)};
+  }
+  static std::size_t operations(const ConstrainedMotion& motion) {
+    std::vector<Expr> all = motion.rates;
+    all.insert(all.end(), motion.lambdas.begin(), motion.lambdas.end());
+    return count_operations(all).total();
   }
 
-  const Kinematics& kinematics_;
   ConstraintEquations rows_;
-  std::size_t count_, speeds_;
-  Columns X_;               ///< M^-1 P^T: a column for each row
+  std::optional<IndependentRows> independent_;
   std::vector<Expr> free_;  ///< M^-1 (tau - c)
 };
 
@@ -176,7 +218,7 @@ RowChanges row_changes(const Kinematics& kinematics, const ConstraintEquations& 
 ConstrainedMotion constrained_forward_dynamics(const Kinematics& kinematics,
                                                const EquationsOfMotion& equations) {
   const ConstrainedSystem system(kinematics, equations);
-  ConstrainedMotion motion = system.motion(system.schur_complement());
+  ConstrainedMotion motion = system.motion();
   value_number_all({&motion.rates, &motion.lambdas});
   return motion;
 }
@@ -185,15 +227,14 @@ ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics
                                                                 const EquationsOfMotion& equations) {
   const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
   const ConstrainedSystem system(kinematics, equations);
-  const SchurComplement S = system.schur_complement();
-  const ConstrainedMotion motion = system.motion(S);
+  const ConstrainedMotion motion = system.motion();
 
   // At these rates and reactions, -(change of what M du/dt + c - P^T lambda and P du/dt + gamma are).
   std::vector<std::pair<Expr, Expr>> there;
   std::vector<Expr> lambdas;
   for (std::size_t k = 0; k < nv; ++k)
     there.emplace_back(kinematics.derivatives.rate(static_cast<int>(k)), motion.rates[k]);
-  for (std::size_t r = 0; r < system.count(); ++r) {
+  for (std::size_t r = 0; r < motion.lambdas.size(); ++r) {
     lambdas.push_back(kinematics.graph.symbol(fmt::format("lambda[{}]", r)));
     there.emplace_back(lambdas.back(), motion.lambdas[r]);
   }
@@ -214,25 +255,18 @@ ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics
 
   Columns free = solved_for_columns(kinematics, equations, changes.forces);
   Columns rates, reactions;
-  const auto add = [&](std::vector<Expr> v, std::vector<Expr> g) {
-    auto [x, y] = system.solved(S, std::move(v), std::move(g));
-    rates.push_back(std::move(x));
-    reactions.push_back(std::move(y));
+  const auto add = [&](std::pair<std::vector<Expr>, std::vector<Expr>> solution) {
+    rates.push_back(std::move(solution.first));
+    reactions.push_back(std::move(solution.second));
   };
-  for (std::size_t k = 0; k < 2 * nv; ++k) add(std::move(free[k]), std::move(changes.rows[k]));
-  // By the forces: P M^-1 is X^T. The rates' are symmetric.
+  const IndependentRows& rows = system.independent();
+  for (std::size_t k = 0; k < 2 * nv; ++k) add(rows.solved(std::move(free[k]), std::move(changes.rows[k])));
+  // By the forces. The rates' are symmetric.
   const std::vector<Expr> inverse = inverse_mass_matrix(kinematics, equations);
   for (std::size_t k = 0; k < nv; ++k) {
-    std::vector<Expr> g, x;
-    for (std::size_t r = 0; r < system.count(); ++r) g.push_back(-system.X()[r][k]);
-    std::vector<Expr> y = S.solve(std::move(g));
-    for (std::size_t i = 0; i < k; ++i) x.push_back(rates[2 * nv + i][k]);
-    for (std::size_t i = k; i < nv; ++i) {
-      x.push_back(inverse[i * nv + k]);
-      for (std::size_t r = 0; r < y.size(); ++r) x[i] += system.X()[r][i] * y[r];
-    }
-    rates.push_back(std::move(x));
-    reactions.push_back(std::move(y));
+    const auto column = inverse.begin() + static_cast<std::ptrdiff_t>(k * nv);
+    add(rows.solved_for_force(k, {column, column + static_cast<std::ptrdiff_t>(nv)}));
+    for (std::size_t i = 0; i < k; ++i) rates.back()[i] = rates[2 * nv + i][k];
   }
 
   ConstrainedDerivatives out{by_rows(rates, 0, nv),      by_rows(rates, nv, nv),

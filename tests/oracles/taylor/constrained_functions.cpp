@@ -11,13 +11,15 @@ namespace alembert::oracles {
 
 namespace {
 
-/// M x = f + P^T y, P x = g over the rows that do not follow from those before them.
+/// M x = f + P^T y, P x = g over the rows that do not follow from those before them, and are not rounding: a row that is
+/// far shorter than the others is one only if double precision knows it.
 template <class R>
 class BorderedSystem {
  public:
-  BorderedSystem(const MatrixOf<R>& M, const MatrixOf<R>& P) : root_(M), P_(P) {
+  BorderedSystem(const MatrixOf<R>& M, const MatrixOf<R>& P, const MatrixOf<R>& rounding) : root_(M), P_(P) {
     // M = L L^T; the columns of B = L^-1 P^T are orthonormalised one after another, twice each.
     const MatrixOf<R> B = root_.matrixL().solve(MatrixOf<R>(P.transpose()));
+    const MatrixOf<R> unknown = root_.matrixL().solve(MatrixOf<R>(rounding.transpose()));
     const double bound =
         16 * static_cast<double>(std::max(P.rows(), P.cols())) * std::numeric_limits<double>::epsilon();
     Q_.resize(B.rows(), 0);
@@ -25,7 +27,9 @@ class BorderedSystem {
       VectorOf<R> left = B.col(r);
       for (int pass = 0; pass < 2; ++pass) left -= Q_ * (Q_.transpose() * left);
       if (!(left.squaredNorm() > R(bound) * B.col(r).squaredNorm())) continue;
-      if (!(B.col(r).squaredNorm() > R(16 * bound * bound) * B.squaredNorm())) continue;
+      const R square = B.col(r).squaredNorm();
+      const bool known = unknown.col(r).squaredNorm() < R(1e-12) * square;
+      if (!known && !(square > R(16 * bound * bound) * B.squaredNorm())) continue;
       Q_.conservativeResize(Eigen::NoChange, Q_.cols() + 1);
       Q_.col(Q_.cols() - 1) = left.normalized();
       kept_.push_back(r);
@@ -61,7 +65,10 @@ struct Solution {
 template <class R>
 Solution<R> solution(const Description& description, const State& state, const DynamicsOf<R>& dynamics) {
   const ConstraintRowsOf<R> rows = numeric_constraints<R>(description, state);
-  BorderedSystem<R> system(dynamics.mass_matrix, rows.P);
+  const auto exact = numeric_constraints<long double>(description, state).P;
+  const auto rounded = numeric_constraints<double>(description, state).P;
+  const MatrixOf<long double> rounding = exact - rounded.cast<long double>();
+  BorderedSystem<R> system(dynamics.mass_matrix, rows.P, rounding.cast<R>());
   // The forces as they are given: in double precision.
   const VectorOf<R> tau = dynamics.tau.template cast<double>().template cast<R>();
   auto [rates, multipliers] = system.solve(tau - dynamics.bias, -rows.gamma);

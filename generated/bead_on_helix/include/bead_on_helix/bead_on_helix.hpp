@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::bead_on_helix::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::bead_on_helix::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::bead_on_helix::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -42,6 +42,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::body_on_torus::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::cart_pole::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::cart_pole::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::cart_pole::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::cart_pole::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

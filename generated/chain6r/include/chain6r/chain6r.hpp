@@ -42,6 +42,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::chain6r::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::chain6r::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::chain6r::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::chain6r::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

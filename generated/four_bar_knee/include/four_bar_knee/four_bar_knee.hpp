@@ -44,6 +44,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::four_bar_knee::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::four_bar_knee::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::four_bar_knee::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

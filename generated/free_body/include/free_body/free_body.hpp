@@ -44,6 +44,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::free_body::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::free_body::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -42,6 +42,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::moving_base::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::moving_base::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::moving_base::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::moving_base::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

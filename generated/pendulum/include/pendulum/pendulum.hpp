@@ -42,6 +42,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::pendulum::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::pendulum::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::pendulum::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::puma560::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::puma560::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::puma560::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::puma560::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

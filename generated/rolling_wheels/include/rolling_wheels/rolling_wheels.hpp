@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::rolling_wheels::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::rolling_wheels::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::rolling_wheels::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::rolling_wheels::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::runtime_parameters::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

@@ -43,6 +43,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::spherical_pendulum::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::spherical_pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::spherical_pendulum::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::spherical_pendulum::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

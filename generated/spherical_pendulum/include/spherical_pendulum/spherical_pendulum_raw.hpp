@@ -53,6 +53,9 @@ inline constexpr ::std::array<::std::string_view, kWrenchCount> kWrenchBodyNames
 inline constexpr ::std::array<const char*, kNc> kConstraintNames = {};
 /// Whether the row is the rate of an equation in the coordinates alone, which then has to hold as well.
 inline constexpr ::std::array<bool, kNc> kHolonomic = {};
+/// About how long the terms are that each row of P is made of, in the metric of M^-1, over those of the longest row: where
+/// the units of rows lie far apart, by these what is rounding of a row is told from the row.
+inline constexpr ::std::array<double, kNc> kRowLengths = {};
 
 /// The initial state of the description: coordinates and speeds.
 inline constexpr ::std::array<double, kNq> kInitialCoordinates = {{0.0, 0.0, 0.0, 1.0}};

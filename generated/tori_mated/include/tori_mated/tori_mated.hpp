@@ -42,6 +42,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::tori_mated::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::tori_mated::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::tori_mated::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

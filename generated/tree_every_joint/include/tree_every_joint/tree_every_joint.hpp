@@ -44,6 +44,7 @@ struct Mechanism {
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::tree_every_joint::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::tree_every_joint::kHolonomic;
+  static constexpr auto kRowLengths = ::alembert::mechanisms::tree_every_joint::kRowLengths;
   using CoordinateVector = ::Eigen::Matrix<S, kNq, 1>;
   using SpeedVector = ::Eigen::Matrix<S, kNv, 1>;
   using SpeedMatrix = ::alembert::SizedMatrix<S, kNv, kNv>;

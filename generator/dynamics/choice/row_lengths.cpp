@@ -1,0 +1,77 @@
+// Lengths of rows (see the header).
+#include "dynamics/choice/row_lengths.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/tree/state_values.hpp"
+#include "symbolic/error_bound.hpp"
+#include "symbolic/evaluate.hpp"
+
+namespace alembert {
+namespace {
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The diagonal of M's inverse; empty where M has none. M = D C D with D the square roots of M's diagonal, so that
+/// speeds of all units are alike.
+Eigen::VectorXd inverse_diagonal(std::span<const double> values, Eigen::Index nv) {
+  const Eigen::Map<const RowMajorMatrix> M(values.data(), nv, nv);
+  const Eigen::VectorXd scale = M.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> factor(C);
+  if (!C.allFinite() || factor.info() != Eigen::Success) return {};
+  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(nv, nv));
+  return inverse.diagonal().cwiseProduct(scale.cwiseAbs2());
+}
+
+/// Their logarithms to base 2 at a state; -infinity for rows of zeros. Empty where M is singular.
+Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Expr>& M,
+                           std::span<const double> state, Eigen::Index nv) {
+  const Eigen::VectorXd weights = inverse_diagonal(evaluate(M, state), nv);
+  if (weights.size() == 0) return {};
+  const std::vector<Approximate> entries = evaluate_bounded(rows.P, state);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(rows.position.size()));
+  for (Eigen::Index r = 0; r < out.size(); ++r) {
+    double squares = 0;
+    for (Eigen::Index k = 0; k < nv; ++k) {
+      const Approximate& entry = entries[static_cast<std::size_t>(r * nv + k)];
+      const double terms = std::abs(entry.value) + entry.error / std::numeric_limits<double>::epsilon();
+      squares += terms * terms * weights(k);
+    }
+    out(r) = 0.5 * std::log2(squares);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEquations& rows,
+                                const std::vector<Expr>& M) {
+  constexpr unsigned kStates = 4;
+  constexpr double kStep = 20,
+                   kOffCentre = 0.137;  // no power of two, which rows often are, lies between two steps
+  constexpr double kLeast = -5;         // squares of single precision still hold it
+  const Eigen::Index count = static_cast<Eigen::Index>(rows.position.size());
+  std::vector<double> lengths(rows.position.size(), 1.0);
+  if (count < 2) return lengths;
+  constexpr double kMinusInfinity = -std::numeric_limits<double>::infinity();
+  Eigen::VectorXd largest = Eigen::VectorXd::Constant(count, kMinusInfinity);
+  for (unsigned seed = 0; seed < kStates; ++seed) {
+    const Eigen::VectorXd here = logarithms(
+        rows, M, state_values(kinematics.mechanism, kinematics.graph, seed), kinematics.mechanism.nv);
+    for (Eigen::Index r = 0; r < here.size(); ++r)
+      if (std::isfinite(here(r))) largest(r) = std::max(largest(r), here(r));
+  }
+  const double longest = largest.maxCoeff();
+  for (Eigen::Index r = 0; r < count; ++r) {
+    if (!std::isfinite(largest(r))) continue;
+    const double steps = std::max(std::round((largest(r) - longest) / kStep + kOffCentre), kLeast);
+    lengths[static_cast<std::size_t>(r)] = std::ldexp(1.0, static_cast<int>(kStep * steps));
+  }
+  return lengths;
+}
+
+}  // namespace alembert
