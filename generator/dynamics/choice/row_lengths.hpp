@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
-#include "dynamics/equations.hpp"
 #include "dynamics/recursions/constraints.hpp"
 
 namespace alembert {
