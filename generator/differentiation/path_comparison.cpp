@@ -27,7 +27,7 @@ bool is_exact(const ExprGraph& expressions, std::span<const Expr> roots) {
   for (const std::uint32_t id : postorder(roots)) {
     const Node& node = expressions.node(id);
     if (node.op == Operation::real || node.op == Operation::abs || node.op == Operation::sign ||
-        is_choice(node.op))
+        node.op == Operation::rounding || is_choice(node.op))
       return false;
     bool below = false;
     if (node.arity() >= 1) below = has_root[node.a.node()];

@@ -43,6 +43,7 @@ enum class Operation : std::uint8_t {
   pow,              ///< a^b where b is no integer (integers become products)
   if_positive,      ///< b where a > 0, else 0, whatever b is there
   unless_positive,  ///< 0 where a > 0, else b
+  rounding,         ///< a times the epsilon of the type that computes: 2^-52, in float 2^-23
   sub,              ///< programs: a - b
   neg,              ///< programs: -a
   constant = real,
@@ -102,6 +103,12 @@ Real if_positive(const Real& c, const Real& x) {
 template <class Real>
 Real unless_positive(const Real& c, const Real& x) {
   return c > 0 ? Real(0) : x;
+}
+
+/// What one rounding of x may be, with the sign of x. Expressions are of double precision wherever they are evaluated.
+template <class Real>
+Real rounding(const Real& x) {
+  return x * Real(std::numeric_limits<double>::epsilon());
 }
 
 /// The rows. `value(a, b)` in any arithmetic that has the functions of <cmath>; `partial(one, a, b, v, slot)`
@@ -360,7 +367,10 @@ struct Tanh {
   static constexpr OperationFacts facts =
       library(Operation::tanh, "tanh", Parity::odd, FieldValue::hyperbolic_tangent);
   static auto value(const auto& a, const auto&) { return tanh(a); }
-  static auto partial(const auto& one, const auto&, const auto&, const auto& v, int) { return one - v * v; }
+  static auto partial(const auto& one, const auto& a, const auto&, const auto&, int) {
+    const auto c = cosh(a);  // 1 - v^2 has no digit where v is nearly 1
+    return one / (c * c);
+  }
   static Interval bounds(Interval a, Interval) {
     const double lower = down(down(std::tanh(a.lower))), upper = up(up(std::tanh(a.upper)));
     return {lower > -1 ? lower : -1, upper < 1 ? upper : 1};
@@ -383,6 +393,15 @@ struct Pow {
     const double relative = std::abs(b.value) * a.error / base + std::abs(std::log(a.value)) * b.error;
     return relative < 0.5 ? 2 * relative * std::abs(v) : kInfinite;
   }
+};
+
+struct Rounding {
+  static constexpr OperationFacts facts{
+      Operation::rounding, "rounding", 1, Counted::other, 1, 0, false, Parity::odd, FieldValue::opaque};
+  static auto value(const auto& a, const auto&) { return rounding(a); }
+  static auto partial(const auto& one, const auto&, const auto&, const auto&, int) { return rounding(one); }
+  static Interval bounds(Interval a, Interval) { return {down(rounding(a.lower)), up(rounding(a.upper))}; }
+  static double carried(Approximate a, Approximate, double) { return rounding(a.error); }
 };
 
 constexpr OperationFacts choice(Operation op, std::string_view name) {
@@ -421,7 +440,7 @@ using UnlessPositive = Choice<false>;
 /// Those that most steps are come first.
 using All = std::tuple<Mul, Add, Sub, Neg, Div, Sin, Cos, SymbolLeaf, RealLeaf, RationalLeaf, PiMultipleLeaf,
                        Sqrt, Tan, Asin, Acos, Atan, Atan2, Exp, Log, Abs, Sign, Sinh, Cosh, Tanh, Pow,
-                       IfPositive, UnlessPositive>;
+                       IfPositive, UnlessPositive, Rounding>;
 
 template <class Result, class Use, class... Rows>
 constexpr Result use(Operation op, Result otherwise, const Use& with, std::tuple<Rows...>*) {

@@ -135,6 +135,9 @@ Expr cosh(Expr x) {
 Expr tanh(Expr x) {
   return apply(Operation::tanh, x);
 }
+Expr rounding(Expr x) {
+  return apply(Operation::rounding, x);
+}
 Expr if_positive(Expr c, Expr x) {
   return apply(Operation::if_positive, c, x);
 }

@@ -97,6 +97,8 @@ Expr tanh(Expr x);
 /// x where c > 0, else 0; and the other way round. What is not taken may have no value.
 Expr if_positive(Expr c, Expr x);
 Expr unless_positive(Expr c, Expr x);
+/// x times the epsilon of the type that computes.
+Expr rounding(Expr x);
 Expr pow(Expr x, Expr y);
 Expr pow(Expr x, int n);
 /// Any operation that is no leaf, signs included; b is for those of two operands.

@@ -5,6 +5,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <unordered_map>
@@ -61,6 +62,8 @@ inline std::complex<double> complex_value(const ExprGraph& graph, std::uint32_t 
       return a.real() < 0 ? -a : a;
     case Operation::sign:
       return a.real() < 0 ? -1.0 : a.real() > 0 ? 1.0 : 0.0;
+    case Operation::rounding:
+      return a * std::numeric_limits<double>::epsilon();
     case Operation::if_positive:
       return a.real() > 0 ? b : 0.0;
     case Operation::unless_positive:

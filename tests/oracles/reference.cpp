@@ -73,6 +73,7 @@ Matrices parts(const std::string& function, const std::string& name, const Eigen
     return all;
   }
   if (name == "M" || name == "C") return {unit.asDiagonal() * values * unit.asDiagonal()};
+  if (name == "Minv") return {unit.asDiagonal().inverse() * values * unit.asDiagonal().inverse()};
   return {values};
 }
 
@@ -179,6 +180,8 @@ Judged judge_array(const std::string& function, const std::string& name, const s
       Judged here{relative(difference(subjects[p], exact[i][p])), kAgreement};
       const double by_plain = relative(difference(plain[p], exact[i][p]));
       if (by_plain > kPlainLimit) here.allowed = std::max(kAgreement, kPlainFactor * by_plain);
+      if (name == "Minv" || name.rfind("qdd_", 0) == 0)
+        here.allowed = std::max(here.allowed, stable_inverse(states[i].dynamics.mass_matrix));
       keep_worse(worst, here);
     }
   }
@@ -254,14 +257,17 @@ Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& r
 
 }  // namespace
 
+double stable_inverse(const MatrixOf<long double>& M) {
+  return kStableFactor * static_cast<double>(M.rows()) * std::numeric_limits<double>::epsilon() *
+         static_cast<double>(scaled_condition(M));
+}
+
 double stable_accelerations(const DynamicsOf<long double>& dynamics, const VectorOf<long double>& rates) {
   const VectorOf<Wide> unit = dynamics.mass_matrix.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixOf<Wide> scaled = unit.asDiagonal() * dynamics.mass_matrix * unit.asDiagonal();
   const Wide cancelled = unit.cwiseProduct(dynamics.tau.cwiseAbs() + dynamics.bias.cwiseAbs()).maxCoeff() /
                          (scaled.cwiseAbs() * rates.cwiseQuotient(unit).cwiseAbs()).maxCoeff();
-  const double n = static_cast<double>(rates.size());
-  return kStableFactor * n * std::numeric_limits<double>::epsilon() *
-         static_cast<double>(scaled_condition(dynamics.mass_matrix) * (1 + cancelled));
+  return stable_inverse(dynamics.mass_matrix) * static_cast<double>(1 + cancelled);
 }
 
 long double scaled_condition(const MatrixOf<long double>& M) {

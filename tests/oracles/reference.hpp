@@ -22,7 +22,8 @@ namespace alembert::oracles {
 /// Accelerations are judged twice. Put into the equations they must leave no force above 1e-9 of the largest
 /// force and, as the residual of a backward stable solution is, 64 n eps |M| |qdd|. Scaled to a unit diagonal
 /// of M they are right to 1e-9 or, if that is more, 64 n eps times the condition of M so scaled, times how
-/// much the forces that cancel exceed their sum.
+/// much the forces that cancel exceed their sum. M's inverse, scaled to a unit diagonal of M, and the accelerations'
+/// derivatives are right to 1e-9 or, if that is more, 64 n eps times that condition.
 ///
 /// Accelerations and reactions under constraints are put into the equations. They must leave no force above
 /// 1e-9 of the largest force, no acceleration of a row above 1e-9 of the terms that it is made of, and 64 n eps
@@ -62,8 +63,11 @@ Comparison compare_constrained(const std::string& executable, const std::string&
                                const Description& description, const std::vector<State>& states,
                                const std::vector<Reference>& references);
 
+/// What M's inverse may be off by, relative to its largest entry, both scaled to a unit diagonal of M: 64 n eps times the
+/// condition of M so scaled.
+double stable_inverse(const MatrixOf<long double>& M);
 /// What a backward stable solution may be off by, relative to the largest rate, all scaled to a unit diagonal of
-/// M: 64 n eps times the condition of M so scaled, times how much the forces that cancel exceed their sum.
+/// M: stable_inverse times how much the forces that cancel exceed their sum.
 double stable_accelerations(const DynamicsOf<long double>& dynamics, const VectorOf<long double>& rates);
 
 /// Condition of M scaled to a unit diagonal; infinite where it is not positive definite.

@@ -2,6 +2,7 @@
 // order of construction.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "symbolic/evaluate.hpp"
 #include "symbolic/evaluate_modular.hpp"
@@ -110,6 +111,8 @@ double apply(Operation op, double a, double b) {
       return a > 0 ? b : 0;
     case Operation::unless_positive:
       return a > 0 ? 0 : b;
+    case Operation::rounding:
+      return a * std::numeric_limits<double>::epsilon();
     case Operation::pow:
       return std::pow(a, b);
     case Operation::rational:

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -62,19 +61,18 @@ class IndependentRows {
     for (std::size_t r = 0; r < count; ++r)
       for (std::size_t s = 0; s <= r; ++s)
         S[r].push_back(gram_schmidt && s < r ? graph.zero() : product(R_[r], Y_[s]));
-    const double dependent =
-        16 * static_cast<double>(std::max(count, R_.front().size())) * std::numeric_limits<double>::epsilon();
-    std::vector<Expr> made_of;  // N
+    const double dependent = 16 * static_cast<double>(std::max(count, R_.front().size()));  // epsilons
+    std::vector<Expr> made_of;                                                              // N
     Expr sum = graph.zero();
     for (std::size_t r = 0; r < count; ++r) {
       made_of.push_back(S[r][r]);
       sum += graph.real(1 / (lengths[r] * lengths[r])) * S[r][r];
     }
     for (std::size_t a = 0; a < count; ++a) {
-      const double rounding = 4 * dependent * lengths[a];
-      const Expr nothing = graph.real(rounding * rounding) * sum;
+      const double shortest = 4 * dependent * lengths[a];
+      const Expr nothing = graph.real(shortest * shortest) * rounding(rounding(sum));
       const Expr pivot = gram_schmidt ? product(R_[a], Y_[a]) : S[a][a];
-      const Expr clear = pivot - (graph.real(dependent) * made_of[a] + nothing);
+      const Expr clear = pivot - (graph.real(dependent) * rounding(made_of[a]) + nothing);
       const Expr divisor = if_positive(clear, pivot) + unless_positive(clear, graph.one());
       inverse_pivots_.push_back(if_positive(clear, graph.one() / divisor));
       for (std::size_t r = a + 1; r < count; ++r) {

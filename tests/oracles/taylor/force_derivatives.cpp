@@ -138,7 +138,6 @@ Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, 
     const std::string& name = parameter.first;
     const double value = parameter.second;
     if (description.runtime_parameters.count(name) == 0) continue;
-    const double scale = value == 0 ? 1e-3 : 1e-2 * std::abs(value);
     const auto difference = [&](double step) -> VectorOf<R> {
       std::map<std::string, double> there = description.runtime_parameters, back = there;
       there.at(name) += step;
@@ -147,16 +146,27 @@ Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, 
                               numeric_lagrangian<R>(parse_description(description.text, back), state).tau;
       return tau / (R(there.at(name)) - R(back.at(name)));
     };
-    // Differences of steps h, h/2, h/4, h/8 are right to h^2; each round gains two orders.
-    std::array<VectorOf<R>, 4> rows;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = difference(std::ldexp(scale, -static_cast<int>(i)));
-    for (std::size_t round = 1; round < rows.size(); ++round)
-      for (std::size_t i = 0; i + round < rows.size(); ++i) {
-        const R gain = std::pow(R(4.0), static_cast<int>(round));
-        rows[i] = (gain * rows[i + 1] - rows[i]) / (gain - R(1.0));
+    // Differences of steps h, h/2, h/4, h/8 are right to h^2; each round gains two orders. By how much the last one
+    // changes what it began with tells rounding from them.
+    const auto extrapolated = [&](double scale) {
+      std::array<VectorOf<R>, 4> rows;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i] = difference(std::ldexp(scale, -static_cast<int>(i)));
+      VectorOf<R> before;
+      for (std::size_t round = 1; round < rows.size(); ++round) {
+        before = rows[0];
+        for (std::size_t i = 0; i + round < rows.size(); ++i) {
+          const R gain = std::pow(R(4.0), static_cast<int>(round));
+          rows[i] = (gain * rows[i + 1] - rows[i]) / (gain - R(1.0));
+        }
       }
-    result.col(column++) = rows[0].template cast<double>();
+      return std::pair(rows[0], R((rows[0] - before).cwiseAbs().maxCoeff()));
+    };
+    // A length may be far shorter than those of the mechanism, which have a say in how forces change with it.
+    auto best = extrapolated(value == 0 ? 1e-3 : 1e-2 * std::abs(value));
+    if (value != 0 && best.second > R(1e-12) * best.first.cwiseAbs().maxCoeff())
+      if (const auto other = extrapolated(1e-3); other.second < best.second) best = other;
+    result.col(column++) = best.first.template cast<double>();
   }
   return result;
 }
