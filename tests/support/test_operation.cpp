@@ -27,7 +27,7 @@ TEST(OperationTable, HasARowForEachOperationAndNoNameTwice) {
       EXPECT_TRUE(is_call(row.operation)) << row.name;
     }
   }
-  EXPECT_EQ(names.size(), 18u);
+  EXPECT_EQ(names.size(), 19u);
 }
 
 TEST(OperationTable, ParitiesAreThoseOfTheValues) {
