@@ -4,7 +4,7 @@
 # `install_packages.sh gallery` for the gallery. Runs as root or through sudo; does nothing where all is installed.
 set -eu
 
-packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev libassimp-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
+packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev libassimp-dev libmeshoptimizer-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
 if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
   packages="$packages python3 python3-numpy python3-matplotlib python3-yaml"
 fi

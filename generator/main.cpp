@@ -68,11 +68,13 @@ CLI::Validator above_zero() {
   return finite_number("a finite number above 0", [](double x) { return x > 0; });
 }
 
-/// Folders for the models that an SDF includes.
+/// Folders for what a file of another format names.
 void add_include(CLI::App* command, CommonOptions& common) {
   command
       ->add_option("--include", common.include_folders,
-                   "folder in which models are that an SDF includes (model://NAME); may be repeated")
+                   "folder in which models and packages are that an SDF or URDF names (model://NAME, "
+                   "package://NAME); may be "
+                   "repeated")
       ->allow_extra_args(false);
 }
 

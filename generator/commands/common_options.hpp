@@ -24,7 +24,7 @@ struct CommonOptions {
   Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
   bool strict = false;                       ///< warnings are errors
-  std::vector<std::string> include_folders;  ///< --include: where models are that a file includes
+  std::vector<std::string> include_folders;  ///< --include: where models and packages are that a file names
   std::string dump_stage;
   std::vector<std::string> inputs;  ///< --input: NAME=EXPRESSION
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "commands/common_options.hpp"
@@ -45,7 +46,11 @@ void check(const DescribedRobot& described, Warnings warnings, bool strict) {
 std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
                                                  std::vector<std::string>* files) {
   std::shared_ptr<const SourceText> source = read_expanded(common.file);
-  if (importer_unless_description(*source) == nullptr) return source;
+  if (importer_unless_description(*source) == nullptr) {
+    if (!common.include_folders.empty())
+      report_warnings({{{source, 1, 1}, "--include has no meaning for a description"}}, common.strict);
+    return source;
+  }
   DescribeOptions options;
   options.include_folders = common.include_folders;
   Warnings warnings;
@@ -59,6 +64,10 @@ std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
 int run_import(const CommonOptions& common, const ImportOptions& options) {
   DescribeOptions describe_options = options.describe;
   describe_options.include_folders = common.include_folders;
+  // What goes to standard output is likely to become a file here.
+  describe_options.folder = options.out == "-"
+                                ? std::filesystem::current_path().string()
+                                : std::filesystem::absolute(options.out).parent_path().string();
   Warnings warnings;
   const DescribedRobot described = describe(read_expanded(common.file), describe_options, warnings);
   check(described, std::move(warnings), common.strict);

@@ -12,6 +12,7 @@
 #include "commands/common_options.hpp"
 #include "commands/csv_writer.hpp"
 #include "commands/live_mechanism.hpp"
+#include "commands/warnings.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
 #include "mechanism/source.hpp"
@@ -141,7 +142,9 @@ class Simulation {
     for (const std::string& event : events) trajectory.note(event);
     if (csv) csv->finish();
     if (!recorder.motion().times.empty()) {
-      add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion());
+      Warnings warnings;
+      add_mechanism(scene_, mechanism, *compiled.graph, recorder.motion(), warnings);
+      report_warnings(warnings, common_.strict);
       if (!options_.html.empty())
         scene_.mechanisms.back().live = live_mechanism(compiled, start, recorder.readings());
     }

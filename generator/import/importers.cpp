@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <initializer_list>
 
 #include "import/mjcf/describe_model.hpp"
@@ -38,8 +39,8 @@ constexpr unsigned options_of(std::initializer_list<ImportOption> options) {
 
 constexpr Importer kImporters[] = {
     {"URDF", ".urdf",
-     options_of(
-         {ImportOption::root, ImportOption::massless, ImportOption::friction, ImportOption::snap_angles}),
+     options_of({ImportOption::root, ImportOption::massless, ImportOption::friction,
+                 ImportOption::snap_angles, ImportOption::include}),
      [](std::string_view text) { return root_of(text) == "robot"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
@@ -118,7 +119,10 @@ DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
                                const DescribeOptions& options, Warnings& warnings) {
   const Importer& importer = importer_of(*source);
   warn_of_unused(source, importer, options, warnings);
-  return importer.describe(source, options, warnings);
+  DescribeOptions all = options;
+  if (all.folder.empty() && source->name != "<stdin>")
+    all.folder = std::filesystem::absolute(source->name).parent_path().string();
+  return importer.describe(source, all, warnings);
 }
 
 std::string importable_formats() {

@@ -22,7 +22,7 @@ struct KindOfShape {
 constexpr KindOfShape kKinds[] = {
     {"box", ShapeKind::box},           {"sphere", ShapeKind::sphere},   {"ellipsoid", ShapeKind::ellipsoid},
     {"cylinder", ShapeKind::cylinder}, {"capsule", ShapeKind::capsule}, {"torus", ShapeKind::torus},
-    {"tube", ShapeKind::tube},         {"surface", ShapeKind::surface},
+    {"tube", ShapeKind::tube},         {"surface", ShapeKind::surface}, {"mesh", ShapeKind::mesh},
 };
 
 /// One shape while it is being read.
@@ -111,6 +111,25 @@ struct ShapeReader {
     shape.v_range = range(*ranges[1]);
   }
 
+  void read_mesh(const YamlNode& node) const {
+    const Section section(loading.document, node, what, {"file", "scale"});
+    const YamlNode& file = section.require("file");
+    shape.file = expect_text(loading.document, file, fmt::format("the file of {}", what));
+    if (shape.file.empty())
+      throw InputError(loading.document.where(file), fmt::format("the file of {} has no name", what));
+    shape.sizes.assign(3, 1.0);
+    const YamlNode* scale = section.find("scale");
+    if (scale == nullptr) return;
+    const std::string of = fmt::format("the scale of {}", what);
+    const auto& items = expect_list(loading.document, *scale, of, 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      shape.sizes[i] = loading.reader.read(*items[i], Allowed::parameters, of).initial;
+      if (shape.sizes[i] == 0)
+        throw InputError(loading.document.where(*items[i]),
+                         fmt::format("{} is 0: nothing is left of it", of));
+    }
+  }
+
   void read(const YamlNode& node) const {
     switch (shape.kind) {
       case ShapeKind::box:
@@ -135,6 +154,9 @@ struct ShapeReader {
       case ShapeKind::surface:
         read_surface(node);
         break;
+      case ShapeKind::mesh:
+        read_mesh(node);
+        break;
     }
   }
 };
@@ -156,7 +178,7 @@ Shape read_shape(Loading& loading, const YamlNode& item, const std::string& body
   const Document& document = loading.document;
   const Section section(document, item, fmt::format("a shape of body '{}'", body),
                         {"box", "sphere", "ellipsoid", "cylinder", "capsule", "torus", "tube", "surface",
-                         "transform", "color"});
+                         "mesh", "transform", "color"});
   const KindOfShape* found = nullptr;
   for (const KindOfShape& kind : kKinds) {
     if (section.find(kind.key) == nullptr) continue;

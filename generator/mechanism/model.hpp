@@ -121,17 +121,19 @@ struct MassProperties {
   Mat3 inertia;  ///< symmetric
 };
 
-enum class ShapeKind { box, sphere, ellipsoid, cylinder, capsule, torus, tube, surface };
+enum class ShapeKind { box, sphere, ellipsoid, cylinder, capsule, torus, tube, surface, mesh };
 
 /// What a viewer draws for a body. Sizes in metres: box, the edges x y z; sphere, the radius; ellipsoid, the
 /// semi-axes x y z; cylinder and capsule, radius and length along z (a capsule's between the centres of its
-/// caps), centred; torus, the radius of its centre line about z and of its tube; tube, its radius.
+/// caps), centred; torus, the radius of its centre line about z and of its tube; tube, its radius; mesh, by what its
+/// vertices are multiplied along x y z.
 struct Shape {
   ShapeKind kind = ShapeKind::sphere;
   std::vector<double> sizes;
   Vec3 point;  ///< tube: a curve in u; surface: a function of u and v; both over symbols of their own
   Expr u, v;
   std::array<double, 2> u_range{}, v_range{};
+  std::string file;     ///< mesh: its name as given, from the folder of the description
   Transform transform;  ///< from the body's frame, constant; runtime parameters at their defaults
   std::optional<std::array<double, 3>> color;  ///< red green blue, 0 to 1
   SourceLocation where;

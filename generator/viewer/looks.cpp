@@ -1,11 +1,16 @@
 // What bodies look like (looks.hpp): shapes of the description, or mass and links.
 #include "viewer/looks.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "viewer/contacts.hpp"
+#include "viewer/file_mesh.hpp"
 #include "viewer/found_joint.hpp"
 #include "viewer/shapes.hpp"
 
@@ -72,7 +77,7 @@ class DefaultLooks {
   void draw(Looks& looks) {
     for (const std::vector<ScenePart>& parts : looks.bodies) has_surface_.push_back(!parts.empty());
     for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) {
-      if (mechanism_.bodies[b].geometry.empty()) draw_body(looks, b);
+      if (!looks.has_shapes[b]) draw_body(looks, b);
       draw_joint(looks, b);
     }
   }
@@ -184,8 +189,8 @@ class DefaultLooks {
     const Body& body = mechanism_.bodies[b];
     const FoundJoint& joint = joints_[b];
     const bool on_world = body.parent < 0;
-    if (!body.geometry.empty()) return;
-    if (!on_world && !mechanism_.bodies[static_cast<std::size_t>(body.parent)].geometry.empty()) return;
+    if (looks.has_shapes[b]) return;
+    if (!on_world && looks.has_shapes[static_cast<std::size_t>(body.parent)]) return;
     const double radius = link_radius();
     switch (joint.kind) {
       case Kind::none:
@@ -239,15 +244,29 @@ Color body_color(std::size_t i) {
 }
 
 Looks mechanism_looks(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion,
-                      std::span<const BodyPoses> frames) {
+                      std::span<const BodyPoses> frames, Warnings& warnings) {
   const InitialValues values(mechanism, graph);
   Looks looks;
   looks.bodies.resize(mechanism.bodies.size());
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     for (const Shape& shape : mechanism.bodies[b].geometry) {
-      looks.bodies[b].push_back({scene.mesh_index(shape_mesh(shape, values)), values.pose(shape.transform),
-                                 shape.color.value_or(body_color(b))});
+      const Eigen::Isometry3d pose = values.pose(shape.transform);
+      if (shape.kind != ShapeKind::mesh) {
+        looks.bodies[b].push_back(
+            {scene.mesh_index(shape_mesh(shape, values)), pose, shape.color.value_or(body_color(b))});
+        continue;
+      }
+      try {
+        for (ColoredMesh& part : file_meshes(shape))
+          looks.bodies[b].push_back({scene.mesh_index(std::move(part.mesh)), pose,
+                                     shape.color.value_or(part.color.value_or(body_color(b)))});
+      } catch (const std::runtime_error& error) {
+        warnings.push_back({shape.where,
+                            fmt::format("'{}' {}: it is not drawn", printable(shape.file), error.what()),
+                            "files of meshes are named from the folder of the description", "mesh"});
+      }
     }
+    looks.has_shapes.push_back(!looks.bodies[b].empty());
   }
   add_contacts(scene, looks, mechanism, graph, motion);
   if (!frames.empty()) DefaultLooks(scene, mechanism, values, frames).draw(looks);

@@ -19,10 +19,12 @@ using BodyPoses = std::vector<Eigen::Isometry3d>;
 struct Looks {
   std::vector<std::vector<ScenePart>> bodies;
   std::vector<ScenePart> world;
+  std::vector<bool> has_shapes;  ///< by body: shapes of the description are drawn
 };
 
+/// A mesh whose file cannot be read is a warning, and not drawn.
 Looks mechanism_looks(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion,
-                      std::span<const BodyPoses> frames);
+                      std::span<const BodyPoses> frames, Warnings& warnings);
 
 /// Colour of body i, from a palette that can be told apart on light and on dark.
 Color body_color(std::size_t i);

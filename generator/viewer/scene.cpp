@@ -86,14 +86,15 @@ std::size_t Scene::mesh_index(Mesh mesh) {
   return meshes.size() - 1;
 }
 
-void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion) {
+void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion,
+                   Warnings& warnings) {
   std::vector<BodyPoses> frames;
   for (const std::vector<double>& poses : motion.poses) {
     BodyPoses& frame = frames.emplace_back();
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
       frame.push_back(pose_of(std::span(poses).subspan(12 * b, 12)));
   }
-  Looks looks = mechanism_looks(scene, mechanism, graph, motion, frames);
+  Looks looks = mechanism_looks(scene, mechanism, graph, motion, frames, warnings);
 
   SceneMechanism out;
   out.name = unused_name(scene, mechanism.name);

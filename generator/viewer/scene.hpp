@@ -112,8 +112,9 @@ struct BakedMotion {
 
 /// Adds a mechanism in motion: its bodies with the shapes of the description, or default ones (looks.hpp). It
 /// is turned so that its gravity points down. A name that is there already gets a number. Throws InputError
-/// at a shape that cannot be drawn.
-void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion);
+/// at a shape that cannot be drawn; `warnings` gets meshes whose files cannot be read.
+void add_mechanism(Scene& scene, const Mechanism& mechanism, ExprGraph& graph, const BakedMotion& motion,
+                   Warnings& warnings);
 
 /// Box around all that a mechanism shows over its first `frames` frames, in its own world axes.
 Eigen::AlignedBox3d bounds(const Scene& scene, const SceneMechanism& mechanism,

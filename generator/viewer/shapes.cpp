@@ -81,6 +81,8 @@ Mesh shape_mesh(const Shape& shape, const InitialValues& initial) {
         return tube_mesh(curve, shape.u_range, size.at(0));
       case ShapeKind::surface:
         return surface_mesh(surface, shape.u_range, shape.v_range);
+      case ShapeKind::mesh:
+        break;  // file_meshes (file_mesh.hpp)
     }
   } catch (const std::domain_error& error) {
     throw InputError(shape.where, fmt::format("this shape cannot be drawn: {}", error.what()));

@@ -27,7 +27,7 @@ class InitialValues {
   std::vector<double> symbols_;
 };
 
-/// Mesh of a shape, in its own axes. Throws InputError where it is not finite or has no extent.
+/// Mesh of a shape that is not of a file, in its own axes. Throws InputError where it is not finite or has no extent.
 Mesh shape_mesh(const Shape& shape, const InitialValues& values);
 
 }  // namespace alembert

@@ -1,6 +1,8 @@
 // Scenes for tests (see the header).
 #include "viewer/small_scene.hpp"
 
+#include <gtest/gtest.h>
+
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "dynamics/function_builders.hpp"
@@ -30,7 +32,9 @@ void SmallScene::add(const std::string& description, const std::vector<double>& 
     motion.potential.push_back(-value);
   }
   motion.acting = acting;
-  add_mechanism(scene, mechanism, graph, motion);
+  Warnings warnings;
+  add_mechanism(scene, mechanism, graph, motion, warnings);
+  EXPECT_TRUE(warnings.empty());
 }
 
 }  // namespace alembert::test

@@ -27,7 +27,8 @@ struct DescribeOptions {
   double armature = 1e-4;              ///< kg m^2 or kg, of their coordinates, if they get one
   bool resistance = true;              ///< damping and friction of joints act
   std::vector<std::string> include_folders =
-      {};  ///< where included models are looked for, besides the file's folder
+      {};                   ///< where included models and meshes are looked for, besides the file's folder
+  std::string folder = {};  ///< of the description, from which it names meshes; empty: the file's
 };
 
 struct DescribedRobot {

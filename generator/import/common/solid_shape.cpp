@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "import/common/mesh_names.hpp"
 #include "import/common/snapped_angle.hpp"
 
 namespace alembert {
@@ -43,6 +44,7 @@ BodyMass solid_of_unit_density(SolidKind kind, const std::array<double, 3>& s) {
       const double along = m * b * b / 3 + ball * (a * a / 5 + b * b + 3 * a * b / 4);
       return {m + ball, {0, 0, 0}, from_squares(across, across, along)};
     }
+    case SolidKind::mesh:
     case SolidKind::none:
       break;
   }
@@ -75,13 +77,15 @@ BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& s)
       return {side + ball, {0, 0, 0}, from_squares(across, across, along)};
     }
     case SolidKind::ellipsoid:
+    case SolidKind::mesh:
     case SolidKind::none:
       break;
   }
   return {};
 }
 
-void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose) {
+void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose,
+               const std::string& folder) {
   YamlNode& item = nodes.mapping(shape.where);
   const std::array<double, 3>& s = shape.sizes;
   const auto put_radius_and_length = [&](std::string key) {
@@ -106,6 +110,13 @@ void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shap
     case SolidKind::capsule:
       put_radius_and_length("capsule");
       break;
+    case SolidKind::mesh: {
+      YamlNode& mesh = nodes.mapping(shape.where);
+      nodes.put(mesh, "file", nodes.text(described_mesh_name(shape.file, folder), shape.where));
+      if (s != std::array<double, 3>{1, 1, 1}) nodes.put(mesh, "scale", nodes.numbers(s, shape.where));
+      nodes.put(item, "mesh", mesh);
+      break;
+    }
     case SolidKind::none:
       return;
   }
@@ -115,10 +126,10 @@ void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shap
 }
 
 void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
-               const PlacedShape& shape) {
+               const PlacedShape& shape, const std::string& folder) {
   YamlNode& pose = nodes.sequence(shape.where);
   factors.add_pose(pose, shape.pose, shape.where);
-  add_shape(nodes, shapes, shape, pose);
+  add_shape(nodes, shapes, shape, pose, folder);
 }
 
 }  // namespace alembert

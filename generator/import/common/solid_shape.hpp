@@ -1,21 +1,24 @@
 // Shapes that viewers draw and whose mass properties are known; how the language says them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 #include "import/common/mass_properties.hpp"
 #include "import/common/transform_factors.hpp"
 
 namespace alembert {
 
-enum class SolidKind { none, sphere, capsule, ellipsoid, cylinder, box };
+enum class SolidKind { none, sphere, capsule, ellipsoid, cylinder, box, mesh };
 
 /// What viewers draw; sizes as the language takes them.
 struct SolidShape {
   SolidKind kind = SolidKind::none;
   std::array<double, 3>
-      sizes{};  ///< sphere: radius; capsule, cylinder: radius and length; else along the axes
+      sizes{};  ///< sphere: radius; capsule, cylinder: radius and length; else along the axes; mesh: its scale
+  std::string file;                             ///< mesh: its path
   std::optional<std::array<double, 3>> colour;  ///< red green blue
   SourceLocation where;
 };
@@ -25,15 +28,23 @@ struct PlacedShape : SolidShape {
   bool hidden = false;  ///< of a group that viewers leave out
 };
 
-/// About the centre, in the axes of the shape. Half sizes: edges and lengths by two, radii as they are.
+/// Whether any shape is there whether files of meshes are or not: what becomes a body must not depend on them.
+template <class Shapes>
+bool has_solid(const Shapes& shapes) {
+  return std::ranges::any_of(shapes, [](const SolidShape& shape) { return shape.kind != SolidKind::mesh; });
+}
+
+/// About the centre, in the axes of the shape; nothing for a mesh. Half sizes: edges and lengths by two, radii as they are.
 BodyMass solid_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
 /// The same of the surface, the mass being the area; nothing for an ellipsoid.
 BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
 
 /// Appends an item of `geometry`, unless the kind is none.
-/// \param pose  factors of where it lies in the body; may be empty
-void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose);
+/// \param pose    factors of where it lies in the body; may be empty
+/// \param folder  of the description, from which meshes are named (mesh_names.hpp)
+void add_shape(DescriptionNodes& nodes, YamlNode& shapes, const SolidShape& shape, const YamlNode& pose,
+               const std::string& folder);
 void add_shape(DescriptionNodes& nodes, const TransformFactors& factors, YamlNode& shapes,
-               const PlacedShape& shape);
+               const PlacedShape& shape, const std::string& folder);
 
 }  // namespace alembert

@@ -1,20 +1,14 @@
-// Surfaces by assimp, from memory, so that no file but the one that was named is opened.
+// Mass properties of triangles by pyramids over them.
 #include "import/common/triangle_mesh.hpp"
-
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
+
+#include "meshes/mesh_file.hpp"
 
 namespace alembert {
 namespace {
-
-constexpr std::uintmax_t kMaximumFile = std::uintmax_t{256} << 20;
 
 /// Triangles about a point: pyramids over them, whose tip it is, or the triangles themselves.
 struct Pyramid {
@@ -35,32 +29,11 @@ struct Pyramid {
 }  // namespace
 
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file) {
-  std::error_code code;
-  const std::uintmax_t size = std::filesystem::file_size(file, code);
-  if (code) throw std::runtime_error("cannot be read: " + code.message());
-  if (size > kMaximumFile) throw std::runtime_error("has more than 256 MiB");
-  std::string bytes(size, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
-    throw std::runtime_error("cannot be read");
-  std::string kind = file.extension().string();
-  if (!kind.empty()) kind.erase(0, 1);
-  Assimp::Importer importer;
-  const aiScene* const scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, kind.c_str());
-  if (scene == nullptr || scene->mNumMeshes == 0)
-    throw std::runtime_error(std::string("is no mesh that can be read: ") + importer.GetErrorString());
   TriangleMesh out;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene->mMeshes[m];
+  for (const MeshSurface& surface : read_mesh_file(file, MeshNormals::none)) {
     const std::size_t first = out.vertices.size();
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
-      out.vertices.emplace_back(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) continue;
-      out.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-    }
+    out.vertices.insert(out.vertices.end(), surface.vertices.begin(), surface.vertices.end());
+    for (const auto& [a, b, c] : surface.triangles) out.triangles.push_back({first + a, first + b, first + c});
   }
   return out;
 }

@@ -21,7 +21,7 @@ enum class MeshVolume {
   shell      ///< of the surface, not of what it encloses
 };
 
-/// The triangles of a file that assimp reads (STL, OBJ and others). Throws std::runtime_error, in words.
+/// All triangles of a file (meshes/mesh_file.hpp). Throws std::runtime_error, in words.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
 
 /// Of unit density, the mass being the volume, or the area of a shell.

@@ -58,9 +58,7 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
     const std::string file = asset.string("file");
     if (file.empty())
       throw InputError(asset.where(), fmt::format("{} has neither a file nor vertices", asset.what()));
-    const fs::path name = compiler_.strip_path ? fs::path(file).filename() : fs::path(file);
-    const fs::path path =
-        asset.text().below((fs::path(compiler_.mesh_folder) / name).string(), asset.where("file"));
+    const fs::path path = path_of(asset);
     try {
       out = read_triangle_mesh(path);
     } catch (const std::runtime_error& error) {
@@ -78,6 +76,26 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
   if (scale.prod() < 0)
     for (auto& triangle : out.triangles) std::swap(triangle[1], triangle[2]);
   return out;
+}
+
+fs::path MjcfAssets::path_of(const MjcfElement& asset) const {
+  const fs::path file = asset.string("file"), name = compiler_.strip_path ? file.filename() : file;
+  return asset.text().below((fs::path(compiler_.mesh_folder) / name).string(), asset.where("file"));
+}
+
+std::optional<DrawnMesh> MjcfAssets::drawn(const std::string& mesh) const {
+  const auto found = meshes_.find(mesh);
+  if (found == meshes_.end()) return std::nullopt;
+  const MjcfElement& asset = found->second;
+  if (!asset.has("file") || asset.has("refpos") || asset.has("refquat")) return std::nullopt;
+  try {
+    const fs::path path = path_of(asset);
+    const Eigen::Vector3d scale = asset.vector("scale", Eigen::Vector3d::Ones());
+    if (!fs::is_regular_file(path) || scale.prod() == 0) return std::nullopt;
+    return DrawnMesh{path, {scale.x(), scale.y(), scale.z()}};
+  } catch (const InputError&) {
+    return std::nullopt;  // where an inertia follows from it, it is an error there
+  }
 }
 
 BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {

@@ -1,6 +1,8 @@
 // What geoms share: materials and meshes.
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +12,12 @@
 
 namespace alembert {
 
+/// A mesh as it lies in its file, but for a scale.
+struct DrawnMesh {
+  std::filesystem::path file;
+  std::array<double, 3> scale;
+};
+
 class MjcfAssets {
  public:
   MjcfAssets(const MjcfText& text, const MjcfDefaults& defaults, const MjcfCompiler& compiler);
@@ -18,9 +26,13 @@ class MjcfAssets {
   /// Of unit density. Throws InputError, at the place that asks or in the asset, if the mesh is not there or
   /// encloses nothing.
   BodyMass mesh(const MjcfElement& geom, bool shell) const;
+  /// Nothing if there is no such file, or the asset is more than a file and a scale.
+  std::optional<DrawnMesh> drawn(const std::string& mesh) const;
 
  private:
   TriangleMesh triangles(const MjcfElement& asset) const;
+  /// Throws InputError if it lies outside the folder of the model.
+  std::filesystem::path path_of(const MjcfElement& asset) const;
 
   const MjcfCompiler& compiler_;
   std::map<std::string, std::array<double, 3>, std::less<>> colours_;

@@ -163,7 +163,7 @@ void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
   YamlNode& shapes = nodes_.sequence(body.where);
   for (const PlacedShape& shape : body.shapes) {
     if (any && shape.hidden) continue;
-    add_shape(nodes_, factors_, shapes, shape);
+    add_shape(nodes_, factors_, shapes, shape, options_.folder);
   }
   if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
 }
@@ -182,7 +182,7 @@ void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
 }
 
 void MjcfBodyNodes::add_scenery(YamlNode& list) const {
-  if (model_.bodies[0].shapes.empty()) return;
+  if (!has_solid(model_.bodies[0].shapes)) return;
   YamlNode& node = nodes_.mapping(model_.where);
   std::string name = "scenery";
   while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))

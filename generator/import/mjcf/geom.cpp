@@ -25,6 +25,7 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
   const bool primitive = type >= 2 && type < 7;
   // A primitive with a mesh is fitted to that, which is for viewers and contacts.
   if (primitive && !element.has("mesh")) shape_.kind = kKinds[type - 2];
+  const std::optional<DrawnMesh> drawn = type == 7 ? assets.drawn(element.string("mesh")) : std::nullopt;
   RigidPose pose = compiler.pose(element);
   constexpr std::size_t kCounts[] = {1, 2, 3, 2, 3};
   std::size_t count = primitive ? kCounts[type - 2] : 0;
@@ -48,6 +49,11 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
   if (count == 2) shape_.sizes[1] *= 2;
   if (shape_.kind == SolidKind::box)
     for (double& size : shape_.sizes) size *= 2;
+  if (drawn) {
+    shape_.kind = SolidKind::mesh;
+    shape_.file = drawn->file.string();
+    shape_.sizes = drawn->scale;
+  }
   if (const std::vector<double> rgba = element.list("rgba", 4, 4); !rgba.empty())
     shape_.colour = {rgba[0], rgba[1], rgba[2]};
   else

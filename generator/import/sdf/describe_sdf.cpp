@@ -258,7 +258,7 @@ class SdfDescriber {
   void add_body(YamlNode& list, std::size_t link) {
     const SdfLink& of = model_.links[link];
     const SdfPlace& place = tree_.places[link];
-    if (of.fixed && of.shapes.empty()) return;
+    if (of.fixed && !has_solid(of.shapes)) return;
     YamlNode& node = nodes_.mapping(of.where);
     nodes_.put(node, "name", nodes_.text(link_names_[link], of.where));
     YamlNode& factors = nodes_.sequence(of.where);
@@ -285,7 +285,7 @@ class SdfDescriber {
     if (!factors.items.empty()) nodes_.put(node, "transform", factors);
     if (!of.fixed) add_mass(nodes_, node, of.mass, of.where);
     YamlNode& shapes = nodes_.sequence(of.where);
-    for (const PlacedShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape);
+    for (const PlacedShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape, options_.folder);
     if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
     list.items.push_back(&node);
   }

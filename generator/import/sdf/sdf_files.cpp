@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "import/common/mesh_names.hpp"
 #include "mechanism/source.hpp"
 
 namespace alembert {
@@ -72,10 +73,6 @@ std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),
                          [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   return text;
-}
-
-bool lies_below(const fs::path& path, const fs::path& folder) {
-  return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
 }  // namespace
@@ -218,6 +215,14 @@ fs::path SdfFiles::file_of(pugi::xml_node uri) const {
   const fs::path file = resolve(uri, "a mesh");
   named_files_.insert(file.string());
   return file;
+}
+
+std::optional<fs::path> SdfFiles::drawn_file(pugi::xml_node uri) const {
+  try {
+    return resolve(uri, "a mesh");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 std::string SdfFiles::text(pugi::xml_node element) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -43,6 +44,8 @@ class SdfFiles {
   void close() { open_.pop_back(); }
   /// A mesh's file. Throws like include.
   std::filesystem::path file_of(pugi::xml_node uri) const;
+  /// The same of one that is only drawn; nothing where file_of throws.
+  std::optional<std::filesystem::path> drawn_file(pugi::xml_node uri) const;
 
   /// Text of an element without white space around it.
   static std::string text(pugi::xml_node element);

@@ -208,9 +208,18 @@ class SdfLinkReader {
     const XmlText& text = files_.of(visual);
     text.tolerate("it is not drawn", [&] {
       PlacedShape shape = read_shape(visual);
+      const pugi::xml_node mesh = visual.child("geometry").child("mesh");
+      if (mesh && !mesh.child("submesh")) {
+        const auto file = files_.drawn_file(mesh.child("uri"));
+        const Eigen::Vector3d scale = files_.vector(mesh, "scale", Eigen::Vector3d::Ones());
+        if (file && scale.prod() != 0) {
+          shape.kind = SolidKind::mesh;
+          shape.file = file->string();
+          shape.sizes = {scale.x(), scale.y(), scale.z()};
+        }
+      }
       if (shape.kind == SolidKind::none) {
-        if (!visual.child("geometry").child("empty"))
-          ++left_out_[visual.child("geometry").child("mesh") ? "mesh" : "shape"];
+        if (!visual.child("geometry").child("empty")) ++left_out_[mesh ? "mesh" : "shape"];
         return;
       }
       for (const char* kind : {"diffuse", "ambient"}) {

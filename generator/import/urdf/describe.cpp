@@ -53,7 +53,7 @@ class Describer {
  private:
   // Names and coordinates.
   bool is_bare(std::size_t link) const {
-    return !has_mass(robot_.links[link]) && robot_.links[link].shapes.empty();
+    return !has_mass(robot_.links[link]) && !has_solid(robot_.links[link].shapes);
   }
   bool is_frame(std::size_t link) const {
     return link != robot_.root && is_bare(link) && robot_.children[link].empty() &&
@@ -307,7 +307,7 @@ class Describer {
   const DescribeOptions& options_;
   DescriptionNodes nodes_;
   JointFactors factors_{nodes_, robot_, options_.snap_angles};
-  LinkNodes link_nodes_{nodes_, factors_, options_.snap_angles};
+  LinkNodes link_nodes_{nodes_, factors_, options_};
   std::vector<bool> massless_;  ///< by joint
   Warnings warnings_;
   FitNames names_{"joint", warnings_};

@@ -70,7 +70,7 @@ void check_positive(const XmlText& xml, pugi::xml_attribute attribute, double si
                      fmt::format("expected a positive number as {}, found {}", what, size));
 }
 
-/// Nothing if the shape is a mesh, or one that is unknown.
+/// Nothing if the shape is one that is unknown.
 std::optional<UrdfShape> read_shape(const XmlText& xml, pugi::xml_node visual, const std::string& what,
                                     const Colours& colours) {
   xml.check_spelling(visual, what, {"origin", "geometry", "material"}, {"name", "group"});
@@ -102,6 +102,14 @@ std::optional<UrdfShape> read_shape(const XmlText& xml, pugi::xml_node visual, c
     sizes(cylinder, SolidKind::cylinder, {"radius", "length"});
   } else if (const pugi::xml_node capsule = geometry.child("capsule")) {
     sizes(capsule, SolidKind::capsule, {"radius", "length"});
+  } else if (const pugi::xml_node mesh = geometry.child("mesh")) {
+    const std::string of = "the mesh of " + what;
+    shape.kind = SolidKind::mesh;
+    shape.file = xml.require_attribute(mesh, "filename", of).value();
+    const pugi::xml_attribute scale = mesh.attribute("scale");
+    shape.sizes = scale ? xml.numbers<3>(scale, "the scale of " + of) : std::array<double, 3>{1, 1, 1};
+    for (const double each : shape.sizes)
+      if (each == 0) throw InputError(xml.where(scale), fmt::format("the scale of {} is 0", of));
   } else {
     return std::nullopt;
   }

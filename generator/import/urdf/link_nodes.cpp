@@ -6,6 +6,7 @@
 #include <string>
 
 #include "import/common/snapped_angle.hpp"
+#include "import/urdf/mesh_files.hpp"
 
 namespace alembert {
 
@@ -18,7 +19,7 @@ void LinkNodes::add_inertial(YamlNode& node, const UrdfInertial& inertial) const
   Eigen::Matrix3d inertia;
   inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
   for (const int about : {0, 1, 2}) {
-    const SnappedAngle angle(inertial.origin.rpy[static_cast<std::size_t>(about)], snap_angles_);
+    const SnappedAngle angle(inertial.origin.rpy[static_cast<std::size_t>(about)], options_.snap_angles);
     if (angle.is_zero()) continue;
     const auto [c, s] = angle.cosine_and_sine();
     const int u = (about + 1) % 3, v = (about + 2) % 3;
@@ -40,12 +41,17 @@ void LinkNodes::add_inertial(YamlNode& node, const UrdfInertial& inertial) const
 
 void LinkNodes::add_shapes(YamlNode& node, const UrdfLink& link) const {
   YamlNode& shapes = nodes_.sequence(link.where);
-  for (const UrdfShape& shape : link.shapes) {
+  for (UrdfShape shape : link.shapes) {
+    if (shape.kind == SolidKind::mesh) {
+      const auto file = find_urdf_mesh(shape.file, link.where.source->name, options_.include_folders);
+      if (!file) continue;
+      shape.file = file->string();
+    }
     YamlNode& pose = nodes_.sequence(shape.where);
     factors_.add_origin(pose, shape.origin);
-    add_shape(nodes_, shapes, shape, pose);
+    add_shape(nodes_, shapes, shape, pose, options_.folder);
   }
-  nodes_.put(node, "geometry", shapes);
+  if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
 }
 
 }  // namespace alembert

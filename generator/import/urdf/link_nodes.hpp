@@ -1,6 +1,7 @@
 // A link's inertia and shapes in; the keys of a body out.
 #pragma once
 
+#include "import/common/described.hpp"
 #include "import/common/description_nodes.hpp"
 #include "import/urdf/joint_factors.hpp"
 #include "import/urdf/robot.hpp"
@@ -9,18 +10,18 @@ namespace alembert {
 
 class LinkNodes {
  public:
-  LinkNodes(DescriptionNodes& nodes, const JointFactors& factors, double snap_angles)
-      : nodes_(nodes), factors_(factors), snap_angles_(snap_angles) {}
+  LinkNodes(DescriptionNodes& nodes, const JointFactors& factors, const DescribeOptions& options)
+      : nodes_(nodes), factors_(factors), options_(options) {}
 
   /// Adds `mass`, `com` and `inertia`, in the axes of the link.
   void add_inertial(YamlNode& node, const UrdfInertial& inertial) const;
-  /// Adds `geometry`.
+  /// Adds `geometry`: what is drawn, meshes only where their files are.
   void add_shapes(YamlNode& node, const UrdfLink& link) const;
 
  private:
   DescriptionNodes& nodes_;
   const JointFactors& factors_;
-  double snap_angles_;
+  const DescribeOptions& options_;
 };
 
 }  // namespace alembert

@@ -26,7 +26,7 @@ struct UrdfInertial {
   SourceLocation mass_where, inertia_where;
 };
 
-/// A shape of <visual> that is no mesh.
+/// A shape of <visual>. A mesh's file is as the URDF calls it.
 struct UrdfShape : SolidShape {
   UrdfPose origin;
 };
