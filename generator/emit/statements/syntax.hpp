@@ -51,8 +51,8 @@ Syntax javascript_syntax();
 
 /// The functions that generated code brings along, in the order in which it does: NAME stands in the templates
 /// NAME.hpp, c99_NAME.c and javascript_NAME.mjs.
-inline constexpr std::string_view kHelpers[] = {"sign", "if_positive", "unless_positive", "rounding", "sines_and_cosines",
-                                                "dot_products"};
+inline constexpr std::string_view kHelpers[] = {"sign",     "if_positive",       "unless_positive",
+                                                "rounding", "sines_and_cosines", "dot_products"};
 /// Whether it is one of them.
 bool is_helper(std::string_view function);
 

@@ -33,7 +33,8 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file) {
   for (const MeshSurface& surface : read_mesh_file(file, MeshNormals::none)) {
     const std::size_t first = out.vertices.size();
     out.vertices.insert(out.vertices.end(), surface.vertices.begin(), surface.vertices.end());
-    for (const auto& [a, b, c] : surface.triangles) out.triangles.push_back({first + a, first + b, first + c});
+    for (const auto& [a, b, c] : surface.triangles)
+      out.triangles.push_back({first + a, first + b, first + c});
   }
   return out;
 }

@@ -102,6 +102,7 @@ struct Inputs {
 //   qd   [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
 //   qdd  [6] rates of the speeds
 //   tau  [6] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [6] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <chain6r_90/chain6r_90_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -93,6 +93,7 @@ struct Inputs {
 //   qd   [2] speeds: d(q1), d(q2)
 //   qdd  [2] rates of the speeds
 //   tau  [2] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [2] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <double_pendulum/double_pendulum_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -89,6 +89,7 @@ struct Inputs {
 //   qd   [1] speeds: d(q)
 //   qdd  [1] rates of the speeds
 //   tau  [1] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [1] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <pendulum/pendulum_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -99,6 +99,7 @@ struct Inputs {
 //   qd   [3] speeds: d(turn).x, d(turn).y, d(turn).z
 //   qdd  [3] rates of the speeds
 //   tau  [3] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [3] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <spherical_pendulum/spherical_pendulum_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -101,6 +101,7 @@ struct Inputs {
 //   qd   [5] speeds: d(u1), d(v1), d(u2), d(v2), d(turn)
 //   qdd  [5] rates of the speeds
 //   tau  [5] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [5] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <tori_mated/tori_mated_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -148,6 +148,7 @@ struct Inputs {
 //   qd   [20] speeds: d(x), d(y), d(z), d(attitude).x, d(attitude).y, d(attitude).z, d(shoulder), d(slide), d(screw), d(twist), d(reach), d(pitch) and 8 more
 //   qdd  [20] rates of the speeds
 //   tau  [20] generalized forces: N m for a speed in rad/s, N for one in m/s
+//   mu   [20] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <tree_every_joint/tree_every_joint_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.
