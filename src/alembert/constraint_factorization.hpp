@@ -90,7 +90,8 @@ class ConstraintFactorization {
   /// \return        -1, or the redundant row that P x = r fails most: its right side does not follow from
   ///                the others'. It may fail by sqrt(16 max(n, k) epsilon) of the terms that it is made of,
   ///                lengths in the metric of M times the length of the row, and by 1024 epsilon in SI units
-  ///                times the length that the caller gave. x and lambda then solve the other rows. Where such a length overflows, x is NaN.
+  ///                times the length that the caller gave. x and lambda then solve the other rows. Where such
+  ///                a length overflows, x is NaN.
   int solve(const SpeedVector& b, const ConstraintVector& r, SpeedVector& x, ConstraintVector& lambda,
             S motion = S(0)) const {
     using std::abs;

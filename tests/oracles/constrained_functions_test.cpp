@@ -161,7 +161,7 @@ TEST(ConstrainedFunctions, RowsThatFollowFromThoseBeforeThemHaveNoReaction) {
   EXPECT_EQ(lambda.bottomRows(lambda.rows() - 2).cwiseAbs().maxCoeff(), 0) << lambda.transpose();
 }
 
-// A robot of a tenth of a micrometre: a row on its angle is 1e15 times as long, in the metric of M^-1, as one on a square
+// A robot of a tenth of a micrometre: a row on its angle is 1e14 times as long, in the metric of M^-1, as one on a square
 // of a distance. Both bind.
 TEST(ConstrainedFunctions, RowsOfUnitsFarApart) {
   const ConstrainedMechanism robot(R"yaml(

@@ -51,9 +51,9 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
 std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M) {
   constexpr unsigned kStates = 4;
-  constexpr double kStep = 20,
-                   kOffCentre = 0.137;  // no power of two, which rows often are, lies between two steps
-  constexpr double kLeast = -5;         // squares of single precision still hold it
+  // Exponents of two. No power of two, which rows often are apart, lies where rounding changes.
+  constexpr double kAlike = -12.7, kOffCentre = 0.137;
+  constexpr double kLeast = -60;  // single precision holds its square and that square's inverse
   const Eigen::Index count = static_cast<Eigen::Index>(rows.position.size());
   std::vector<double> lengths(rows.position.size(), 1.0);
   if (count < 2) return lengths;
@@ -68,8 +68,10 @@ std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEq
   const double longest = largest.maxCoeff();
   for (Eigen::Index r = 0; r < count; ++r) {
     if (!std::isfinite(largest(r))) continue;
-    const double steps = std::max(std::round((largest(r) - longest) / kStep + kOffCentre), kLeast);
-    lengths[static_cast<std::size_t>(r)] = std::ldexp(1.0, static_cast<int>(kStep * steps));
+    const double exponent = largest(r) - longest;
+    if (exponent < kAlike)
+      lengths[static_cast<std::size_t>(r)] =
+          std::ldexp(1.0, static_cast<int>(std::max(std::round(exponent + kOffCentre), kLeast)));
   }
   return lengths;
 }

@@ -11,8 +11,8 @@ namespace alembert {
 
 /// About how long the terms are that each row of P is made of, in the metric of M^-1, over those of the longest row:
 /// sqrt(sum_k B_k^2 (M^-1)_kk), B_k the running error of P_k in epsilons. That a row's terms cancel does not make it
-/// shorter. A scale, no bound: the largest at the initial state and three random ones, to the next power of 2^20, so 1
-/// for all rows that differ by less than about 1e3. 1 where M is singular.
+/// shorter. A scale, no bound: the largest at the initial state and three random ones, as a power of two; 1 for rows that
+/// are longer than 1/6000 of the longest, and where M is singular.
 std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M);
 

@@ -28,7 +28,7 @@ struct PlacedShape : SolidShape {
   bool hidden = false;  ///< of a group that viewers leave out
 };
 
-/// Whether any shape is there whether files of meshes are or not: what becomes a body must not depend on them.
+/// Whether there is a shape besides meshes. What becomes a body must not depend on whether files are there.
 template <class Shapes>
 bool has_solid(const Shapes& shapes) {
   return std::ranges::any_of(shapes, [](const SolidShape& shape) { return shape.kind != SolidKind::mesh; });

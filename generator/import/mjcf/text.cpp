@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "import/common/mesh_names.hpp"
 #include "mechanism/source.hpp"
 
 namespace alembert {
@@ -133,8 +134,7 @@ fs::path MjcfText::below(const std::string& file, const SourceLocation& where) c
                      "give the model as a file");
   const fs::path folder = fs::weakly_canonical(fs::absolute(model).parent_path());
   const fs::path path = fs::weakly_canonical(folder / file);
-  const auto differs = std::ranges::mismatch(folder, path);
-  if (differs.in1 != folder.end())
+  if (!lies_below(path, folder))
     throw InputError(where, fmt::format("'{}' lies outside the folder of the model", printable(file)),
                      "files are read below the folder of the model only");
   const fs::path found = (fs::path(model).parent_path() / file).lexically_normal();
