@@ -35,13 +35,14 @@ set(ENV{ALEMBERT_CATALOGUE}
     "tree_every_joint runtime_parameters moving_base four_bar_knee rolling_wheels bead_on_helix body_on_torus knee_spline rolling_ball five_bar")
 # Chains of a million, a minute of motion, and more random functions and mechanisms, are the same code again. So are rounds of one test, and what
 # asks only for numbers or bytes: whether units matter, how far loops go, how exact sines are, where long motions end, what follows other files or
-# runs that were killed, the time of a wait.
+# runs that were killed, the time of a wait, whether two ways to the same code give the same.
 set(ENV{ALEMBERT_ONE_ROUND_IN} 6)
 set(again *Million* *ForAMinute Chain.* LongChains.* Random/* Seeds/* *ChainWithLoops
           Report.TellsWhichFunctionsHaveLoops Emit.FewDotProductsAreStraightOverManyStates Generate.SameBytesWhereverAndWheneverItRuns
           SinesAndCosines.AreWithinOneUlpNextToQuarterTurns Bench.NothingStaysWhenItIsAskedToEnd
           Simulate.TakesStiffForcesAtTheStepOfAFrame SimulateConstrained.ClosesALoopAndKeepsItClosed Integrate.RepeatedStepsCountTime
-          Events.ADroppedBallHitsTheGroundWhenItShould Contacts.ABallThatSlidesRollsInTheEnd LockedFolders.*Killed* Generate.KilledRuns*)
+          Events.ADroppedBallHitsTheGroundWhenItShould Contacts.ABallThatSlidesRollsInTheEnd LockedFolders.*Killed* Generate.KilledRuns*
+          Import.IsWhatOtherCommandsDoBeforeTheyBegin SearchOrder.* Bench.EveryFunctionHasOperationsCodeAndTime Simplify.GivesUpInTime)
 list(JOIN again ":" again)
 set(ENV{GTEST_FILTER} "-${again}")
 list(JOIN rooms "|" rooms)
