@@ -286,6 +286,11 @@ int run(int argc, char** argv) {
                    "functions to time over many states in one call too; `default` stands for "
                    "inverse_dynamics, mass_matrix_and_bias, forward_dynamics")
       ->delimiter(',');
+  command
+      ->add_option("--states", bench.states,
+                   "numbers of states that batches are timed over, one after the other (default: 256)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1'000'000));
   command->add_option("--compiler", bench.compiler,
                       "C++ compiler, with its flags (default: the environment variable CXX, or c++)");
   command->add_flag("--json", bench.json, "as JSON");

@@ -26,7 +26,7 @@ namespace alembert {
 
 namespace {
 
-constexpr int kBenchStates = 256;
+constexpr int kBenchStates = 256;  // unless --states says otherwise
 
 /// Flags as alembert_add_mechanism sets them (cmake/AlembertAddMechanism.cmake).
 const std::vector<std::string> kFlags = {"-O2", "-fno-math-errno", "-DALEMBERT_VECTOR_TRIG"};
@@ -45,12 +45,19 @@ Compiler compiler_of(const BenchOptions& options) {
   return {"CXX", variable, "C++", advice};
 }
 
-/// Machine code and times, by function; `_batch` stands behind the names of those over many states.
+/// Times by function. `_batch` stands behind the names of those over many states, `_kept` of the same one by one with
+/// the results of all states kept.
+using Times = std::map<std::string, double, std::less<>>;
+
+/// Machine code, by function, and times, by number of states.
 struct Measured {
   std::vector<std::string> flags;
   std::map<std::string, std::size_t, std::less<>> bytes;
-  std::map<std::string, double, std::less<>> nanoseconds;
+  std::vector<std::pair<int, Times>> times;
   std::string instructions;  ///< of batches
+
+  /// Of one state: at the first number of states.
+  const Times& first() const { return times.front().second; }
 };
 
 /// Files of a mechanism, compiled in a folder.
@@ -59,14 +66,13 @@ class Build {
   Build(const CompiledMechanism& compiled, const EmitOptions& emit, const Compiler& compiler)
       : compiled_(compiled), emit_(emit), compiler_(compiler), folder_("bench") {}
 
-  Measured measured() {
+  Measured measured(const std::vector<int>& states) {
     Measured out;
     out.flags = flags();
     const std::string& name = compiled_.mechanism->name;
     const std::vector<Program> programs = programs_of(compiled_);
     std::vector<EmittedFile> files = emit_mechanism(*compiled_.mechanism, programs, emit_);
-    std::ranges::move(bench_files(*compiled_.mechanism, programs, emit_, kBenchStates),
-                      std::back_inserter(files));
+    std::ranges::move(bench_files(*compiled_.mechanism, programs, emit_), std::back_inserter(files));
     for (const EmittedFile& file : files) folder_.write(file);
     std::vector<std::string> sources, link{"-o", folder_ / "bench"};
     for (const EmittedFile& file : files)
@@ -75,7 +81,7 @@ class Build {
     for (const std::string& source : sources) link.push_back(compile_file(source, out.flags));
     if (!emit_.batch.empty()) link.emplace_back("-pthread");
     compiler_.run(folder_, out.flags, link);
-    time(out);
+    for (const int n : states) time(n, out);
     for (const std::string& source : sources) add_bytes(source, out);
     return out;
   }
@@ -104,18 +110,20 @@ class Build {
     compiler_.run(folder_, flags, arguments);
     return object;
   }
-  void time(Measured& out) const {
+  void time(int states, Measured& out) const {
     std::string bytes;
-    for (const std::vector<double>& array : bench_states(*compiled_.mechanism, kBenchStates))
+    for (const std::vector<double>& array :
+         bench_states(*compiled_.mechanism, static_cast<std::size_t>(states)))
       bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(double));
     folder_.write({"states", bytes});
-    const ProgramRun done = folder_.run({folder_ / "bench", folder_ / "states"});
+    const ProgramRun done = folder_.run({folder_ / "bench", std::to_string(states), folder_ / "states"});
     if (done.exit_code != 0)
       compiler_.fail(fmt::format("what it compiled does not run: it ended with {}", done.exit_code));
+    Times& times = out.times.emplace_back(states, Times{}).second;
     std::istringstream lines(done.out);
     for (std::string name, value; lines >> name >> value;) {
       if (name == "instructions") out.instructions = value;
-      if (name != "instructions") out.nanoseconds[name] = std::stod(value);
+      if (name != "instructions") times[name] = std::stod(value);
     }
   }
   /// Of the batches those that this machine runs.
@@ -145,13 +153,14 @@ class Build {
 };
 
 nlohmann::json json_of(const CompiledMechanism& compiled, const Measured& measured) {
-  nlohmann::json out = {
-      {"mechanism", compiled.mechanism->name}, {"states", kBenchStates}, {"flags", measured.flags}};
+  nlohmann::json out = {{"mechanism", compiled.mechanism->name},
+                        {"states", nlohmann::json::array()},
+                        {"flags", measured.flags}};
+  for (const auto& [states, times] : measured.times) out["states"].push_back(states);
   if (!measured.instructions.empty()) out["instructions"] = measured.instructions;
-  const auto measure = [&](nlohmann::json& row, const std::string& name) {
-    row["median_ns"] = measured.nanoseconds.at(name);
+  const auto bytes_of = [&](const std::string& name) {
     const auto bytes = measured.bytes.find(name);
-    row["code_bytes"] = bytes == measured.bytes.end() ? nlohmann::json() : nlohmann::json(bytes->second);
+    return bytes == measured.bytes.end() ? nlohmann::json() : nlohmann::json(bytes->second);
   };
   for (const CompiledFunction& f : compiled.functions) {
     const std::string name(to_string(f.kind));
@@ -168,15 +177,22 @@ nlohmann::json json_of(const CompiledMechanism& compiled, const Measured& measur
              {"trig", shares.trig},
              {"other", shares.other},
              {"memory", shares.memory}}}};
-    measure(row, name);
-    if (measured.nanoseconds.contains(name + "_batch")) measure(row["batch"], name + "_batch");
+    row["median_ns"] = measured.first().at(name);
+    row["code_bytes"] = bytes_of(name);
+    if (!measured.first().contains(name + "_batch")) continue;
+    nlohmann::json& batch = row["batch"];
+    batch["code_bytes"] = bytes_of(name + "_batch");
+    for (const auto& [states, times] : measured.times) {
+      batch["median_ns"].push_back(times.at(name + "_batch"));
+      batch["one_by_one_ns"].push_back(times.at(name + "_kept"));
+    }
   }
   return out;
 }
 
 void print_table(const CompiledMechanism& compiled, const Measured& measured) {
   std::size_t width = 22;
-  for (const auto& [name, nanoseconds] : measured.nanoseconds) width = std::max(width, name.size());
+  for (const auto& [name, nanoseconds] : measured.first()) width = std::max(width, name.size());
   fmt::print("{:<{}} {:>7} {:>7} {:>5} {:>5} {:>5} {:>9} {:>10}   {:>5} {:>5} {:>5} {:>5} {:>6}\n",
              "function", width, "x", "+", "div", "trig", "other", "bytes", "ns", "x,+", "div", "trig",
              "other", "memory");
@@ -191,12 +207,23 @@ void print_table(const CompiledMechanism& compiled, const Measured& measured) {
         "{:<{}} {:>7} {:>7} {:>5} {:>5} {:>5} {:>9} {:>10.4g}   {:>4.0f}% {:>4.0f}% {:>4.0f}% {:>4.0f}% "
         "{:>5.0f}%\n",
         name, width, f.count.mul, f.count.add, f.count.div, f.count.trig, f.count.other, bytes(name),
-        measured.nanoseconds.at(name), 100 * s.arithmetic, 100 * s.division, 100 * s.trig, 100 * s.other,
+        measured.first().at(name), 100 * s.arithmetic, 100 * s.division, 100 * s.trig, 100 * s.other,
         100 * s.memory);
   }
-  for (const auto& [name, nanoseconds] : measured.nanoseconds)
-    if (name.ends_with("_batch"))
-      fmt::print("{:<{}} {:>47} {:>10.4g}\n", name, width, bytes(name), nanoseconds);
+  if (measured.instructions.empty()) return;
+  fmt::print("\n{:<{}} {:>9}", "states in one call", width, "bytes");
+  for (const auto& [states, times] : measured.times) fmt::print(" {:>17}", states);
+  fmt::print("\n");
+  for (const auto& [name, nanoseconds] : measured.first()) {
+    if (!name.ends_with("_batch")) continue;
+    fmt::print("{:<{}} {:>9}", name, width, bytes(name));
+    for (const auto& [states, times] : measured.times) {
+      const double batch = times.at(name);
+      const double kept = times.at(name.substr(0, name.size() - std::string_view("_batch").size()) + "_kept");
+      fmt::print(" {:>10.4g} ({:.2f})", batch, batch / kept);
+    }
+    fmt::print("\n");
+  }
 }
 
 }  // namespace
@@ -209,7 +236,8 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
   EmitOptions emit;
   emit.scalars = {"double"};
   set_batch(emit, common, options.batch);
-  const Measured measured = Build(compiled, emit, compiler).measured();
+  const std::vector<int> states = options.states.empty() ? std::vector{kBenchStates} : options.states;
+  const Measured measured = Build(compiled, emit, compiler).measured(states);
   if (options.json) {
     fmt::print("{}\n", json_of(compiled, measured).dump(2));
     return 0;
@@ -220,16 +248,19 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
   print_table(compiled, measured);
   fmt::print(
       "\nns: median time of one state, in double, over {} random states within the limits, one after the "
-      "other{}\n"
+      "other\n"
+      "{}"
       "bytes: machine code of the function\n"
       "%: an ESTIMATE of what the time is spent on, from the operations and the weights that alembert's "
       "optimiser\n"
       "gives them, not a measurement; memory: arguments read and results written\n"
       "compiled by: {} {}\n",
-      kBenchStates,
-      measured.instructions.empty()
-          ? ""
-          : fmt::format(";\n_batch: all in one call by one thread, instructions {}", measured.instructions),
+      states.front(),
+      measured.instructions.empty() ? ""
+                                    : fmt::format("_batch: ns of a state, by one thread, instructions {}; in "
+                                                  "brackets as a multiple of one state "
+                                                  "after\nthe other with all results kept\n",
+                                                  measured.instructions),
       compiler.words(), fmt::join(measured.flags, " "));
   return 0;
 }

@@ -11,6 +11,7 @@ namespace alembert {
 struct BenchOptions {
   std::vector<std::string> functions;  ///< none: those that `generate` writes
   std::vector<std::string> batch;      ///< functions to time over many states too
+  std::vector<int> states;             ///< numbers of states, each timed in turn
   std::string compiler;                ///< with its flags; empty: $CXX, or c++
   bool json = false;
 };

@@ -15,29 +15,42 @@
 namespace alembert {
 namespace {
 
-/// A function that calls one of the mechanism's at all states: one by one, or as a batch.
-std::string timed_function(const OutputFunction& function, const Mechanism& mechanism, bool batch) {
-  std::string arrays;
-  for (const ResultArray& result : function.results)
-    arrays += fmt::format("static double {}[{}{}];\n", result.name,
-                          std::max<std::size_t>(array_shape(result, mechanism).size(), 1),
-                          batch ? " * kStates" : "");
-  std::string arguments;
+/// How a function is called at all states; what stands behind its name.
+enum class Calls { one_by_one, kept, batch };
+constexpr const char* kEndings[] = {"", "_kept", "_batch"};
+const char* ending(Calls calls) {
+  return kEndings[static_cast<int>(calls)];
+}
+
+/// A function that calls one of the mechanism's at all states.
+std::string timed_function(const OutputFunction& function, const Mechanism& mechanism, Calls calls) {
+  std::string arrays, arguments, results;
+  for (const ResultArray& result : function.results) {
+    const std::size_t size = std::max<std::size_t>(array_shape(result, mechanism).size(), 1);
+    if (calls == Calls::one_by_one)
+      arrays += fmt::format("static double {}[{}];\n", result.name, size);
+    else
+      arrays += fmt::format(
+          "static std::vector<double> {0}_of_states(static_cast<std::size_t>(states) * {1});\n"
+          "double* const {0} = {0}_of_states.data();\n",
+          result.name, size);
+    results += fmt::format("{}{}{}", results.empty() ? "" : ", ", result.name,
+                           calls == Calls::kept ? fmt::format(" + {} * s", size) : "");
+  }
   for (const ArgumentKind kind : function.arguments)
-    arguments +=
-        batch ? fmt::format("lanes::{}, ", argument_name(kind))
-              : fmt::format("rows::{} + {} * s, ", argument_name(kind), argument_size(kind, mechanism));
-  std::string results;
-  for (const ResultArray& result : function.results)
-    results += fmt::format("{}{}", results.empty() ? "" : ", ", result.name);
-  const std::string inputs = batch || !function.takes_inputs ? "" : "const mechanism::Inputs<double> in;\n";
+    arguments += calls == Calls::batch ? fmt::format("lanes::{}.data(), ", argument_name(kind))
+                                       : fmt::format("rows::{}.data() + {} * s, ", argument_name(kind),
+                                                     argument_size(kind, mechanism));
+  const bool inputs = function.takes_inputs && calls != Calls::batch;
   const std::string call =
-      batch ? fmt::format("mechanism::{}_batch(kStates, kStates, {}{}{});\n", function.name, arguments,
-                          function.takes_inputs ? "mechanism::BatchInputs(), " : "", results)
-            : fmt::format("for (int s = 0; s < kStates; ++s) mechanism::{}<double>({}{}{});\n", function.name,
-                          arguments, function.takes_inputs ? "in, " : "", results);
-  return fmt::format("void run_{}{}() {{\n{}}}\n", function.name, batch ? "_batch" : "",
-                     prefix_lines(arrays + inputs + call, "  "));
+      calls == Calls::batch
+          ? fmt::format("mechanism::{}_batch(states, states, {}{}{});\n", function.name, arguments,
+                        function.takes_inputs ? "mechanism::BatchInputs(), " : "", results)
+          : fmt::format("for (std::ptrdiff_t s = 0; s < states; ++s) mechanism::{}<double>({}{}{});\n",
+                        function.name, arguments, inputs ? "in, " : "", results);
+  return fmt::format(
+      "void run_{}{}() {{\n{}}}\n", function.name, ending(calls),
+      prefix_lines(arrays + (inputs ? "const mechanism::Inputs<double> in;\n" : "") + call, "  "));
 }
 
 }  // namespace
@@ -47,22 +60,24 @@ std::vector<ArgumentKind> bench_arguments() {
 }
 
 std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const Program> programs,
-                                     const EmitOptions& options, int states) {
-  std::string arrays, rows, lanes, reads, functions, table;
+                                     const EmitOptions& options) {
+  std::string arrays, vectors, reads, functions, table;
   for (const ArgumentKind kind : bench_arguments()) {
     const std::string_view name = argument_name(kind);
     const std::size_t size = argument_size(kind, mechanism);
-    arrays += fmt::format("{}{:<4} {} states x {}", arrays.empty() ? "" : "\n//   ", name, states, size);
-    rows += fmt::format("double {}[kStates * {}];\n", name, size);
-    lanes += fmt::format("double {}[kStates * {}];\n", name, size);
+    arrays += fmt::format("{}{:<4} {} of each state", arrays.empty() ? "" : "\n//   ", name, size);
+    vectors += fmt::format("{}{}", vectors.empty() ? "" : ", ", name);
     reads += fmt::format("complete = complete && read(file, rows::{0}, lanes::{0}, {1});\n", name, size);
   }
-  const auto add = [&](const OutputFunction& function, bool batch) {
-    functions += (functions.empty() ? "" : "\n") + timed_function(function, mechanism, batch);
-    table += fmt::format("{{\"{0}{1}\", run_{0}{1}, 1, {{}}}},\n", function.name, batch ? "_batch" : "");
+  const auto add = [&](const OutputFunction& function, Calls calls) {
+    functions += (functions.empty() ? "" : "\n") + timed_function(function, mechanism, calls);
+    table += fmt::format("{{\"{0}{1}\", run_{0}{1}, 1, {{}}}},\n", function.name, ending(calls));
   };
-  for (const Program& program : programs) add(*find_function(program.function), false);
-  for (const OutputFunction* function : batch_signatures(mechanism, programs, options)) add(*function, true);
+  for (const Program& program : programs) add(*find_function(program.function), Calls::one_by_one);
+  for (const OutputFunction* function : batch_signatures(mechanism, programs, options)) {
+    add(*function, Calls::kept);
+    add(*function, Calls::batch);
+  }
 
   std::string instructions;
   if (!options.batch.empty()) {
@@ -86,8 +101,9 @@ std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const
             {"namespace", options.outer_namespace + "::" + mechanism.name},
             {"includes",
              options.batch.empty() ? "" : fmt::format("#include <{0}/{0}_batch.hpp>\n", mechanism.name)},
-            {"states", std::to_string(states)},
-            {"declarations", fmt::format("namespace rows {{\n{}}}\nnamespace lanes {{\n{}}}\n", rows, lanes)},
+            {"declarations", fmt::format("namespace rows {{\nstd::vector<double> {0};\n}}\nnamespace lanes "
+                                         "{{\nstd::vector<double> {0};\n}}\n",
+                                         vectors)},
             {"functions", functions},
             {"reads", reads},
             {"table", table},

@@ -13,9 +13,10 @@ namespace alembert {
 /// Arguments that are read for each state, in the order of the program's file of doubles.
 std::vector<ArgumentKind> bench_arguments();
 
-/// src/bench.cpp and include/alembert/*.hpp. The program prints a line `NAME ns` for each of `functions` and
-/// `NAME_batch ns` for each of options.batch, then, if there are any, `instructions SET`: which the batches are of.
+/// src/bench.cpp and include/alembert/*.hpp. The program takes the number of states and the file of their arguments. It
+/// prints a line `NAME ns` for each of `programs`; for each of options.batch `NAME_batch ns`, and `NAME_kept ns`: one by
+/// one with the results of all states kept; then, if there are any, `instructions SET`: which the batches are of.
 std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const Program> programs,
-                                     const EmitOptions& options, int states);
+                                     const EmitOptions& options);
 
 }  // namespace alembert

@@ -30,9 +30,10 @@ CommandResult bench(const TemporaryFolder& folder, const std::string& arguments,
 
 TEST(Bench, EveryFunctionHasOperationsCodeAndTime) {
   const TemporaryFolder folder;
-  const CommandResult result =
-      bench(folder, mechanism_file("double_pendulum") +
-                        " --functions inverse_dynamics,forward_dynamics --batch inverse_dynamics --json");
+  const CommandResult result = bench(
+      folder,
+      mechanism_file("double_pendulum") +
+          " --functions inverse_dynamics,forward_dynamics --batch inverse_dynamics --states 8,100 --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const nlohmann::json out = nlohmann::json::parse(result.out);
   EXPECT_EQ(out["mechanism"], "double_pendulum");
@@ -54,7 +55,12 @@ TEST(Bench, EveryFunctionHasOperationsCodeAndTime) {
   EXPECT_GT(out["functions"]["forward_dynamics"]["estimated_shares"]["division"], 0);
   EXPECT_EQ(out["functions"]["inverse_dynamics"]["estimated_shares"]["division"], 0);
   EXPECT_FALSE(out["functions"]["forward_dynamics"].contains("batch"));
-  EXPECT_GT(out["functions"]["inverse_dynamics"]["batch"]["median_ns"], 0);
+  EXPECT_EQ(out["states"], (std::vector<int>{8, 100}));
+  for (const char* times : {"median_ns", "one_by_one_ns"}) {
+    const nlohmann::json& of_states = out["functions"]["inverse_dynamics"]["batch"][times];
+    ASSERT_EQ(of_states.size(), 2u);
+    for (const nlohmann::json& time : of_states) EXPECT_GT(time, 0);
+  }
   EXPECT_GT(out["functions"]["inverse_dynamics"]["batch"]["code_bytes"], 50);
   EXPECT_THAT(out["instructions"].get<std::string>(), testing::MatchesRegex("baseline|avx2|avx512"));
 
