@@ -121,7 +121,9 @@ function select(index, look) {
   state.shown = index;
   const mechanism = data.mechanisms[index];
   element("heading").querySelector("h1").textContent = mechanism.name.replaceAll("_", " ");
-  element("heading").querySelector("p").textContent = mechanism.description;
+  const description = element("heading").querySelector("p");  // a few lines; a click shows or hides the rest
+  description.textContent = mechanism.description;
+  description.onclick = () => description.classList.toggle("whole");
   for (const [i, button] of [...element("mechanisms").children].entries())
     button.setAttribute("aria-pressed", String(i === index));
   const record = live?.on && live.records[index];

@@ -23,7 +23,7 @@ function ticks(low, high, count) {
 
 function tickText(value, step) {
   if (Math.abs(value) < 1e-9 * step) return "0";
-  if (Math.abs(value) >= 1e5 || step < 1e-4) return value.toExponential(1);
+  if (Math.abs(value) >= 1e5 || (step < 1e-4 && Math.abs(value) < 100 * step)) return value.toExponential(1);
   return value.toFixed(Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
 }
 
@@ -75,7 +75,8 @@ class Plot {
   /// Axes that hold what there is.
   fit() {
     this.start = this.times[0];
-    this.end = Math.max(this.times[this.times.length - 1], this.times[0] + 1e-9);
+    const last = this.times[this.times.length - 1];
+    this.end = last > this.times[0] ? last : this.times[0] + 1;
     this.low = Infinity;
     this.high = -Infinity;
     for (const { values } of this.series) {
