@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "commands/common_options.hpp"
 #include "commands/run_import.hpp"
@@ -89,7 +90,7 @@ bool report_law(std::string_view name, std::optional<double> worst, double toler
 }
 
 /// Laws of the constraints; warnings where rows are redundant or the initial state is off.
-bool check_constraints(const Kinematics& kinematics, Warnings& warnings) {
+bool check_constraints(const Kinematics& kinematics, std::span<const Expr> M, Warnings& warnings) {
   const Mechanism& mechanism = kinematics.mechanism;
   const ConstraintEquations equations =
       constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, kinematics.graph);
@@ -107,7 +108,7 @@ bool check_constraints(const Kinematics& kinematics, Warnings& warnings) {
     warnings.push_back(
         {mechanism.constraints[rows[row].constraint].where, "row '" + rows[row].name + "' " + message});
   };
-  const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations);
+  const std::vector<std::size_t> redundant = redundant_rows(kinematics, equations, M);
   fmt::print("constraints: rows {}, rank {} at the initial state, free speeds {}\n", rows.size(),
              rows.size() - redundant.size(),
              static_cast<std::size_t>(mechanism.nv) - (rows.size() - redundant.size()));
@@ -157,7 +158,7 @@ int check_laws(const std::shared_ptr<const SourceText>& source, const Passes& pa
   law("reduced form = eq. (13): Q", reduced.Q, factored.Q);
   law("reduced form = eq. (13): M", reduced.M, factored.M);
   law("reduced form = eq. (13): c", reduced.c, factored.c);
-  if (!mechanism.constraints.empty()) good = check_constraints(kinematics, warnings) && good;
+  if (!mechanism.constraints.empty()) good = check_constraints(kinematics, reduced.M, warnings) && good;
   if (!good)
     throw InternalError(
         "the equations of this mechanism do not obey their laws; please report the description");

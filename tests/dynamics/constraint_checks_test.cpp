@@ -33,6 +33,10 @@ ConstraintEquations equations_of(const LoadedMechanism& loaded, const Kinematics
   return constraint_equations(*loaded.mechanism, kinematics.tree, kinematics.derivatives, *loaded.graph);
 }
 
+std::vector<Expr> mass_matrix(const Kinematics& kinematics) {
+  return equations_of_motion(kinematics, Formulation::reduced).M;
+}
+
 TEST(ConstraintChecks, LawsHoldAndFailWhereARowIsWrong) {
   const LoadedMechanism loaded = sleigh_with([](const Mechanism& m, const std::vector<Expr>& q) {
     return std::vector<Expr>{sin(q[0] * q[2]) + q[1] * m.time, q[1] * q[2]};
@@ -55,7 +59,22 @@ TEST(ConstraintChecks, RedundantRowsAreThoseThatAddNothing) {
                              q[0] - q[1] * q[1] - q[1]};
   });
   const Kinematics kinematics = loaded.kinematics();
-  EXPECT_THAT(redundant_rows(kinematics, equations_of(loaded, kinematics)), testing::ElementsAre(2, 3));
+  EXPECT_THAT(redundant_rows(kinematics, equations_of(loaded, kinematics), mass_matrix(kinematics)),
+              testing::ElementsAre(2, 3));
+}
+
+TEST(ConstraintChecks, ShortRowsAreRowsToo) {
+  const LoadedMechanism loaded = sleigh_with([](const Mechanism&, const std::vector<Expr>& q) {
+    const Expr tiny = q[0].graph().rational(Rational(1, 1'000'000'000'000'000'000));
+    const Expr quarter = q[0].graph().rational(Rational(1, 4));
+    return std::vector<Expr>{q[0], q[1] * tiny, (q[1] - quarter) * tiny};
+  });
+  const Kinematics kinematics = loaded.kinematics();
+  const ConstraintEquations equations = equations_of(loaded, kinematics);
+  EXPECT_THAT(redundant_rows(kinematics, equations, mass_matrix(kinematics)), testing::ElementsAre(2));
+  const std::vector<InitialResidual> residuals = initial_residuals(kinematics, equations, 1e-9);
+  ASSERT_EQ(residuals.size(), 1u);
+  EXPECT_EQ(residuals[0].row, 2u);
 }
 
 TEST(ConstraintChecks, ResidualsOfTheInitialState) {

@@ -4,10 +4,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/tree/state_values.hpp"
 #include "mechanism/constraint_rows.hpp"
+#include "symbolic/error_bound.hpp"
 #include "symbolic/evaluate.hpp"
 
 namespace alembert {
@@ -20,6 +22,11 @@ using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 VectorXd values_of(std::span<const Expr> expressions, const std::vector<double>& state) {
   const std::vector<double> values = evaluate(expressions, state);
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// About the sum of the terms' magnitudes, where `value` is their sum.
+double terms_of(const Approximate& sum) {
+  return std::abs(sum.value) + sum.error / std::numeric_limits<double>::epsilon();
 }
 
 /// A state that moves on: q along N u, u along ud, both as they are at the state, and time.
@@ -136,13 +143,27 @@ ConstraintLaws constraint_laws(const Kinematics& kinematics, const ConstraintEqu
   return {position_rate.result(kRequired), velocity_rate.result(kRequired)};
 }
 
-std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const ConstraintEquations& equations) {
+std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const ConstraintEquations& equations,
+                                        std::span<const Expr> M) {
   constexpr double kDependent = 1e-9;  // what is left of a row of length 1
   const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, 0);
-  const VectorXd values = values_of(equations.P, state);
+  const Eigen::Index nv = kinematics.mechanism.nv;
   const Eigen::Index count = static_cast<Eigen::Index>(equations.position.size());
-  RowMajorMatrix P = Eigen::Map<const RowMajorMatrix>(values.data(), count, kinematics.mechanism.nv);
-  const double largest = count == 0 ? 0 : P.rowwise().norm().maxCoeff();
+  const std::vector<Approximate> entries = evaluate_bounded(equations.P, state);
+  RowMajorMatrix P(count, nv), terms(count, nv);
+  for (Eigen::Index k = 0; k < count * nv; ++k) {
+    const Approximate& entry = entries[static_cast<std::size_t>(k)];
+    P.data()[k] = entry.value;
+    terms.data()[k] = terms_of(entry);
+  }
+  // Where all speeds have the same unit.
+  const VectorXd mass = values_of(M, state);
+  const Eigen::RowVectorXd units =
+      Eigen::Map<const RowMajorMatrix>(mass.data(), nv, nv).diagonal().cwiseSqrt().cwiseInverse().transpose();
+  if (units.allFinite()) {
+    P = P * units.asDiagonal();
+    terms = terms * units.asDiagonal();
+  }
   std::vector<std::size_t> redundant;
   std::vector<Eigen::RowVectorXd> basis;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -152,7 +173,7 @@ std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const Cons
     for (int pass = 0; pass < 2; ++pass) {
       for (const Eigen::RowVectorXd& direction : basis) rest -= rest.dot(direction) * direction;
     }
-    if (length <= 1e-15 * largest || rest.norm() <= kDependent * length) {
+    if (length <= 1e-15 * terms.row(i).norm() || rest.norm() <= kDependent * length) {
       redundant.push_back(static_cast<std::size_t>(i));
     } else {
       basis.push_back(rest.normalized());
@@ -164,12 +185,15 @@ std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const Cons
 std::vector<InitialResidual> initial_residuals(const Kinematics& kinematics,
                                                const ConstraintEquations& equations, double tolerance) {
   const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, 0);
-  const std::vector<double> position = evaluate(equations.position, state);
-  const std::vector<double> velocity = evaluate(equations.velocity, state);
+  const std::vector<Approximate> position = evaluate_bounded(equations.position, state);
+  const std::vector<Approximate> velocity = evaluate_bounded(equations.velocity, state);
+  const auto is_off = [&](const Approximate& residual) {
+    return std::abs(residual.value) > tolerance * terms_of(residual);
+  };
   std::vector<InitialResidual> residuals;
   for (std::size_t i = 0; i < position.size(); ++i) {
-    if (std::abs(position[i]) > tolerance || std::abs(velocity[i]) > tolerance)
-      residuals.push_back({i, position[i], velocity[i]});
+    if (is_off(position[i]) || is_off(velocity[i]))
+      residuals.push_back({i, position[i].value, velocity[i].value});
   }
   return residuals;
 }

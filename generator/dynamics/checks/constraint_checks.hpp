@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
@@ -20,15 +21,17 @@ struct ConstraintLaws {
 };
 ConstraintLaws constraint_laws(const Kinematics& kinematics, const ConstraintEquations& equations);
 
-/// Indices of the rows of P that are linear combinations of the rows before them at the initial state.
-std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const ConstraintEquations& equations);
+/// Indices of the rows of P that are linear combinations of the rows before them at the initial state, where M is the
+/// mass matrix, row by row.
+std::vector<std::size_t> redundant_rows(const Kinematics& kinematics, const ConstraintEquations& equations,
+                                        std::span<const Expr> M);
 
 /// A row that the initial state, at rest, does not obey.
 struct InitialResidual {
   std::size_t row;
   double position, velocity;
 };
-/// Those with a residual above `tolerance`, in SI units of the row.
+/// Those with a residual above `tolerance` times the magnitude of its own terms.
 std::vector<InitialResidual> initial_residuals(const Kinematics& kinematics,
                                                const ConstraintEquations& equations, double tolerance);
 
