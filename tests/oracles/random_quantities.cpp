@@ -122,8 +122,8 @@ std::string RandomQuantities::value(int depth) {
       return a + "*tanh(" + x + ")";
     case 2:
       return a + "*sin(" + x + " + " + c + ")";
-    case 3:
-      return a + "*" + x + "*abs(" + x + ")";
+    case 3:  // at rest x may be zero, where a second derivative jumps
+      return a + "*(" + x + " + " + c + ")*abs(" + x + " + " + c + ")";
     case 4:
       return a + "*min(" + x + ", " + argument() + " + " + c + ")";
     case 5:
