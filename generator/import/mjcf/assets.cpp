@@ -107,9 +107,11 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
     throw geom.error("mesh",
                      fmt::format("there is no mesh '{}'{}", printable(name), did_you_mean(name, known)));
   }
+  const auto known = masses_.find({name, shell});
+  if (known != masses_.end()) return known->second;
   const MjcfElement& asset = found->second;
   MeshVolume how = MeshVolume::positive;
-  switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, 2)) {
+  switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, compiler_.exact_meshes ? 1 : 2)) {
     case 0:
       throw asset.error("inertia", "the inertia of a convex hull is not worked out");
     case 1:
@@ -125,6 +127,7 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
   if (!(out.mass > 0))
     throw InputError(asset.where(),
                      fmt::format("{} encloses no volume, or is turned inside out", asset.what()));
+  masses_.emplace(std::pair(name, shell), out);
   return out;
 }
 

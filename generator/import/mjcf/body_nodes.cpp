@@ -20,26 +20,31 @@ Vector array_of(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-double MjcfBodyNodes::armature(std::size_t joint) const {
-  double sum = model_.joints[joint].armature;
+/// By joint, with those of its followers.
+std::vector<double> MjcfBodyNodes::all_armatures() const {
+  std::vector<double> out;
+  for (const MjcfJoint& joint : model_.joints) out.push_back(joint.armature);
   for (const std::size_t follower : naming_.followers()) {
     const JointText& text = naming_.text(follower);
-    if (text.base == joint && text.constant_slope)
-      sum += *text.constant_slope * *text.constant_slope * model_.joints[follower].armature;
+    if (text.base && text.constant_slope)
+      out[*text.base] += *text.constant_slope * *text.constant_slope * model_.joints[follower].armature;
   }
-  return sum;
+  return out;
 }
 
 void MjcfBodyNodes::add_coordinates(YamlNode& list) const {
-  std::size_t first = 0;
+  std::size_t first = 0, first_speed = 0;
+  const std::vector<double> armatures = all_armatures();
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    if (!naming_.follows(j)) add_coordinate(list, j, first);
+    if (!naming_.follows(j)) add_coordinate(list, j, first, first_speed, armatures[j]);
     first += position_count(model_.joints[j].type);
+    first_speed += speed_count(model_.joints[j].type);
   }
 }
 
-/// `first`: where its numbers begin in a keyframe.
-void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t first) const {
+/// `first` and `first_speed`: where its numbers begin in a keyframe.
+void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t first, std::size_t first_speed,
+                                   double armature) const {
   const MjcfJoint& joint = model_.joints[j];
   const std::vector<std::string>& names = naming_.coordinates(j);
   const SourceLocation& where = joint.where;
@@ -55,8 +60,6 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
   } else {
     start = single ? std::vector{joint.reference} : std::vector{1.0, 0.0, 0.0, 0.0};
   }
-  std::size_t speeds = 0;  // of the joints before it
-  for (std::size_t other = 0; other < j; ++other) speeds += speed_count(model_.joints[other].type);
   const bool hinge = joint.type == MjcfJointType::hinge;
   const auto text = [&](double value) {
     return hinge ? SnappedAngle(value, 1e-12).text() : number_text(value);
@@ -91,7 +94,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
         nodes_.put(node, "limits", nodes_.list({text((*joint.limits)[0]), text((*joint.limits)[1])}, where));
     }
     if (!model_.start_speeds.empty()) {
-      const auto speed = model_.start_speeds.begin() + static_cast<std::ptrdiff_t>(speeds + k);
+      const auto speed = model_.start_speeds.begin() + static_cast<std::ptrdiff_t>(first_speed + k);
       if (quaternion && (speed[0] != 0 || speed[1] != 0 || speed[2] != 0))
         nodes_.put(node, "initial_speed", nodes_.numbers({speed[0], speed[1], speed[2]}, where));
       if (!quaternion && speed[0] != 0)
@@ -100,7 +103,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
     const auto number = [&](const char* key, double value) {
       if (value != 0) nodes_.put(node, key, nodes_.text(number_text(value), where));
     };
-    number("armature", armature(j));
+    number("armature", armature);
     if (options_.resistance) number("damping", joint.damping);
     number("stiffness", joint.stiffness);
     if (joint.stiffness != 0 && joint.rest != 0)

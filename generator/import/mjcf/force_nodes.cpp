@@ -23,7 +23,7 @@ std::string tanh_of(double force, const std::string& speed) {
 std::string spring_energy(double stiffness, const std::string& length, const std::array<double, 2>& rest) {
   const std::string half = number_text(stiffness / 2);
   if (rest[0] == rest[1])
-    return fmt::format("{}*{}^2", half, factor_text(sum_text({{1, length}, {-rest[0], ""}})));
+    return fmt::format("{}*{}^2", half, base_text(sum_text({{1, length}, {-rest[0], ""}})));
   return fmt::format("{}*(max(0, {})^2 + max(0, {})^2)", half, sum_text({{1, length}, {-rest[1], ""}}),
                      sum_text({{-1, factor_text(length)}, {rest[0], ""}}));
 }
@@ -141,9 +141,20 @@ std::string MjcfForceNodes::actuator_length(const MjcfActuator& of) const {
 
 std::string MjcfForceNodes::actuator_rate(const MjcfActuator& of) const {
   if (of.through == MjcfTransmission::tendon) return product_text(of.gear[0], rate(of.of));
-  if (of.through == MjcfTransmission::site) return "0";
-  if (speed_count(model_.joints[of.of].type) == 1) return product_text(of.gear[0], naming_.text(of.of).speed);
   std::vector<SumTerm> terms;
+  if (of.through == MjcfTransmission::site) {
+    // Of the site, in its own axes.
+    const std::string& frame = naming_.frame(of.of);
+    for (const auto& [quantity, first] :
+         {std::pair("velocity", std::size_t{0}), {"angular_velocity", std::size_t{3}}}) {
+      std::string v[3];
+      for (int k = 0; k < 3; ++k) v[k] = fmt::format("{}({}).{}", quantity, frame, kAxes[k]);
+      turn_into(frame, v);
+      for (std::size_t k = 0; k < 3; ++k) terms.push_back({of.gear[first + k], factor_text(v[k])});
+    }
+    return sum_text(terms);
+  }
+  if (speed_count(model_.joints[of.of].type) == 1) return product_text(of.gear[0], naming_.text(of.of).speed);
   const std::vector<std::string>& names = naming_.coordinates(of.of);
   const std::size_t shifts = names.size() - 1;
   for (std::size_t k = 0; k < shifts; ++k) terms.push_back({of.gear[k], fmt::format("d({})", names[k])});
@@ -208,7 +219,11 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
   } else {
     const std::vector<std::string>& names = naming_.coordinates(of.of);
     std::vector<std::string> speeds(names.begin(), names.end() - 1);
-    for (const char* axis : kAxes) speeds.push_back(names.back() + "." + axis);
+    if (of.in_parent)
+      add_turn_in_parent(list, of, force,
+                         {of.gear[speeds.size()], of.gear[speeds.size() + 1], of.gear[speeds.size() + 2]});
+    else
+      for (const char* axis : kAxes) speeds.push_back(names.back() + "." + axis);
     bool first = true;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
       if (of.gear[k] == 0) continue;
@@ -218,6 +233,34 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
       first = false;
     }
   }
+}
+
+/// A torque on a body in the axes that it has where its joint has not turned it, and the opposite one on its parent.
+void MjcfForceNodes::add_turn_in_parent(YamlNode& list, const MjcfActuator& of, const std::string& force,
+                                        const Eigen::Vector3d& torque) {
+  if (torque.isZero(0)) return;
+  const std::size_t index = model_.joints[of.of].body;
+  const MjcfBody& body = model_.bodies[index];
+  const std::string axes = naming_.new_frame(naming_.body(index) + "_parent_axes");
+  bodies_.add_frame(frames_, axes, body.parent, body.pose, of.where);
+  const std::string own = naming_.new_frame(naming_.body(index) + "_turned");
+  bodies_.add_frame(frames_, own, index, {}, of.where);
+  std::array<std::string, 3> on_body, on_parent;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<SumTerm> terms;
+    for (int m = 0; m < 3; ++m)
+      terms.push_back({torque[m], fmt::format("rotation({}).{}{}", axes, kAxes[k], kAxes[m])});
+    on_body[static_cast<std::size_t>(k)] = factor_text(sum_text(terms)) + "*" + factor_text(force);
+    on_parent[static_cast<std::size_t>(k)] = torque[k] == 0 ? "0" : product_text(-torque[k], force);
+  }
+  YamlNode& node = add_named(list, naming_.new_force(naming_.body(index) + "_turn"), of.where);
+  nodes_.put(node, "at", nodes_.text(own, of.where));
+  nodes_.put(node, "axes", nodes_.text("world", of.where));
+  nodes_.put(node, "torque", nodes_.list({on_body[0], on_body[1], on_body[2]}, of.where));
+  if (body.parent == 0) return;
+  YamlNode& reaction = add_named(list, naming_.new_force(naming_.body(index) + "_turn_reaction"), of.where);
+  nodes_.put(reaction, "at", nodes_.text(axes, of.where));
+  nodes_.put(reaction, "torque", nodes_.list({on_parent[0], on_parent[1], on_parent[2]}, of.where));
 }
 
 void MjcfForceNodes::add_forces(YamlNode& list) {
@@ -331,22 +374,21 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
   nodes_.put(node, "at", nodes_.text(frame, body.where));
   const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;
   std::array<std::string, 3> force, torque;
+  std::string v[3], w[3];
+  for (int m = 0; m < 3; ++m) {
+    v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
+    w[m] = fmt::format("angular_velocity({}).{}", frame, kAxes[m]);
+  }
+  turn_into(frame, v);
+  turn_into(frame, w);
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
-                                fmt::format("rotation({}).y{}", frame, kAxes[k]),
-                                fmt::format("rotation({}).z{}", frame, kAxes[k])};
-    std::string v[3], w[3];
-    for (int m = 0; m < 3; ++m) {
-      v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
-      w[m] = fmt::format("angular_velocity({}).{}", frame, kAxes[m]);
-    }
     const double a = box[(k + 1) % 3], c = box[(k + 2) % 3];
     const auto drag = [&](const std::string& along, double linear, double square) {
       const std::string speed = "(" + along + ")";
       return sum_text({{-linear, speed}, {-square, "abs" + speed + "*" + speed}});
     };
-    force[k] = drag(dot_text(row, v), 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
-    torque[k] = drag(dot_text(row, w), pi * std::pow(diameter, 3) * model_.viscosity,
+    force[k] = drag(v[k], 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
+    torque[k] = drag(w[k], pi * std::pow(diameter, 3) * model_.viscosity,
                      model_.density * box[k] * (std::pow(a, 4) + std::pow(c, 4)) / 64);
   }
   nodes_.put(node, "force", nodes_.list({force[0], force[1], force[2]}, body.where));

@@ -29,6 +29,8 @@ class MjcfForceNodes {
   void add_followers(YamlNode& list);
   void add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull);
   void add_actuator(YamlNode& list, std::size_t actuator);
+  void add_turn_in_parent(YamlNode& list, const MjcfActuator& actuator, const std::string& force,
+                          const Eigen::Vector3d& torque);
   void add_borne_weight(YamlNode& list);
   void add_fluid(YamlNode& list);
   void add_fluid_on(YamlNode& list, std::size_t body);

@@ -45,6 +45,7 @@ struct MjcfPlace {
   std::string name;
   std::size_t body = 0;
   RigidPose pose;
+  bool of_mesh = false;  ///< the frame of a mesh, which MuJoCo moves to its centre of mass
   SourceLocation where;
 };
 
@@ -80,7 +81,6 @@ struct MjcfActuator {
   std::size_t of = 0;
   std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
   std::array<double, 3> gain{1, 0, 0}, bias{};
-  double damping_ratio = 0;  ///< of a position actuator, in place of bias[2]
   MjcfActivation activation = MjcfActivation::none;
   double time_constant = 1;
   std::optional<std::array<double, 2>> inputs, forces, activations;

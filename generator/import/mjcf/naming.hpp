@@ -59,6 +59,7 @@ class MjcfNaming {
   void name_joints(Warnings& warnings);
   void name_others();
   void find_followers(Warnings& warnings);
+  bool follows_straight(std::size_t joint) const;
   bool leads_to(std::size_t from, std::size_t to) const;
   void write_text(std::size_t joint);
 

@@ -35,11 +35,8 @@ void MjcfRelationNodes::add_function(std::vector<std::string>& equations,
                                      const MjcfEquality& equality) const {
   const std::array<double, 5>& p = equality.polynomial;
   const std::string own = naming_.from_reference(equality.first);
-  std::string value = sum_text({{p[0], ""}});
-  if (equality.second) {
-    const std::string x = factor_text(naming_.from_reference(*equality.second));
-    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
-  }
+  const std::string value =
+      equality.second ? polynomial_text(p, naming_.from_reference(*equality.second)) : number_text(p[0]);
   equations.push_back(fmt::format("{} - {}", own, factor_text(value)));
 }
 
@@ -53,11 +50,8 @@ void MjcfRelationNodes::add_tendons(std::vector<std::string>& equations, const M
     return reference == 0 ? text : fmt::format("{} - {}", text, factor_text(number_text(reference)));
   };
   const std::array<double, 5>& p = equality.polynomial;
-  std::string value = number_text(p[0]);
-  if (equality.second) {
-    const std::string x = factor_text(length(*equality.second));
-    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
-  }
+  const std::string value =
+      equality.second ? polynomial_text(p, length(*equality.second)) : number_text(p[0]);
   equations.push_back(fmt::format("{} - {}", length(equality.first), factor_text(value)));
 }
 
@@ -120,16 +114,6 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
   const auto vector = [&](const char* quantity, std::string(&out)[3]) {
     for (int k = 0; k < 3; ++k) out[k] = fmt::format("{}({}).{}", quantity, subject, kAxes[k]);
   };
-  const auto in_axes_of = [&](const std::string& frame, std::string(&v)[3]) {
-    std::string turned[3];
-    for (int k = 0; k < 3; ++k) {
-      const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
-                                  fmt::format("rotation({}).y{}", frame, kAxes[k]),
-                                  fmt::format("rotation({}).z{}", frame, kAxes[k])};
-      turned[k] = dot_text(row, v);
-    }
-    for (int k = 0; k < 3; ++k) v[k] = turned[k];
-  };
   std::string v[3];
   if (kind == "framepos") {
     vector("position", v);
@@ -165,8 +149,8 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
     }
     return add_output(list, name, value, sensor.where);
   }
-  if (sensor.reference) in_axes_of(naming_.frame(*sensor.reference), v);
-  if (kind == "gyro" || kind == "velocimeter") in_axes_of(subject, v);
+  if (sensor.reference) turn_into(naming_.frame(*sensor.reference), v);
+  if (kind == "gyro" || kind == "velocimeter") turn_into(subject, v);
   add_vector(list, name, v, sensor.where);
 }
 

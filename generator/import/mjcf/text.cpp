@@ -21,7 +21,8 @@ constexpr std::string_view kVitalMjcf[] = {
     "stiffness",   "springref", "ref",       "class",        "childclass", "gravity",   "angle",
     "equality",    "connect",   "weld",      "tendon",       "actuator",   "replicate", "frictionloss",
     "gravcomp",    "polycoef",  "eulerseq",  "gear",         "gainprm",    "biasprm",   "kp",
-    "kv",          "coef",      "anchor",    "springlength", "mesh"};
+    "kv",          "coef",      "anchor",    "springlength", "mesh",       "scale",     "refpos",
+    "refquat",     "vertex",    "face"};
 constexpr XmlFormat kMjcf{"mujoco", kVitalMjcf};
 
 constexpr std::size_t kMaximumFiles = 1000;
