@@ -67,14 +67,11 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
     }
   }
   const Eigen::Vector3d origin = asset.vector("refpos", Eigen::Vector3d::Zero());
-  const Eigen::Vector3d scale = asset.vector("scale", Eigen::Vector3d::Ones());
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   if (const std::vector<double> q = asset.list("refquat", 4, 4); !q.empty())
     turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
-  for (Eigen::Vector3d& v : out.vertices) v = scale.cwiseProduct(turn.conjugate() * (v - origin));
-  // What is mirrored is turned inside out.
-  if (scale.prod() < 0)
-    for (auto& triangle : out.triangles) std::swap(triangle[1], triangle[2]);
+  for (Eigen::Vector3d& v : out.vertices) v = (turn.conjugate() * (v - origin)).eval();
+  stretch(out, asset.vector("scale", Eigen::Vector3d::Ones()));
   return out;
 }
 

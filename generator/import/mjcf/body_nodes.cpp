@@ -66,8 +66,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
   };
   for (std::size_t k = 0; k < names.size(); ++k) {
     const bool quaternion = !single && k + 1 == names.size();
-    YamlNode& node = nodes_.mapping(where);
-    nodes_.put(node, "name", nodes_.text(names[k], where));
+    YamlNode& node = nodes_.add_named(list, names[k], where);
     if (quaternion) {
       nodes_.put(node, "type", nodes_.text("quaternion", where));
       const std::size_t at = free ? 3 : 0;
@@ -110,12 +109,9 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
       nodes_.put(node, "rest", nodes_.text(text(joint.rest), where));
     if (joint.effort) nodes_.put(node, "effort", nodes_.text(number_text(*joint.effort), where));
     if (options_.resistance && joint.friction != 0) {
-      YamlNode& friction = nodes_.mapping(where);
-      nodes_.put(friction, "force", nodes_.text(number_text(joint.friction), where));
-      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
-      nodes_.put(node, "friction", friction);
+      nodes_.put_friction(node, joint.friction, where);
     }
-    list.items.push_back(node.items.size() == 2 ? node.items[1] : &node);
+    if (node.items.size() == 2) list.items.back() = node.items[1];
   }
 }
 
@@ -173,37 +169,26 @@ void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
 
 void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
   const MjcfBody& body = model_.bodies[index];
-  YamlNode& node = nodes_.mapping(body.where);
-  nodes_.put(node, "name", nodes_.text(naming_.body(index), body.where));
+  YamlNode& node = nodes_.add_named(list, naming_.body(index), body.where);
   if (body.parent != 0) nodes_.put(node, "parent", nodes_.text(naming_.body(body.parent), body.where));
   YamlNode& factors = nodes_.sequence(body.where);
   add_joints(factors, body);
   if (!factors.items.empty()) nodes_.put(node, "transform", factors);
   add_mass(nodes_, node, body.mass, body.where);
   add_shapes(node, body);
-  list.items.push_back(&node);
 }
 
 void MjcfBodyNodes::add_scenery(YamlNode& list) const {
   if (!has_solid(model_.bodies[0].shapes)) return;
-  YamlNode& node = nodes_.mapping(model_.where);
   std::string name = "scenery";
   while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))
     name += "_of_world";
-  nodes_.put(node, "name", nodes_.text(name, model_.where));
-  add_shapes(node, model_.bodies[0]);
-  list.items.push_back(&node);
+  add_shapes(nodes_.add_named(list, name, model_.where), model_.bodies[0]);
 }
 
 void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body,
                               const RigidPose& pose, const SourceLocation& where) const {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(name, where));
-  nodes_.put(node, "body", nodes_.text(naming_.body(body), where));
-  YamlNode& factors = nodes_.sequence(where);
-  factors_.add_pose(factors, pose, where);
-  if (!factors.items.empty()) nodes_.put(node, "transform", factors);
-  list.items.push_back(&node);
+  factors_.add_frame(list, name, naming_.body(body), pose, where);
 }
 
 }  // namespace alembert

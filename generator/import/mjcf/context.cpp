@@ -196,7 +196,7 @@ void read_tendons(MjcfContext& context) {
     tendon.name = of.string("name");
     tendon.where = of.has("name") ? of.where("name") : of.where();
     for (const auto& [name, to] : {std::pair("stiffness", &tendon.stiffness), {"damping", &tendon.damping}}) {
-      const std::vector<double> values = of.list(name, 1, 3);
+      const std::vector<double> values = of.overlaid(name, 3);
       for (std::size_t i = 1; i < values.size(); ++i)
         if (values[i] != 0)
           throw of.error(name,

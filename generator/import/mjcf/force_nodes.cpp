@@ -30,20 +30,12 @@ std::string spring_energy(double stiffness, const std::string& length, const std
 
 }  // namespace
 
-YamlNode& MjcfForceNodes::add_named(YamlNode& list, const std::string& name,
-                                    const SourceLocation& where) const {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(name, where));
-  list.items.push_back(&node);
-  return node;
-}
-
 /// A force along a joint, which acts on the coordinate that it follows.
 void MjcfForceNodes::add_on(YamlNode& list, const std::string& name, std::size_t joint,
                             const std::string& value, const SourceLocation& where) {
   const JointText& text = naming_.text(joint);
   if (!text.base || (text.constant_slope && *text.constant_slope == 0)) return;
-  YamlNode& force = add_named(list, name, where);
+  YamlNode& force = nodes_.add_named(list, name, where);
   nodes_.put(force, "on", nodes_.text(naming_.coordinates(*text.base)[0], where));
   const std::string along = text.constant_slope ? product_text(*text.constant_slope, value)
                                                 : factor_text(text.slope) + "*" + factor_text(value);
@@ -63,7 +55,7 @@ void MjcfForceNodes::add_followers(YamlNode& list) {
       add_on(list, naming_.new_force(name + "_friction"), j, tanh_of(joint.friction, text.speed),
              joint.where);
     if (joint.stiffness == 0) continue;
-    YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), joint.where);
+    YamlNode& spring = nodes_.add_named(list, naming_.new_force(name + "_spring"), joint.where);
     nodes_.put(
         spring, "potential",
         nodes_.text(spring_energy(joint.stiffness, text.position, {joint.rest, joint.rest}), joint.where));
@@ -108,7 +100,7 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
                term.joint, product_text(term.factor, sum), of.where);
   } else {
     for (std::size_t b = 0; b < of.branches.size(); ++b) {
-      YamlNode& force = add_named(list, paths_[tendon][b], of.where);
+      YamlNode& force = nodes_.add_named(list, paths_[tendon][b], of.where);
       YamlNode& path = nodes_.sequence(of.where);
       const std::vector<std::size_t>& sites = of.branches[b].sites;
       for (std::size_t i = 0; i < sites.size(); ++i)
@@ -120,7 +112,7 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
     }
   }
   if (of.stiffness == 0) return;
-  YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), of.where);
+  YamlNode& spring = nodes_.add_named(list, naming_.new_force(name + "_spring"), of.where);
   nodes_.put(spring, "potential",
              nodes_.text(spring_energy(of.stiffness, length(tendon), of.rest), of.where));
 }
@@ -202,7 +194,7 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
   const std::string& name = naming_.actuator(actuator);
   const std::string force = law(actuator);
   if (of.through == MjcfTransmission::site) {
-    YamlNode& node = add_named(list, name, of.where);
+    YamlNode& node = nodes_.add_named(list, name, of.where);
     nodes_.put(node, "at", nodes_.text(naming_.frame(of.of), of.where));
     for (const auto& [key, first] : {std::pair("force", std::size_t{0}), {"torque", std::size_t{3}}}) {
       std::array<std::string, 3> entries;
@@ -227,7 +219,7 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
     bool first = true;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
       if (of.gear[k] == 0) continue;
-      YamlNode& node = add_named(list, first ? name : naming_.new_force(name), of.where);
+      YamlNode& node = nodes_.add_named(list, first ? name : naming_.new_force(name), of.where);
       nodes_.put(node, "on", nodes_.text(speeds[k], of.where));
       nodes_.put(node, "value", nodes_.text(product_text(of.gear[k], force), of.where));
       first = false;
@@ -253,12 +245,13 @@ void MjcfForceNodes::add_turn_in_parent(YamlNode& list, const MjcfActuator& of, 
     on_body[static_cast<std::size_t>(k)] = factor_text(sum_text(terms)) + "*" + factor_text(force);
     on_parent[static_cast<std::size_t>(k)] = torque[k] == 0 ? "0" : product_text(-torque[k], force);
   }
-  YamlNode& node = add_named(list, naming_.new_force(naming_.body(index) + "_turn"), of.where);
+  YamlNode& node = nodes_.add_named(list, naming_.new_force(naming_.body(index) + "_turn"), of.where);
   nodes_.put(node, "at", nodes_.text(own, of.where));
   nodes_.put(node, "axes", nodes_.text("world", of.where));
   nodes_.put(node, "torque", nodes_.list({on_body[0], on_body[1], on_body[2]}, of.where));
   if (body.parent == 0) return;
-  YamlNode& reaction = add_named(list, naming_.new_force(naming_.body(index) + "_turn_reaction"), of.where);
+  YamlNode& reaction =
+      nodes_.add_named(list, naming_.new_force(naming_.body(index) + "_turn_reaction"), of.where);
   nodes_.put(reaction, "at", nodes_.text(axes, of.where));
   nodes_.put(reaction, "torque", nodes_.list({on_parent[0], on_parent[1], on_parent[2]}, of.where));
 }
@@ -296,7 +289,7 @@ void MjcfForceNodes::add_inputs(YamlNode& list) const {
     // MuJoCo takes an input to the end of its range, too.
     double initial = model_.start_inputs.empty() ? 0 : model_.start_inputs[a];
     if (of.inputs) initial = std::clamp(initial, (*of.inputs)[0], (*of.inputs)[1]);
-    YamlNode& node = add_named(list, naming_.input(a), of.where);
+    YamlNode& node = nodes_.add_named(list, naming_.input(a), of.where);
     if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
     if (of.inputs)
       nodes_.put(node, "limits",
@@ -310,7 +303,7 @@ void MjcfForceNodes::add_states(YamlNode& list) const {
     const MjcfActuator& of = model_.actuators[a];
     if (of.activation == MjcfActivation::none || !acts(a)) continue;
     const std::string &input = naming_.input(a), &state = naming_.state(a);
-    YamlNode& node = add_named(list, state, of.where);
+    YamlNode& node = nodes_.add_named(list, state, of.where);
     nodes_.put(node, "rate",
                nodes_.text(of.activation == MjcfActivation::integrator
                                ? input
@@ -370,7 +363,7 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
     box[static_cast<std::size_t>(k)] = std::sqrt(std::max(kLeast, i.sum() - 2 * i[k]) / body.mass.mass * 6);
   const std::string frame = naming_.new_frame(naming_.body(b) + "_fluid");
   bodies_.add_frame(frames_, frame, b, body.mass.frame(Eigen::Quaterniond(axes)), body.where);
-  YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
+  YamlNode& node = nodes_.add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
   nodes_.put(node, "at", nodes_.text(frame, body.where));
   const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;
   std::array<std::string, 3> force, torque;

@@ -36,7 +36,6 @@ class MjcfForceNodes {
   void add_fluid_on(YamlNode& list, std::size_t body);
   void add_on(YamlNode& list, const std::string& name, std::size_t joint, const std::string& value,
               const SourceLocation& where);
-  YamlNode& add_named(YamlNode& list, const std::string& name, const SourceLocation& where) const;
   std::string law(std::size_t actuator) const;
   bool acts(std::size_t actuator) const;
   bool moves(std::size_t body) const;

@@ -76,23 +76,13 @@ void MjcfRelationNodes::add_constraints(YamlNode& list) {
       add_function(equations, equality);
     else
       add_tendons(equations, equality);
-    YamlNode& node = nodes_.mapping(equality.where);
-    nodes_.put(node, "name", nodes_.text(name, equality.where));
-    nodes_.put(node, "type", nodes_.text("holonomic", equality.where));
-    YamlNode& rows = nodes_.sequence(equality.where);
-    for (const std::string& equation : equations)
-      rows.items.push_back(&nodes_.text(equation, equality.where));
-    nodes_.put(node, "equations", rows);
-    list.items.push_back(&node);
+    nodes_.add_holonomic(list, name, equations, equality.where);
   }
 }
 
 void MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
                                    const SourceLocation& where) {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(naming_.new_output(name), where));
-  nodes_.put(node, "value", nodes_.text(value, where));
-  list.items.push_back(&node);
+  nodes_.put(nodes_.add_named(list, naming_.new_output(name), where), "value", nodes_.text(value, where));
 }
 
 void MjcfRelationNodes::add_vector(YamlNode& list, const std::string& name, const std::string (&values)[3],

@@ -217,7 +217,7 @@ void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
   }
   // Newer models may have the factors of higher powers behind the first.
   const auto first_only = [&](const char* name) {
-    const std::vector<double> values = of.list(name, 1, 3);
+    const std::vector<double> values = of.overlaid(name, 3);
     for (std::size_t i = 1; i < values.size(); ++i)
       if (values[i] != 0)
         throw of.error(name,

@@ -22,6 +22,14 @@ std::vector<std::string> split(std::string_view text) {
   return out;
 }
 
+/// Without white space around it.
+std::string text_of(pugi::xml_node element) {
+  const std::string_view value = element.child_value();
+  const std::size_t first = value.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return std::string(value.substr(first, value.find_last_not_of(kBlank) - first + 1));
+}
+
 }  // namespace
 
 OsimXml::OsimXml(const XmlText& xml) : xml_(xml) {
@@ -47,10 +55,7 @@ std::string OsimXml::title(pugi::xml_node element) {
 }
 
 std::string OsimXml::text(pugi::xml_node element, const char* property) {
-  const std::string_view value = element.child(property).child_value();
-  const std::size_t first = value.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(value.substr(first, value.find_last_not_of(kBlank) - first + 1));
+  return text_of(element.child(property));
 }
 
 std::string OsimXml::text(pugi::xml_node element, std::initializer_list<const char*> properties) {
@@ -68,13 +73,15 @@ bool OsimXml::is_blank(pugi::xml_node element) {
 }
 
 bool OsimXml::flag(pugi::xml_node element, const char* property, bool otherwise) const {
-  std::string value = text(element, property);
+  // Of the model's defaults, too.
+  const pugi::xml_node found = this->property(element, property);
+  std::string value = text_of(found);
   std::ranges::transform(value, value.begin(),
                          [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   if (value.empty()) return otherwise;
   if (value == "true" || value == "1") return true;
   if (value == "false" || value == "0") return false;
-  throw InputError(where(element.child(property)),
+  throw InputError(where(found),
                    fmt::format("expected true or false as <{}>, found '{}'", property, printable(value)));
 }
 
@@ -118,7 +125,7 @@ std::vector<double> OsimXml::numbers(pugi::xml_node element, std::size_t count) 
 
 std::vector<pugi::xml_node> OsimXml::objects(pugi::xml_node parent, const char* set) const {
   const pugi::xml_node found = parent.child(set);
-  if (const pugi::xml_attribute file = found.attribute("file"))
+  if (const pugi::xml_attribute file = found.attribute("file"); file.value()[0] != '\0')
     throw InputError(
         xml_.where(file),
         fmt::format("<{}> stands in another file, '{}', which is not read", set, printable(file.value())),

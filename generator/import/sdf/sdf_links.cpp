@@ -150,10 +150,7 @@ class SdfLinkReader {
                        fmt::format("'{}' {}", printable(SdfFiles::text(uri)), error.what()),
                        "inertias follow from it");
     }
-    const Eigen::Vector3d scale = files_.vector(mesh, "scale", Eigen::Vector3d::Ones());
-    for (Eigen::Vector3d& vertex : triangles.vertices) vertex = scale.cwiseProduct(vertex);
-    if (scale.prod() < 0)
-      for (auto& triangle : triangles.triangles) std::swap(triangle[1], triangle[2]);
+    stretch(triangles, files_.vector(mesh, "scale", Eigen::Vector3d::Ones()));
     const BodyMass out = mass_properties(triangles, MeshVolume::exact);
     if (!(out.mass > 0))
       throw InputError(files_.where_text(uri), fmt::format("'{}' encloses no volume, or is turned inside out",
