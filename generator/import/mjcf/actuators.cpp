@@ -149,11 +149,10 @@ double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
   const MjcfJoint& of = model.joints[joint];
   const RigidPose at = reference_pose(model, of.body);
   const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = (at * of.anchor).shift;
-  std::vector<bool> moves(model.bodies.size(), false);
   double sum = of.armature;
+  // What a body carries comes right behind it.
   for (std::size_t b = of.body; b < model.bodies.size(); ++b) {
-    moves[b] = b == of.body || moves[model.bodies[b].parent];
-    if (!moves[b]) continue;
+    if (b != of.body && model.bodies[b].parent < of.body) break;
     const RigidPose pose = reference_pose(model, b);
     const BodyMass mass = model.bodies[b].mass.moved(pose);
     sum += of.type == MjcfJointType::slide

@@ -258,6 +258,10 @@ void MjcfForceNodes::add_turn_in_parent(YamlNode& list, const MjcfActuator& of, 
 
 void MjcfForceNodes::add_forces(YamlNode& list) {
   add_followers(list);
+  std::vector<std::vector<std::size_t>> pulling(model_.tendons.size());
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a)
+    if (model_.actuators[a].through == MjcfTransmission::tendon && acts(a))
+      pulling[model_.actuators[a].of].push_back(a);
   for (std::size_t t = 0; t < model_.tendons.size(); ++t) {
     // Names of its branches stand in the laws of its actuators.
     const MjcfTendon& of = model_.tendons[t];
@@ -268,11 +272,8 @@ void MjcfForceNodes::add_forces(YamlNode& list) {
                                : naming_.new_force(fmt::format("{}_branch{}", naming_.tendon(t), b + 1)));
     }
     std::string pull;
-    for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
-      const MjcfActuator& actuator = model_.actuators[a];
-      if (actuator.through != MjcfTransmission::tendon || actuator.of != t || !acts(a)) continue;
-      pull += (pull.empty() ? "" : " + ") + product_text(actuator.gear[0], law(a));
-    }
+    for (const std::size_t a : pulling[t])
+      pull += (pull.empty() ? "" : " + ") + product_text(model_.actuators[a].gear[0], law(a));
     add_tendon(list, t, pull);
   }
   for (std::size_t a = 0; a < model_.actuators.size(); ++a)
