@@ -67,7 +67,6 @@ constexpr std::string_view kVitalSdf[] = {"world",
 constexpr XmlFormat kSdf{"sdf", kVitalSdf};
 
 constexpr std::size_t kMaximumSdfIncludes = 1000;
-constexpr std::string_view kSdfBlank = " \t\r\n";
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),
@@ -233,10 +232,7 @@ std::optional<fs::path> SdfFiles::drawn_file(pugi::xml_node uri) const {
 }
 
 std::string SdfFiles::text(pugi::xml_node element) {
-  const std::string_view value = element.child_value();
-  const std::size_t first = value.find_first_not_of(kSdfBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(value.substr(first, value.find_last_not_of(kSdfBlank) - first + 1));
+  return text_of_element(element);
 }
 
 double SdfFiles::number(pugi::xml_node element, const char* child, double otherwise) const {

@@ -104,7 +104,14 @@ class SdfLinkReader {
       }
     }
     if (mass == 0 && !inertia) matrix.setZero();
-    const RigidPose pose = files_.pose(inertial.child("pose"));
+    const pugi::xml_node own = inertial.child("pose");
+    if (own.attribute("relative_to").value()[0] != '\0')
+      files_.warn({files_.where(own, "relative_to"),
+                   fmt::format("the inertial of {} lies in the link's own frame; relative_to is passed over",
+                               sdf_title(node)),
+                   {},
+                   "relative inertial"});
+    const RigidPose pose = files_.pose(own);
     link_.mass = BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose);
   }
 
