@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -351,12 +350,7 @@ void MjcfForceNodes::add_fluid(YamlNode& list) {
 /// On a box of the body's inertia, as MuJoCo has it.
 void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
   const MjcfBody& body = model_.bodies[b];
-  Eigen::Matrix3d axes;
-  if (body.inertial_turn)
-    axes = body.inertial_turn->toRotationMatrix();
-  else
-    axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.mass.inertia).eigenvectors();
-  if (axes.determinant() < 0) axes.col(2) *= -1;
+  const Eigen::Matrix3d axes = body.inertial_turn->toRotationMatrix();
   const Eigen::Vector3d i = (axes.transpose() * body.mass.inertia * axes).diagonal();
   constexpr double kLeast = 1e-15;  // MuJoCo's own, kg m^2
   std::array<double, 3> box;

@@ -57,6 +57,12 @@ const MjcfGeom* only_geom_with_mass(const std::vector<MjcfGeom>& geoms, const Mj
   return out;
 }
 
+Eigen::Quaterniond principal_turn(const BodyMass& mass) {
+  Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(mass.inertia).eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) *= -1;
+  return Eigen::Quaterniond(axes);
+}
+
 BodyMass corrected(BodyMass mass, const MjcfCompiler& compiler, const SourceLocation& where,
                    const std::string& what) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(mass.inertia);

@@ -16,6 +16,9 @@ BodyMass mass_of_geoms(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& c
 /// The one of them that has mass; none if more have, or none has.
 const MjcfGeom* only_geom_with_mass(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& compiler);
 
+/// The axes of an inertia.
+Eigen::Quaterniond principal_turn(const BodyMass& mass);
+
 /// With the least mass and inertia that the compiler asks for, and balanced. Throws InputError at `where` at an
 /// inertia that no body can have, as MuJoCo does.
 BodyMass corrected(BodyMass mass, const MjcfCompiler& compiler, const SourceLocation& where,

@@ -30,10 +30,11 @@ struct MjcfJoint {
 struct MjcfBody {
   std::string name;
   std::size_t parent = 0;
-  RigidPose pose;                                   ///< in its parent, where no joint has moved
-  BodyMass mass;                                    ///< in its own frame
-  std::optional<Eigen::Quaterniond> inertial_turn;  ///< axes of its inertia, if the model says them
-  double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
+  RigidPose pose;  ///< in its parent, where no joint has moved
+  BodyMass mass;   ///< in its own frame
+  std::optional<Eigen::Quaterniond>
+      inertial_turn;      ///< axes of its inertia before it was corrected; none of the world
+  double weightless = 0;  ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
   std::vector<PlacedShape> shapes;

@@ -181,6 +181,13 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element) {
     body.mass = read_inertial(inertial, given->second.frame, compiler_);
     if (inertial.has("diaginertia")) body.inertial_turn = given->second.frame.turn * compiler_.turn(inertial);
   }
+  // What MuJoCo gives to a body that says nothing of its mass (boundmass) lies as far from it as it from its parent.
+  if (body.mass.mass == 0 && given == inertials_.end()) {
+    const RigidPose said = compiler_.pose(element);
+    body.mass.centre = said.shift;
+    body.inertial_turn = said.turn;
+  }
+  if (!body.inertial_turn) body.inertial_turn = principal_turn(body.mass);
   body.mass = corrected(body.mass, compiler_, body.where, element.what());
 }
 
