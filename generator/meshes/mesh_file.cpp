@@ -79,13 +79,12 @@ MeshSurface surface_of(const aiScene& scene, const aiMesh& mesh, const Eigen::Af
       out.normals.push_back(normal.allFinite() ? normal : Eigen::Vector3d::UnitZ());
     }
   }
-  const bool mirrored = place.linear().determinant() < 0;
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
     if (face.mNumIndices != 3) continue;
     out.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
-    if (mirrored) std::swap(out.triangles.back()[1], out.triangles.back()[2]);
   }
+  if (place.linear().determinant() < 0) turn_over(out.triangles);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace alembert {
@@ -17,6 +18,12 @@ struct MeshSurface {
   std::vector<std::array<std::size_t, 3>> triangles;
   std::optional<std::array<double, 3>> color;  ///< red green blue, 0 to 1
 };
+
+/// A surface that was mirrored, inside out again: corners of its triangles in the opposite order.
+template <class Triangles>
+void turn_over(Triangles& triangles) {
+  for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
+}
 
 enum class MeshNormals {
   none,    ///< every vertex as it stands in the file

@@ -46,7 +46,6 @@ Mesh drawn(const MeshSurface& surface, std::size_t triangles, const Eigen::Vecto
   out.closed = false;  // files promise nothing
   constexpr std::uint32_t kUnused = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(surface.vertices.size(), kUnused);
-  const bool mirrored = scale.prod() < 0;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -58,9 +57,9 @@ Mesh drawn(const MeshSurface& surface, std::size_t triangles, const Eigen::Vecto
       }
       triangle[k] = place[v];
     }
-    if (mirrored) std::swap(triangle[1], triangle[2]);
     out.triangles.push_back(triangle);
   }
+  if (scale.prod() < 0) turn_over(out.triangles);
   const auto finite = [](const Eigen::Vector3f& v) { return v.allFinite(); };
   if (!std::ranges::all_of(out.positions, finite) || !std::ranges::all_of(out.normals, finite))
     throw std::runtime_error("has points that are not finite");

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "meshes/mesh_file.hpp"
 #include "viewer/mesh.hpp"
 
 namespace alembert {
@@ -103,7 +104,7 @@ Mesh mesh_of(const Grid& grid) {
 }
 
 void turn_inside_out(Mesh& mesh) {
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  turn_over(mesh.triangles);
   for (Eigen::Vector3f& normal : mesh.normals) normal = -normal;
 }
 

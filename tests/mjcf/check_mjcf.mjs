@@ -342,6 +342,8 @@ function compare(alembert, model) {
   for (let j = 0; j < m.njnt; ++j) m.jnt_actfrcrange.set([-1e9, 1e9], 2 * j);
   const following = followers(m, names_in(description, "coordinates"));
   const inputs = new Set(names_in(description, "inputs")), states = new Set(names_in(description, "states"));
+  // Where every sensor is taken.
+  const outputs = names_in(description, "outputs").length, sensors = outputs > 0 && outputs === m.nsensordata;
   const lines = [], expected = [];
   for (let s = 0; s < kStates; ++s) {
     const free = random_state(m, following), { G, drift, qpos, qvel } = project(m, following, free);
@@ -360,6 +362,7 @@ function compare(alembert, model) {
       if (states.has(`${name}_activation`)) state.states[`${name}_activation`] = d.act[at];
     }
     mujoco.mj_forward(m, d);
+    const sensed = Array.from(d.sensordata);
     const nv = m.nv, { M: values, friction, c } = mass_and_bias(m, d);
     const qacc = drift.map((x, i) => x + sum(free.length, (k) => G[i][k] * udot[k]));
     const scale = Math.max(largest(d.qfrc_bias), largest(d.qfrc_passive), largest(d.qfrc_actuator), 1e-3);
@@ -374,10 +377,10 @@ function compare(alembert, model) {
     expected.push({
       tau: onto(tau), c: onto(times(drift).map((x, i) => x + c[i])), scale: Math.max(scale, largest(tau)),
       M: free.dofs.map((_, r) => free.dofs.map((_, k) => sum(nv, (i) => G[i][r] * MG[i][k]))),
-      energy: [d.energy[1], d.energy[0]],
+      energy: [d.energy[1], d.energy[0]], sensed,
     });
   }
-  const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", "inverse_dynamics,mass_matrix_and_bias,energy"], lines.join("\n") + "\n");
+  const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", `inverse_dynamics,mass_matrix_and_bias,energy${sensors ? ",outputs" : ""}`], lines.join("\n") + "\n");
   let worst = 0;
   const close = (what, found, wanted, scale) => {
     assert.equal(found.length, wanted.length, `${what} has ${found.length} entries, not ${wanted.length}`);
@@ -392,10 +395,11 @@ function compare(alembert, model) {
     close("M", found.mass_matrix_and_bias.M.flat(), wanted.M.flat(), largest(wanted.M.flat()));
     close("c", found.mass_matrix_and_bias.c, wanted.c, wanted.scale);
     close("tau", found.inverse_dynamics.tau, wanted.tau, wanted.scale);
+    if (sensors) close("sensors", Object.values(found.outputs).flat(), wanted.sensed, Math.max(1, largest(wanted.sensed)));
     close("energy", Object.values(found.energy).flat(), wanted.energy, Math.max(1, largest(wanted.energy)));
   });
   const equalities = compare_equalities(alembert, model, m, d, following, inputs, states, close);
-  const summary = `${m.nbody - 1} bodies, ${m.nv} speeds, ${following.size} joints follow, ${equalities} comparisons of equalities, error ${worst.toExponential(1)}`;
+  const summary = `${m.nbody - 1} bodies, ${m.nv} speeds, ${following.size} joints follow, ${sensors ? outputs : 0} outputs, ${equalities} comparisons of equalities, error ${worst.toExponential(1)}`;
   d.delete();
   m.delete();
   return summary;

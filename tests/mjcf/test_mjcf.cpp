@@ -1,5 +1,6 @@
 // MJCF files in, descriptions out: whole texts to the letter, what each bad file is told, and that none asks for more
 // than its own folder.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,6 +59,19 @@ TEST(MjcfStdin, HasNoFolder) {
   EXPECT_THROW(import(model_of(model("<include file='leg.xml'/>"))), InputError);
 }
 
+TEST(Mjcf, LinksDoNotLeadOutOfItsFolder) {
+  const test::FolderWithLinks folder("mjcf", "<mujoco/>");
+  for (const char* file : {"out.txt", "within/../out.txt"}) {
+    const std::string text = model(kBody, std::string("<include file='") + file + "'/>");
+    try {
+      import(model_of(text, folder.file("model.xml")));
+      ADD_FAILURE() << file;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.message(), testing::HasSubstr("lies outside"));
+    }
+  }
+}
+
 /// What a text is told that asks for a great deal, within some seconds of the processor.
 std::string refusal(const std::string& text) {
   const std::clock_t began = std::clock();
@@ -85,6 +99,24 @@ TEST(MjcfBombs, AreRefused) {
   EXPECT_THAT(refusal("<!DOCTYPE m [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;'>]>" +
                       model("<body name='&b;'><joint/><geom size='&b;'/></body>")),
               testing::HasSubstr("expected 1 to 3 numbers"));
+}
+
+TEST(MjcfBombs, LongChainsOfFollowersAreCut) {
+  constexpr int kCount = 20000;
+  std::string bodies, equalities;
+  for (int i = 0; i < kCount; ++i) {
+    bodies += fmt::format("<body name='b{0}'><joint name='j{0}'/><geom size='0.1' pos='1 0 0'/></body>", i);
+    if (i > 0) equalities += fmt::format("<joint joint1='j{}' joint2='j{}' polycoef='0 1 0.1'/>", i - 1, i);
+  }
+  Warnings warnings;
+  const std::clock_t began = std::clock();
+  const DescribedRobot described =
+      describe_source(model_of("<mujoco><worldbody>" + bodies + "</worldbody><equality>" + equalities +
+                               "</equality></mujoco>"),
+                      {}, warnings);
+  EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 20);
+  EXPECT_THAT(described.summary,
+              testing::HasSubstr("of the joints 19801 as functions of others, 198 constraints"));
 }
 
 TEST(MjcfLengths, AreOfAnySize) {

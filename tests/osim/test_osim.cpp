@@ -109,6 +109,27 @@ TEST(Osim, TakesWhatTheDefaultsOfATypeSay) {
   EXPECT_THAT(text, HasSubstr("mass: 3\n"));
 }
 
+TEST(Osim, TakesFlagsOfDefaultsAndSetsOfItsOwnFile) {
+  const std::string good = "<mass>1</mass><inertia>1 1 1 0 0 0</inertia>";
+  const std::string force =
+      "<ForceSet file=''><objects><CoordinateActuator name='a'><coordinate>q</coordinate>"
+      "</CoordinateActuator></objects></ForceSet>";
+  EXPECT_THAT(described(pendulum(good, force)).text, HasSubstr("forces:"));
+  const std::string disabled =
+      "<defaults><CoordinateActuator "
+      "name='default'><isDisabled>true</isDisabled></CoordinateActuator></defaults>";
+  EXPECT_THAT(described(pendulum(good, disabled + force)).text, testing::Not(HasSubstr("forces:")));
+}
+
+TEST(Osim, TakesTextsWithCommentsInThem) {
+  EXPECT_THAT(
+      described(
+          pendulum(
+              "<mass><!-- in kg -->3<!-- as weighed --></mass><inertia>1 2 <!-- z --> 2 0 0 0</inertia>"))
+          .text,
+      testing::AllOf(HasSubstr("mass: 3\n"), HasSubstr("yy: 2")));
+}
+
 // A hundred thousand elements within each other.
 TEST(Osim, IsNotDeeperThanTheStack) {
   std::string deep;

@@ -91,6 +91,27 @@ TEST(Sdf, ResistanceMayBeLeftOut) {
   EXPECT_THAT(import(file_of(text), options).text, HasSubstr("coordinates: [j]"));
 }
 
+TEST(Sdf, TextsMayHaveCommentsInThem) {
+  EXPECT_THAT(
+      import(file_of(model("<link name='l'><pose>0 0 1 <!-- up --> 0 0 0</pose><inertial><mass><!-- kg "
+                           "-->3<!-- as weighed --></mass></inertial></link>")))
+          .text,
+      testing::AllOf(HasSubstr("mass: 3\n"), HasSubstr("{name: l_z, initial: 1}")));
+}
+
+TEST(Sdf, LinksDoNotLeadOutOfItsFolder) {
+  const test::FolderWithLinks folder("sdf", model(kLink));
+  for (const char* uri : {"out.txt", "within/../out.txt", "model"}) {
+    const std::string text = model(std::string("<include><uri>") + uri + "</uri></include>");
+    try {
+      import(file_of(text, folder.file("model.sdf")));
+      ADD_FAILURE() << uri;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.message(), HasSubstr("lies outside"));
+    }
+  }
+}
+
 TEST(SdfLengths, AreOfAnySize) {
   test::expect_the_same_however_small("model.sdf", R"(<sdf version='1.10'><model name='m'>
     <pose>@0.1 @0.2 @0.3 0.3 0.2 0.1</pose>

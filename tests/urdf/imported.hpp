@@ -1,8 +1,11 @@
 // A robot's file in another format in; its description and what is told about it out, as `import` has them.
 #pragma once
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -41,6 +44,33 @@ inline std::string warnings_of(const Imported& imported, const std::filesystem::
   for (const std::string& warning : imported.warnings) text += without_folder(warning, file) + "\n";
   return text;
 }
+
+/// A folder with links that lead out of it: out.txt to a file, model to a folder with a model.sdf, and within to a folder
+/// in it, from which `..` leads elsewhere.
+class FolderWithLinks {
+ public:
+  FolderWithLinks(const std::string& name, const std::string& text)
+      : root_(std::filesystem::temp_directory_path() /
+              ("alembert_links_" + name + std::to_string(getpid()))) {
+    namespace fs = std::filesystem;
+    fs::create_directories(root_ / "inside/deep/deeper");
+    fs::create_directories(root_ / "outside");
+    for (const char* file : {"outside/secret.txt", "outside/model.sdf", "inside/deep/out.txt"})
+      std::ofstream(root_ / file) << text;
+    fs::create_symlink(root_ / "outside/secret.txt", root_ / "inside/out.txt");
+    fs::create_directory_symlink(root_ / "inside/deep/deeper", root_ / "inside/within");
+    fs::create_directories(root_ / "inside/model");
+    fs::create_symlink(root_ / "outside/model.sdf", root_ / "inside/model/model.sdf");
+  }
+  ~FolderWithLinks() { std::filesystem::remove_all(root_); }
+  FolderWithLinks(const FolderWithLinks&) = delete;
+  FolderWithLinks& operator=(const FolderWithLinks&) = delete;
+  /// Of the folder, whether it is there or not.
+  std::string file(const char* name) const { return (root_ / "inside" / name).string(); }
+
+ private:
+  std::filesystem::path root_;
+};
 
 /// Whether both trees have the same kinds and texts.
 inline bool same(const YamlNode& a, const YamlNode& b) {

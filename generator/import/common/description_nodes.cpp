@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "import/common/described.hpp"
+#include "import/common/fit_names.hpp"
 #include "import/common/snapped_angle.hpp"
 
 namespace alembert {
@@ -37,6 +39,38 @@ const YamlNode& DescriptionNodes::numbers(const std::array<double, 3>& values, c
 void DescriptionNodes::put(YamlNode& mapping, std::string key, const YamlNode& value) {
   mapping.items.push_back(&text(std::move(key), {nullptr, value.line, value.column}));
   mapping.items.push_back(&value);
+}
+
+YamlNode& DescriptionNodes::add_named(YamlNode& list, std::string name, const SourceLocation& where) {
+  YamlNode& node = mapping(where);
+  put(node, "name", text(std::move(name), where));
+  list.items.push_back(&node);
+  return node;
+}
+
+void DescriptionNodes::put_friction(YamlNode& coordinate, double force, const SourceLocation& where) {
+  YamlNode& friction = mapping(where);
+  put(friction, "force", text(number_text(force), where));
+  put(friction, "velocity", text(number_text(kFrictionVelocity), where));
+  put(coordinate, "friction", friction);
+}
+
+void DescriptionNodes::add_holonomic(YamlNode& list, std::string name,
+                                     const std::vector<std::string>& equations, const SourceLocation& where) {
+  YamlNode& node = add_named(list, std::move(name), where);
+  put(node, "type", text("holonomic", where));
+  YamlNode& rows = sequence(where);
+  for (const std::string& equation : equations) rows.items.push_back(&text(equation, where));
+  put(node, "equations", rows);
+}
+
+YamlNode& DescriptionNodes::root(const std::string& name, std::string description,
+                                 const SourceLocation& where) {
+  YamlNode& out = mapping(where);
+  put(out, "alembert", text("1", where));
+  put(out, "name", text(fit_mechanism_name(name), where));
+  put(out, "description", text(std::move(description), where));
+  return out;
 }
 
 const YamlNode& DescriptionNodes::single(std::string key, const YamlNode& value) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mechanism/document.hpp"
 
@@ -25,6 +26,15 @@ class DescriptionNodes {
   const YamlNode& numbers(const std::array<double, 3>& values, const SourceLocation& where);
   /// Adds a key, at the place of its value.
   void put(YamlNode& mapping, std::string key, const YamlNode& value);
+  /// Appends a mapping that begins with a name.
+  YamlNode& add_named(YamlNode& list, std::string name, const SourceLocation& where);
+  /// A coordinate's friction, of this force.
+  void put_friction(YamlNode& coordinate, double force, const SourceLocation& where);
+  /// Appends a holonomic constraint: all of the equations are 0.
+  void add_holonomic(YamlNode& list, std::string name, const std::vector<std::string>& equations,
+                     const SourceLocation& where);
+  /// The whole description, which begins with its version, its name, made fit, and what it is of.
+  YamlNode& root(const std::string& name, std::string description, const SourceLocation& where);
   /// {key: value}
   const YamlNode& single(std::string key, const YamlNode& value);
 

@@ -25,12 +25,10 @@ void add_mass(DescriptionNodes& nodes, YamlNode& body, const BodyMass& mass, con
 
 void add_borne_weight(DescriptionNodes& nodes, YamlNode& forces, const std::string& name,
                       const std::string& frame, const Eigen::Vector3d& lift, const SourceLocation& where) {
-  YamlNode& node = nodes.mapping(where);
-  nodes.put(node, "name", nodes.text(name, where));
+  YamlNode& node = nodes.add_named(forces, name, where);
   nodes.put(node, "at", nodes.text(frame, where));
   nodes.put(node, "axes", nodes.text("world", where));
   nodes.put(node, "force", nodes.numbers({lift.x(), lift.y(), lift.z()}, where));
-  forces.items.push_back(&node);
 }
 
 }  // namespace alembert

@@ -116,6 +116,15 @@ void TransformFactors::add_free(YamlNode& factors, const std::vector<std::string
   factors.items.push_back(&nodes_.single("joint", node));
 }
 
+void TransformFactors::add_frame(YamlNode& frames, const std::string& name, const std::string& body,
+                                 const RigidPose& pose, const SourceLocation& where) const {
+  YamlNode& node = nodes_.add_named(frames, name, where);
+  nodes_.put(node, "body", nodes_.text(body, where));
+  YamlNode& factors = nodes_.sequence(where);
+  add_pose(factors, pose, where);
+  if (!factors.items.empty()) nodes_.put(node, "transform", factors);
+}
+
 const YamlNode& TransformFactors::axis(const Vector& vector, const SourceLocation& where) const {
   const Vector clean = without_rounding(vector);
   const std::optional<std::size_t> along = coordinate_axis_of(clean);

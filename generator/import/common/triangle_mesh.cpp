@@ -39,6 +39,11 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file) {
   return out;
 }
 
+void stretch(TriangleMesh& mesh, const Eigen::Vector3d& factors) {
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = factors.cwiseProduct(vertex);
+  if (factors.prod() < 0) turn_over(mesh.triangles);
+}
+
 BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how) {
   // About the middle of the surface, where the tips of pyramids cancel least.
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();

@@ -24,6 +24,9 @@ enum class MeshVolume {
 /// All triangles of a file (meshes/mesh_file.hpp). Throws std::runtime_error, in words.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
 
+/// Stretches it along its axes; by a negative factor it is mirrored, and its triangles turn outwards again.
+void stretch(TriangleMesh& mesh, const Eigen::Vector3d& factors);
+
 /// Of unit density, the mass being the volume, or the area of a shell.
 BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how);
 

@@ -38,6 +38,16 @@ std::string without_quotes(std::string_view message) {
 
 }  // namespace
 
+std::string text_of_element(pugi::xml_node element) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  std::string out;
+  for (const pugi::xml_node part : element.children())
+    if (part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata) out += part.value();
+  const std::size_t first = out.find_first_not_of(kBlank);
+  if (first == std::string::npos) return {};
+  return out.substr(first, out.find_last_not_of(kBlank) - first + 1);
+}
+
 XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, const XmlFormat& format)
     : format_(format),
       source_(std::move(source)),
@@ -193,7 +203,7 @@ std::vector<double> XmlText::number_list(pugi::xml_attribute attribute, std::str
 
 std::vector<double> XmlText::number_list(pugi::xml_node element, std::string_view what, std::size_t least,
                                          std::size_t most) const {
-  return number_list(element.child_value(), where_text(element), what, least, most);
+  return number_list(text_of_element(element), where_text(element), what, least, most);
 }
 
 std::vector<double> XmlText::number_list(std::string_view text, const SourceLocation& where,

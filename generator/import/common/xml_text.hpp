@@ -28,6 +28,9 @@ struct XmlFormat {
   std::span<const std::string_view> vital;
 };
 
+/// The text of an element, which comments may split; without white space around it.
+std::string text_of_element(pugi::xml_node element);
+
 /// A parsed XML text.
 class XmlText {
  public:

@@ -17,9 +17,11 @@ struct Law {
   enum Kind { fixed, affine, none, other };
   Kind gain_type = fixed, bias_type = none;
   std::array<double, 3> gain{1, 0, 0}, bias{};
-  double damping_ratio = 0, time_constant = 1, inherit_range = 0;
+  double time_constant = 1, inherit_range = 0;
   std::size_t dynamics = 0;  ///< none, integrator, filter, filterexact, muscle, user
-  bool limited_activation = false;
+
+  /// MuJoCo keeps a damping ratio where the factor of velocity is, which is negative where it is none.
+  double damping_ratio() const { return gain[0] == -bias[1] && bias[2] > 0 ? bias[2] : 0; }
   std::string left_out;  ///< what cannot be expressed
 };
 
@@ -48,19 +50,17 @@ void apply_general(const MjcfElement& of, Law& law) {
 void apply_servo(const MjcfElement& of, Law& law, bool integrates) {
   const double kp = of.number("kp", law.gain[0]);
   law.gain = {kp, 0, 0};
-  law.bias[0] = 0;
   law.bias[1] = -kp;
   if (of.has("kv")) law.bias[2] = -of.number("kv", 0);
-  if (of.has("dampratio")) law.damping_ratio = of.number("dampratio", 0);
+  if (of.has("dampratio")) law.bias[2] = of.number("dampratio", 0);
   law.gain_type = Law::fixed;
   law.bias_type = Law::affine;
   law.inherit_range = of.number("inheritrange", law.inherit_range);
   if (integrates) {
     law.dynamics = 1;
-    law.limited_activation = true;
   } else if (of.has("timeconst")) {
     law.time_constant = of.number("timeconst", 0);
-    law.dynamics = law.time_constant == 0 ? 0 : 3;
+    law.dynamics = law.time_constant == 0 ? 0 : 3;  // filterexact
   }
 }
 
@@ -98,6 +98,8 @@ void apply(const MjcfElement& of, Law& law) {
     law.bias_type = Law::affine;
     law.dynamics = 2;
   } else {
+    // What is inside of such a class has the same law, unless it says another.
+    law.gain_type = law.bias_type = Law::other;
     law.left_out = fmt::format("<{}>", printable(kind));
   }
 }
@@ -114,11 +116,19 @@ Law law_of(const MjcfContext& context, const MjcfElement& of) {
 }
 
 /// What it acts through, or why it cannot be expressed.
-std::string find_target(MjcfContext& context, const MjcfElement& of, MjcfActuator& actuator) {
+std::string find_target(MjcfContext& context, const MjcfElement& of, const Law& law, MjcfActuator& actuator) {
   if (of.has("joint") || of.has("jointinparent")) {
     actuator.in_parent = !of.has("joint");
     actuator.of =
         context.find(of, actuator.in_parent ? "jointinparent" : "joint", "joint", context.tree.joints);
+    const MjcfJoint& joint = context.model.joints[actuator.of];
+    if (speed_count(joint.type) == 1) return "";
+    const bool of_length = law.gain[1] != 0 || law.bias[1] != 0,
+               of_speed = law.gain[2] != 0 || law.bias[2] != 0;
+    if (joint.type == MjcfJointType::ball && of_length) return "the rotation of a ball joint as its length";
+    if (actuator.in_parent && of_speed) return "a speed in the axes of the parent";
+    if (actuator.in_parent && context.model.bodies[joint.body].joints[0] != actuator.of)
+      return "the axes of a parent that other joints of the body turn";
     return "";
   }
   if (of.has("tendon")) {
@@ -139,11 +149,10 @@ double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
   const MjcfJoint& of = model.joints[joint];
   const RigidPose at = reference_pose(model, of.body);
   const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = (at * of.anchor).shift;
-  std::vector<bool> moves(model.bodies.size(), false);
   double sum = of.armature;
+  // What a body carries comes right behind it.
   for (std::size_t b = of.body; b < model.bodies.size(); ++b) {
-    moves[b] = b == of.body || moves[model.bodies[b].parent];
-    if (!moves[b]) continue;
+    if (b != of.body && model.bodies[b].parent < of.body) break;
     const RigidPose pose = reference_pose(model, b);
     const BodyMass mass = model.bodies[b].mass.moved(pose);
     sum += of.type == MjcfJointType::slide
@@ -153,14 +162,26 @@ double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
   return sum;
 }
 
+/// A range as wide as that of its joint, or narrower: of the input, or of what integrates it.
+void inherit_range(const MjcfContext& context, const Law& law, MjcfActuator& actuator) {
+  if (!(law.inherit_range > 0) || actuator.through != MjcfTransmission::joint) return;
+  const std::optional<std::array<double, 2>>& limits = context.model.joints[actuator.of].limits;
+  if (!limits) return;
+  const double middle = ((*limits)[0] + (*limits)[1]) / 2,
+               half = ((*limits)[1] - (*limits)[0]) / 2 * law.inherit_range;
+  (law.dynamics == 1 ? actuator.activations : actuator.inputs) = std::array{middle - half, middle + half};
+}
+
 void read_actuator(MjcfContext& context, pugi::xml_node node) {
   const MjcfElement of = context.defaults.element(node, kTags, {});
-  const Law law = law_of(context, of);
+  Law law = law_of(context, of);
+  if (law.gain_type == Law::fixed) law.gain[1] = law.gain[2] = 0;
+  if (law.bias_type == Law::none) law.bias = {};
   MjcfActuator actuator;
   actuator.name = of.string("name");
   actuator.where = of.has("name") ? of.where("name") : of.where();
   std::string left_out = law.left_out;
-  if (left_out.empty()) left_out = find_target(context, of, actuator);
+  if (left_out.empty()) left_out = find_target(context, of, law, actuator);
   if (left_out.empty() && (of.number("armature", 0) != 0 || of.list("damping", 1, 3) > std::vector{0.0}))
     throw of.error("armature", fmt::format("armature and damping of {} itself are not taken", of.what()),
                    "those of joints are");
@@ -171,29 +192,37 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
          "its force is not in the equations; what it exerts is part of tau", "actuator " + left_out});
     return;
   }
-  const std::vector<double> gear = of.list("gear", 1, 6);
+  const std::vector<double> gear = of.overlaid("gear", 6);
   std::ranges::copy(gear, actuator.gear.begin());
   actuator.gain = law.gain;
-  if (law.gain_type == Law::fixed) actuator.gain[1] = actuator.gain[2] = 0;
-  if (law.bias_type == Law::affine) actuator.bias = law.bias;
+  actuator.bias = law.bias;
   actuator.activation = law.dynamics == 0   ? MjcfActivation::none
                         : law.dynamics == 1 ? MjcfActivation::integrator
                                             : MjcfActivation::filter;
   actuator.time_constant = law.time_constant;
+  if (law.dynamics > 1 && !(law.time_constant > 0))
+    throw of.error("dynprm", fmt::format("the time constant of {} is {}; expected a positive number",
+                                         of.what(), law.time_constant));
+  if (of.number("delay", 0) != 0)
+    context.text.warn({of.where("delay"),
+                       fmt::format("the delay of {} is left out: its input acts at once", of.what()),
+                       {},
+                       "delay"});
   actuator.inputs = context.range(of, "ctrlrange", "ctrllimited");
   actuator.forces = context.range(of, "forcerange", "forcelimited");
   actuator.activations = context.range(of, "actrange", "actlimited");
-  if (law.damping_ratio > 0 && law.bias_type == Law::affine) {
+  inherit_range(context, law, actuator);
+  if (const double ratio = law.damping_ratio(); ratio > 0) {
     const bool single = actuator.through == MjcfTransmission::joint &&
                         speed_count(context.model.joints[actuator.of].type) == 1;
     if (!single)
       throw of.error(
           "dampratio",
           fmt::format("dampratio of {}, which acts on no single joint, is not worked out", of.what()),
-          "give kv");
+          "give kv; a positive third biasprm is a dampratio, too");
     const double mass =
         inertia_at_reference(context.model, actuator.of) / (actuator.gear[0] * actuator.gear[0]);
-    actuator.bias[2] = -2 * law.damping_ratio * std::sqrt(law.gain[0] * mass);
+    actuator.bias[2] = -2 * ratio * std::sqrt(law.gain[0] * mass);
   }
   if (!actuator.name.empty() &&
       !context.actuators.emplace(actuator.name, context.model.actuators.size()).second)

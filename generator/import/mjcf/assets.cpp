@@ -67,14 +67,11 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
     }
   }
   const Eigen::Vector3d origin = asset.vector("refpos", Eigen::Vector3d::Zero());
-  const Eigen::Vector3d scale = asset.vector("scale", Eigen::Vector3d::Ones());
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   if (const std::vector<double> q = asset.list("refquat", 4, 4); !q.empty())
     turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
-  for (Eigen::Vector3d& v : out.vertices) v = scale.cwiseProduct(turn.conjugate() * (v - origin));
-  // What is mirrored is turned inside out.
-  if (scale.prod() < 0)
-    for (auto& triangle : out.triangles) std::swap(triangle[1], triangle[2]);
+  for (Eigen::Vector3d& v : out.vertices) v = (turn.conjugate() * (v - origin)).eval();
+  stretch(out, asset.vector("scale", Eigen::Vector3d::Ones()));
   return out;
 }
 
@@ -107,9 +104,11 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
     throw geom.error("mesh",
                      fmt::format("there is no mesh '{}'{}", printable(name), did_you_mean(name, known)));
   }
+  const auto known = masses_.find({name, shell});
+  if (known != masses_.end()) return known->second;
   const MjcfElement& asset = found->second;
   MeshVolume how = MeshVolume::positive;
-  switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, 2)) {
+  switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, compiler_.exact_meshes ? 1 : 2)) {
     case 0:
       throw asset.error("inertia", "the inertia of a convex hull is not worked out");
     case 1:
@@ -125,6 +124,7 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
   if (!(out.mass > 0))
     throw InputError(asset.where(),
                      fmt::format("{} encloses no volume, or is turned inside out", asset.what()));
+  masses_.emplace(std::pair(name, shell), out);
   return out;
 }
 

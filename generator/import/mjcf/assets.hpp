@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "import/common/triangle_mesh.hpp"
 #include "import/mjcf/compiler_settings.hpp"
@@ -37,6 +38,7 @@ class MjcfAssets {
   const MjcfCompiler& compiler_;
   std::map<std::string, std::array<double, 3>, std::less<>> colours_;
   std::map<std::string, MjcfElement, std::less<>> meshes_;
+  mutable std::map<std::pair<std::string, bool>, BodyMass> masses_;  ///< by mesh, and whether it is a shell
 };
 
 }  // namespace alembert

@@ -20,26 +20,31 @@ Vector array_of(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-double MjcfBodyNodes::armature(std::size_t joint) const {
-  double sum = model_.joints[joint].armature;
+/// By joint, with those of its followers.
+std::vector<double> MjcfBodyNodes::all_armatures() const {
+  std::vector<double> out;
+  for (const MjcfJoint& joint : model_.joints) out.push_back(joint.armature);
   for (const std::size_t follower : naming_.followers()) {
     const JointText& text = naming_.text(follower);
-    if (text.base == joint && text.constant_slope)
-      sum += *text.constant_slope * *text.constant_slope * model_.joints[follower].armature;
+    if (text.base && text.constant_slope)
+      out[*text.base] += *text.constant_slope * *text.constant_slope * model_.joints[follower].armature;
   }
-  return sum;
+  return out;
 }
 
 void MjcfBodyNodes::add_coordinates(YamlNode& list) const {
-  std::size_t first = 0;
+  std::size_t first = 0, first_speed = 0;
+  const std::vector<double> armatures = all_armatures();
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-    if (!naming_.follows(j)) add_coordinate(list, j, first);
+    if (!naming_.follows(j)) add_coordinate(list, j, first, first_speed, armatures[j]);
     first += position_count(model_.joints[j].type);
+    first_speed += speed_count(model_.joints[j].type);
   }
 }
 
-/// `first`: where its numbers begin in a keyframe.
-void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t first) const {
+/// `first` and `first_speed`: where its numbers begin in a keyframe.
+void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t first, std::size_t first_speed,
+                                   double armature) const {
   const MjcfJoint& joint = model_.joints[j];
   const std::vector<std::string>& names = naming_.coordinates(j);
   const SourceLocation& where = joint.where;
@@ -55,16 +60,13 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
   } else {
     start = single ? std::vector{joint.reference} : std::vector{1.0, 0.0, 0.0, 0.0};
   }
-  std::size_t speeds = 0;  // of the joints before it
-  for (std::size_t other = 0; other < j; ++other) speeds += speed_count(model_.joints[other].type);
   const bool hinge = joint.type == MjcfJointType::hinge;
   const auto text = [&](double value) {
     return hinge ? SnappedAngle(value, 1e-12).text() : number_text(value);
   };
   for (std::size_t k = 0; k < names.size(); ++k) {
     const bool quaternion = !single && k + 1 == names.size();
-    YamlNode& node = nodes_.mapping(where);
-    nodes_.put(node, "name", nodes_.text(names[k], where));
+    YamlNode& node = nodes_.add_named(list, names[k], where);
     if (quaternion) {
       nodes_.put(node, "type", nodes_.text("quaternion", where));
       const std::size_t at = free ? 3 : 0;
@@ -91,7 +93,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
         nodes_.put(node, "limits", nodes_.list({text((*joint.limits)[0]), text((*joint.limits)[1])}, where));
     }
     if (!model_.start_speeds.empty()) {
-      const auto speed = model_.start_speeds.begin() + static_cast<std::ptrdiff_t>(speeds + k);
+      const auto speed = model_.start_speeds.begin() + static_cast<std::ptrdiff_t>(first_speed + k);
       if (quaternion && (speed[0] != 0 || speed[1] != 0 || speed[2] != 0))
         nodes_.put(node, "initial_speed", nodes_.numbers({speed[0], speed[1], speed[2]}, where));
       if (!quaternion && speed[0] != 0)
@@ -100,19 +102,16 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
     const auto number = [&](const char* key, double value) {
       if (value != 0) nodes_.put(node, key, nodes_.text(number_text(value), where));
     };
-    number("armature", armature(j));
+    number("armature", armature);
     if (options_.resistance) number("damping", joint.damping);
     number("stiffness", joint.stiffness);
     if (joint.stiffness != 0 && joint.rest != 0)
       nodes_.put(node, "rest", nodes_.text(text(joint.rest), where));
     if (joint.effort) nodes_.put(node, "effort", nodes_.text(number_text(*joint.effort), where));
     if (options_.resistance && joint.friction != 0) {
-      YamlNode& friction = nodes_.mapping(where);
-      nodes_.put(friction, "force", nodes_.text(number_text(joint.friction), where));
-      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
-      nodes_.put(node, "friction", friction);
+      nodes_.put_friction(node, joint.friction, where);
     }
-    list.items.push_back(node.items.size() == 2 ? node.items[1] : &node);
+    if (node.items.size() == 2) list.items.back() = node.items[1];
   }
 }
 
@@ -170,37 +169,26 @@ void MjcfBodyNodes::add_shapes(YamlNode& node, const MjcfBody& body) const {
 
 void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
   const MjcfBody& body = model_.bodies[index];
-  YamlNode& node = nodes_.mapping(body.where);
-  nodes_.put(node, "name", nodes_.text(naming_.body(index), body.where));
+  YamlNode& node = nodes_.add_named(list, naming_.body(index), body.where);
   if (body.parent != 0) nodes_.put(node, "parent", nodes_.text(naming_.body(body.parent), body.where));
   YamlNode& factors = nodes_.sequence(body.where);
   add_joints(factors, body);
   if (!factors.items.empty()) nodes_.put(node, "transform", factors);
   add_mass(nodes_, node, body.mass, body.where);
   add_shapes(node, body);
-  list.items.push_back(&node);
 }
 
 void MjcfBodyNodes::add_scenery(YamlNode& list) const {
   if (!has_solid(model_.bodies[0].shapes)) return;
-  YamlNode& node = nodes_.mapping(model_.where);
   std::string name = "scenery";
   while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))
     name += "_of_world";
-  nodes_.put(node, "name", nodes_.text(name, model_.where));
-  add_shapes(node, model_.bodies[0]);
-  list.items.push_back(&node);
+  add_shapes(nodes_.add_named(list, name, model_.where), model_.bodies[0]);
 }
 
 void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body,
                               const RigidPose& pose, const SourceLocation& where) const {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(name, where));
-  nodes_.put(node, "body", nodes_.text(naming_.body(body), where));
-  YamlNode& factors = nodes_.sequence(where);
-  factors_.add_pose(factors, pose, where);
-  if (!factors.items.empty()) nodes_.put(node, "transform", factors);
-  list.items.push_back(&node);
+  factors_.add_frame(list, name, naming_.body(body), pose, where);
 }
 
 }  // namespace alembert

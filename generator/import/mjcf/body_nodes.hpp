@@ -26,8 +26,9 @@ class MjcfBodyNodes {
                  const SourceLocation& where) const;
 
  private:
-  void add_coordinate(YamlNode& list, std::size_t joint, std::size_t first) const;
-  double armature(std::size_t joint) const;
+  void add_coordinate(YamlNode& list, std::size_t joint, std::size_t first, std::size_t first_speed,
+                      double armature) const;
+  std::vector<double> all_armatures() const;
   void add_joints(YamlNode& factors, const MjcfBody& body) const;
   void add_turn(YamlNode& factors, std::size_t joint) const;
   void add_shapes(YamlNode& node, const MjcfBody& body) const;

@@ -62,14 +62,7 @@ Quaterniond MjcfCompiler::turn(const MjcfElement& element) const {
       return Quaterniond(AngleAxisd(angle(v[3]), normalised({v[0], v[1], v[2]}, element, name)));
     if (kind == "xyaxes") return from_axes(element, v);
     if (kind == "zaxis") return from_z(normalised({v[0], v[1], v[2]}, element, name));
-    Quaterniond out = Quaterniond::Identity();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool moves = std::islower(static_cast<unsigned char>(euler[i])) != 0;
-      const int axis = std::tolower(static_cast<unsigned char>(euler[i])) - 'x';
-      const Quaterniond each(AngleAxisd(angle(v[i]), Vector3d::Unit(axis)));
-      out = moves ? out * each : each * out;
-    }
-    return out;
+    return euler_turn({v[0], v[1], v[2]});
   }
   const std::vector<double> q = element.list("quat", 4, 4);
   if (q.empty()) return Quaterniond::Identity();
@@ -77,6 +70,16 @@ Quaterniond MjcfCompiler::turn(const MjcfElement& element) const {
   if (!(out.norm() > kNoDirection))
     throw element.error("quat", fmt::format("the quat of {} is 0", element.what()));
   return out.normalized();
+}
+
+Quaterniond MjcfCompiler::euler_turn(const Vector3d& angles) const {
+  Quaterniond out = Quaterniond::Identity();
+  for (int i = 0; i < 3; ++i) {
+    const auto letter = static_cast<unsigned char>(euler[static_cast<std::size_t>(i)]);
+    const Quaterniond each(AngleAxisd(angle(angles[i]), Vector3d::Unit(std::tolower(letter) - 'x')));
+    out = std::islower(letter) != 0 ? out * each : each * out;
+  }
+  return out;
 }
 
 RigidPose MjcfCompiler::pose(const MjcfElement& element) const {
@@ -98,6 +101,7 @@ MjcfCompiler read_compiler(const MjcfText& text) {
     out.autolimits = element.flag("autolimits", out.autolimits);
     out.balance = element.flag("balanceinertia", out.balance);
     out.strip_path = element.flag("strippath", out.strip_path);
+    out.exact_meshes = element.flag("exactmeshinertia", out.exact_meshes);
     out.least_mass = element.number("boundmass", out.least_mass);
     out.least_inertia = element.number("boundinertia", out.least_inertia);
     out.total_mass = element.number("settotalmass", out.total_mass);

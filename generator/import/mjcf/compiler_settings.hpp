@@ -20,13 +20,15 @@ struct MjcfCompiler {
   std::array<double, 2> inertia_groups{0, 5};
   bool balance = false;
   double least_mass = 0, least_inertia = 0, total_mass = -1;
-  bool strip_path = false;
+  bool strip_path = false, exact_meshes = false;
   std::string mesh_folder;
 
   /// Radians of an angle as the model gives it.
   double angle(double value) const;
   RigidPose pose(const MjcfElement& element) const;
   Eigen::Quaterniond turn(const MjcfElement& element) const;
+  /// Of three angles as the model gives them, about the axes of `euler`.
+  Eigen::Quaterniond euler_turn(const Eigen::Vector3d& angles) const;
 };
 
 MjcfCompiler read_compiler(const MjcfText& text);

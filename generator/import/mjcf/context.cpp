@@ -21,6 +21,7 @@ MjcfTendon read_fixed(const MjcfContext& context, pugi::xml_node node) {
        "stiffness", "damping", "armature", "user"});
   for (const pugi::xml_node child : context.text.children(node, "joint")) {
     const MjcfElement of(context.text, {child}, "the joint of a tendon");
+    context.text.of(child).check_spelling(child, of.what(), {}, {"joint", "coef"});
     const std::size_t joint = context.find(of, "joint", "joint", context.tree.joints);
     if (speed_count(context.model.joints[joint].type) != 1)
       throw of.error("joint", "a fixed tendon is of hinges and slides only");
@@ -59,6 +60,7 @@ MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
   for (const pugi::xml_node child : text.children(node)) {
     const MjcfElement of(text, {child}, fmt::format("the {} of a tendon", child.name()));
     const std::string_view kind = child.name();
+    text.of(child).check_spelling(child, of.what(), {}, {"site", "geom", "sidesite", "divisor"});
     if (kind == "site") {
       out.branches.back().sites.push_back(context.find(of, "site", "site", context.tree.sites));
     } else if (kind == "pulley") {
@@ -194,7 +196,7 @@ void read_tendons(MjcfContext& context) {
     tendon.name = of.string("name");
     tendon.where = of.has("name") ? of.where("name") : of.where();
     for (const auto& [name, to] : {std::pair("stiffness", &tendon.stiffness), {"damping", &tendon.damping}}) {
-      const std::vector<double> values = of.list(name, 1, 3);
+      const std::vector<double> values = of.overlaid(name, 3);
       for (std::size_t i = 1; i < values.size(); ++i)
         if (values[i] != 0)
           throw of.error(name,
@@ -274,8 +276,17 @@ void read_sensors(MjcfContext& context) {
                            "inertial axes"});
         return;
       }
+      const std::size_t places = context.model.sites.size();
       sensor.of = context.place(of, "objtype", "objname");
       if (of.has("refname")) sensor.reference = context.place(of, "reftype", "refname");
+      const auto of_mesh = [&](std::size_t place) { return context.model.sites[place].of_mesh; };
+      if (of_mesh(sensor.of) || (sensor.reference && of_mesh(*sensor.reference))) {
+        context.text.warn({of.where(),
+                           "the frame of a mesh is left out: MuJoCo moves it to the centre of mass",
+                           "a site in its place is taken", "frame of a mesh"});
+        context.model.sites.resize(places);
+        return;
+      }
       if (sensor.reference && is({"framelinvel", "frameangvel"})) {
         context.text.warn({of.where(),
                            fmt::format("{} in a moving frame is left out", sensor.kind),

@@ -47,10 +47,7 @@ DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const Sour
   relations.add_constraints(constraints);
   relations.add_outputs(outputs);
 
-  YamlNode& root = nodes.mapping(top);
-  nodes.put(root, "alembert", nodes.text("1", top));
-  nodes.put(root, "name", nodes.text(fit_mechanism_name(model.name), top));
-  nodes.put(root, "description", nodes.text(fmt::format("MuJoCo model '{}'", printable(model.name)), top));
+  YamlNode& root = nodes.root(model.name, fmt::format("MuJoCo model '{}'", printable(model.name)), top);
   if (model.gravity != Eigen::Vector3d(0, 0, -9.81))
     nodes.put(root, "gravity", nodes.numbers({model.gravity.x(), model.gravity.y(), model.gravity.z()}, top));
   nodes.put(root, "coordinates", coordinates);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "import/mjcf/spelling.hpp"
 
@@ -45,6 +46,16 @@ std::vector<double> MjcfElement::list(const char* name, std::size_t least, std::
   const pugi::xml_attribute found = attribute(name);
   if (!found) return {};
   return text_->of(found).number_list(found, fmt::format("the {} of {}", name, what_), least, most);
+}
+
+std::vector<double> MjcfElement::overlaid(const char* name, std::size_t most) const {
+  std::vector<double> out;
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
+    const std::vector<double> own = MjcfElement(*text_, {*layer}, what_).list(name, 1, most);
+    out.resize(std::max(out.size(), own.size()));
+    std::ranges::copy(own, out.begin());
+  }
+  return out;
 }
 
 Eigen::Vector3d MjcfElement::vector(const char* name, const Eigen::Vector3d& otherwise) const {
@@ -89,6 +100,7 @@ void MjcfDefaults::read(pugi::xml_node element, const std::string& parent, int d
   if (!top && (name == kMain || !of.parent.empty()))
     throw InputError(text_->where(element), fmt::format("a second default class '{}'", printable(name)));
   of.parent = parent;
+  if (!top) of.of_parent = classes_.find(parent)->second.elements.size();
   std::vector<pugi::xml_node> inner;
   for (const pugi::xml_node child : text_->children(element)) {
     if (std::string_view(child.name()) == "default") {
@@ -98,7 +110,11 @@ void MjcfDefaults::read(pugi::xml_node element, const std::string& parent, int d
     check_attributes(*text_, child);
     of.elements.push_back(child);
   }
-  if (top && name != kMain && !classes_.contains(name)) classes_[name].parent = kMain;
+  if (top && name != kMain && !classes_.contains(name)) {
+    Class& alias = classes_[name];
+    alias.parent = kMain;
+    alias.of_parent = std::numeric_limits<std::size_t>::max();
+  }
   for (const pugi::xml_node child : inner) read(child, top ? kMain : name, depth + 1);
 }
 
@@ -119,11 +135,13 @@ MjcfElement MjcfDefaults::element(pugi::xml_node node, const std::vector<std::st
   const pugi::xml_attribute own = node.attribute("class");
   require(own);
   std::string name = own ? own.value() : scope.empty() ? kMain : scope;
-  while (!name.empty()) {
+  for (std::size_t count = classes_.find(name)->second.elements.size(); !name.empty();) {
     const Class& of = classes_.find(name)->second;
-    for (auto each = of.elements.rbegin(); each != of.elements.rend(); ++each)
-      if (std::ranges::find(tags, std::string_view(each->name())) != tags.end()) layers.push_back(*each);
+    for (std::size_t i = std::min(count, of.elements.size()); i-- > 0;)
+      if (std::ranges::find(tags, std::string_view(of.elements[i].name())) != tags.end())
+        layers.push_back(of.elements[i]);
     name = of.parent;
+    count = of.of_parent;
   }
   return {*text_, std::move(layers), what_of(*text_, node)};
 }

@@ -29,6 +29,8 @@ class MjcfElement {
   std::string string(const char* name, const char* otherwise = "") const;
   double number(const char* name, double otherwise) const;
   std::vector<double> list(const char* name, std::size_t least, std::size_t most) const;  ///< empty if absent
+  /// Of up to `most` numbers: those that a layer gives hide the first ones of the layers around it, and leave the rest.
+  std::vector<double> overlaid(const char* name, std::size_t most) const;
   Eigen::Vector3d vector(const char* name, const Eigen::Vector3d& otherwise) const;
   /// `true` or `false`.
   bool flag(const char* name, bool otherwise) const;
@@ -65,6 +67,8 @@ class MjcfDefaults {
  private:
   struct Class {
     std::string parent;
+    std::size_t of_parent =
+        0;  ///< elements that the parent had when the class began: later ones are not its own
     std::vector<pugi::xml_node> elements;
   };
   void read(pugi::xml_node element, const std::string& parent, int depth);

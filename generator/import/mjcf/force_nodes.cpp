@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,27 +22,19 @@ std::string tanh_of(double force, const std::string& speed) {
 std::string spring_energy(double stiffness, const std::string& length, const std::array<double, 2>& rest) {
   const std::string half = number_text(stiffness / 2);
   if (rest[0] == rest[1])
-    return fmt::format("{}*{}^2", half, factor_text(sum_text({{1, length}, {-rest[0], ""}})));
+    return fmt::format("{}*{}^2", half, base_text(sum_text({{1, length}, {-rest[0], ""}})));
   return fmt::format("{}*(max(0, {})^2 + max(0, {})^2)", half, sum_text({{1, length}, {-rest[1], ""}}),
                      sum_text({{-1, factor_text(length)}, {rest[0], ""}}));
 }
 
 }  // namespace
 
-YamlNode& MjcfForceNodes::add_named(YamlNode& list, const std::string& name,
-                                    const SourceLocation& where) const {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(name, where));
-  list.items.push_back(&node);
-  return node;
-}
-
 /// A force along a joint, which acts on the coordinate that it follows.
 void MjcfForceNodes::add_on(YamlNode& list, const std::string& name, std::size_t joint,
                             const std::string& value, const SourceLocation& where) {
   const JointText& text = naming_.text(joint);
   if (!text.base || (text.constant_slope && *text.constant_slope == 0)) return;
-  YamlNode& force = add_named(list, name, where);
+  YamlNode& force = nodes_.add_named(list, name, where);
   nodes_.put(force, "on", nodes_.text(naming_.coordinates(*text.base)[0], where));
   const std::string along = text.constant_slope ? product_text(*text.constant_slope, value)
                                                 : factor_text(text.slope) + "*" + factor_text(value);
@@ -63,7 +54,7 @@ void MjcfForceNodes::add_followers(YamlNode& list) {
       add_on(list, naming_.new_force(name + "_friction"), j, tanh_of(joint.friction, text.speed),
              joint.where);
     if (joint.stiffness == 0) continue;
-    YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), joint.where);
+    YamlNode& spring = nodes_.add_named(list, naming_.new_force(name + "_spring"), joint.where);
     nodes_.put(
         spring, "potential",
         nodes_.text(spring_energy(joint.stiffness, text.position, {joint.rest, joint.rest}), joint.where));
@@ -108,7 +99,7 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
                term.joint, product_text(term.factor, sum), of.where);
   } else {
     for (std::size_t b = 0; b < of.branches.size(); ++b) {
-      YamlNode& force = add_named(list, paths_[tendon][b], of.where);
+      YamlNode& force = nodes_.add_named(list, paths_[tendon][b], of.where);
       YamlNode& path = nodes_.sequence(of.where);
       const std::vector<std::size_t>& sites = of.branches[b].sites;
       for (std::size_t i = 0; i < sites.size(); ++i)
@@ -120,7 +111,7 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
     }
   }
   if (of.stiffness == 0) return;
-  YamlNode& spring = add_named(list, naming_.new_force(name + "_spring"), of.where);
+  YamlNode& spring = nodes_.add_named(list, naming_.new_force(name + "_spring"), of.where);
   nodes_.put(spring, "potential",
              nodes_.text(spring_energy(of.stiffness, length(tendon), of.rest), of.where));
 }
@@ -141,9 +132,20 @@ std::string MjcfForceNodes::actuator_length(const MjcfActuator& of) const {
 
 std::string MjcfForceNodes::actuator_rate(const MjcfActuator& of) const {
   if (of.through == MjcfTransmission::tendon) return product_text(of.gear[0], rate(of.of));
-  if (of.through == MjcfTransmission::site) return "0";
-  if (speed_count(model_.joints[of.of].type) == 1) return product_text(of.gear[0], naming_.text(of.of).speed);
   std::vector<SumTerm> terms;
+  if (of.through == MjcfTransmission::site) {
+    // Of the site, in its own axes.
+    const std::string& frame = naming_.frame(of.of);
+    for (const auto& [quantity, first] :
+         {std::pair("velocity", std::size_t{0}), {"angular_velocity", std::size_t{3}}}) {
+      std::string v[3];
+      for (int k = 0; k < 3; ++k) v[k] = fmt::format("{}({}).{}", quantity, frame, kAxes[k]);
+      turn_into(frame, v);
+      for (std::size_t k = 0; k < 3; ++k) terms.push_back({of.gear[first + k], factor_text(v[k])});
+    }
+    return sum_text(terms);
+  }
+  if (speed_count(model_.joints[of.of].type) == 1) return product_text(of.gear[0], naming_.text(of.of).speed);
   const std::vector<std::string>& names = naming_.coordinates(of.of);
   const std::size_t shifts = names.size() - 1;
   for (std::size_t k = 0; k < shifts; ++k) terms.push_back({of.gear[k], fmt::format("d({})", names[k])});
@@ -191,7 +193,7 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
   const std::string& name = naming_.actuator(actuator);
   const std::string force = law(actuator);
   if (of.through == MjcfTransmission::site) {
-    YamlNode& node = add_named(list, name, of.where);
+    YamlNode& node = nodes_.add_named(list, name, of.where);
     nodes_.put(node, "at", nodes_.text(naming_.frame(of.of), of.where));
     for (const auto& [key, first] : {std::pair("force", std::size_t{0}), {"torque", std::size_t{3}}}) {
       std::array<std::string, 3> entries;
@@ -208,11 +210,15 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
   } else {
     const std::vector<std::string>& names = naming_.coordinates(of.of);
     std::vector<std::string> speeds(names.begin(), names.end() - 1);
-    for (const char* axis : kAxes) speeds.push_back(names.back() + "." + axis);
+    if (of.in_parent)
+      add_turn_in_parent(list, of, force,
+                         {of.gear[speeds.size()], of.gear[speeds.size() + 1], of.gear[speeds.size() + 2]});
+    else
+      for (const char* axis : kAxes) speeds.push_back(names.back() + "." + axis);
     bool first = true;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
       if (of.gear[k] == 0) continue;
-      YamlNode& node = add_named(list, first ? name : naming_.new_force(name), of.where);
+      YamlNode& node = nodes_.add_named(list, first ? name : naming_.new_force(name), of.where);
       nodes_.put(node, "on", nodes_.text(speeds[k], of.where));
       nodes_.put(node, "value", nodes_.text(product_text(of.gear[k], force), of.where));
       first = false;
@@ -220,8 +226,41 @@ void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
   }
 }
 
+/// A torque on a body in the axes that it has where its joint has not turned it, and the opposite one on its parent.
+void MjcfForceNodes::add_turn_in_parent(YamlNode& list, const MjcfActuator& of, const std::string& force,
+                                        const Eigen::Vector3d& torque) {
+  if (torque.isZero(0)) return;
+  const std::size_t index = model_.joints[of.of].body;
+  const MjcfBody& body = model_.bodies[index];
+  const std::string axes = naming_.new_frame(naming_.body(index) + "_parent_axes");
+  bodies_.add_frame(frames_, axes, body.parent, body.pose, of.where);
+  const std::string own = naming_.new_frame(naming_.body(index) + "_turned");
+  bodies_.add_frame(frames_, own, index, {}, of.where);
+  std::array<std::string, 3> on_body, on_parent;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<SumTerm> terms;
+    for (int m = 0; m < 3; ++m)
+      terms.push_back({torque[m], fmt::format("rotation({}).{}{}", axes, kAxes[k], kAxes[m])});
+    on_body[static_cast<std::size_t>(k)] = factor_text(sum_text(terms)) + "*" + factor_text(force);
+    on_parent[static_cast<std::size_t>(k)] = torque[k] == 0 ? "0" : product_text(-torque[k], force);
+  }
+  YamlNode& node = nodes_.add_named(list, naming_.new_force(naming_.body(index) + "_turn"), of.where);
+  nodes_.put(node, "at", nodes_.text(own, of.where));
+  nodes_.put(node, "axes", nodes_.text("world", of.where));
+  nodes_.put(node, "torque", nodes_.list({on_body[0], on_body[1], on_body[2]}, of.where));
+  if (body.parent == 0) return;
+  YamlNode& reaction =
+      nodes_.add_named(list, naming_.new_force(naming_.body(index) + "_turn_reaction"), of.where);
+  nodes_.put(reaction, "at", nodes_.text(axes, of.where));
+  nodes_.put(reaction, "torque", nodes_.list({on_parent[0], on_parent[1], on_parent[2]}, of.where));
+}
+
 void MjcfForceNodes::add_forces(YamlNode& list) {
   add_followers(list);
+  std::vector<std::vector<std::size_t>> pulling(model_.tendons.size());
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a)
+    if (model_.actuators[a].through == MjcfTransmission::tendon && acts(a))
+      pulling[model_.actuators[a].of].push_back(a);
   for (std::size_t t = 0; t < model_.tendons.size(); ++t) {
     // Names of its branches stand in the laws of its actuators.
     const MjcfTendon& of = model_.tendons[t];
@@ -232,11 +271,8 @@ void MjcfForceNodes::add_forces(YamlNode& list) {
                                : naming_.new_force(fmt::format("{}_branch{}", naming_.tendon(t), b + 1)));
     }
     std::string pull;
-    for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
-      const MjcfActuator& actuator = model_.actuators[a];
-      if (actuator.through != MjcfTransmission::tendon || actuator.of != t || !acts(a)) continue;
-      pull += (pull.empty() ? "" : " + ") + product_text(actuator.gear[0], law(a));
-    }
+    for (const std::size_t a : pulling[t])
+      pull += (pull.empty() ? "" : " + ") + product_text(model_.actuators[a].gear[0], law(a));
     add_tendon(list, t, pull);
   }
   for (std::size_t a = 0; a < model_.actuators.size(); ++a)
@@ -253,7 +289,7 @@ void MjcfForceNodes::add_inputs(YamlNode& list) const {
     // MuJoCo takes an input to the end of its range, too.
     double initial = model_.start_inputs.empty() ? 0 : model_.start_inputs[a];
     if (of.inputs) initial = std::clamp(initial, (*of.inputs)[0], (*of.inputs)[1]);
-    YamlNode& node = add_named(list, naming_.input(a), of.where);
+    YamlNode& node = nodes_.add_named(list, naming_.input(a), of.where);
     if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
     if (of.inputs)
       nodes_.put(node, "limits",
@@ -267,7 +303,7 @@ void MjcfForceNodes::add_states(YamlNode& list) const {
     const MjcfActuator& of = model_.actuators[a];
     if (of.activation == MjcfActivation::none || !acts(a)) continue;
     const std::string &input = naming_.input(a), &state = naming_.state(a);
-    YamlNode& node = add_named(list, state, of.where);
+    YamlNode& node = nodes_.add_named(list, state, of.where);
     nodes_.put(node, "rate",
                nodes_.text(of.activation == MjcfActivation::integrator
                                ? input
@@ -314,12 +350,7 @@ void MjcfForceNodes::add_fluid(YamlNode& list) {
 /// On a box of the body's inertia, as MuJoCo has it.
 void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
   const MjcfBody& body = model_.bodies[b];
-  Eigen::Matrix3d axes;
-  if (body.inertial_turn)
-    axes = body.inertial_turn->toRotationMatrix();
-  else
-    axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.mass.inertia).eigenvectors();
-  if (axes.determinant() < 0) axes.col(2) *= -1;
+  const Eigen::Matrix3d axes = body.inertial_turn->toRotationMatrix();
   const Eigen::Vector3d i = (axes.transpose() * body.mass.inertia * axes).diagonal();
   constexpr double kLeast = 1e-15;  // MuJoCo's own, kg m^2
   std::array<double, 3> box;
@@ -327,26 +358,25 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
     box[static_cast<std::size_t>(k)] = std::sqrt(std::max(kLeast, i.sum() - 2 * i[k]) / body.mass.mass * 6);
   const std::string frame = naming_.new_frame(naming_.body(b) + "_fluid");
   bodies_.add_frame(frames_, frame, b, body.mass.frame(Eigen::Quaterniond(axes)), body.where);
-  YamlNode& node = add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
+  YamlNode& node = nodes_.add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
   nodes_.put(node, "at", nodes_.text(frame, body.where));
   const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;
   std::array<std::string, 3> force, torque;
+  std::string v[3], w[3];
+  for (int m = 0; m < 3; ++m) {
+    v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
+    w[m] = fmt::format("angular_velocity({}).{}", frame, kAxes[m]);
+  }
+  turn_into(frame, v);
+  turn_into(frame, w);
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
-                                fmt::format("rotation({}).y{}", frame, kAxes[k]),
-                                fmt::format("rotation({}).z{}", frame, kAxes[k])};
-    std::string v[3], w[3];
-    for (int m = 0; m < 3; ++m) {
-      v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
-      w[m] = fmt::format("angular_velocity({}).{}", frame, kAxes[m]);
-    }
     const double a = box[(k + 1) % 3], c = box[(k + 2) % 3];
     const auto drag = [&](const std::string& along, double linear, double square) {
       const std::string speed = "(" + along + ")";
       return sum_text({{-linear, speed}, {-square, "abs" + speed + "*" + speed}});
     };
-    force[k] = drag(dot_text(row, v), 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
-    torque[k] = drag(dot_text(row, w), pi * std::pow(diameter, 3) * model_.viscosity,
+    force[k] = drag(v[k], 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
+    torque[k] = drag(w[k], pi * std::pow(diameter, 3) * model_.viscosity,
                      model_.density * box[k] * (std::pow(a, 4) + std::pow(c, 4)) / 64);
   }
   nodes_.put(node, "force", nodes_.list({force[0], force[1], force[2]}, body.where));

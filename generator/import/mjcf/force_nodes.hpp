@@ -29,12 +29,13 @@ class MjcfForceNodes {
   void add_followers(YamlNode& list);
   void add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull);
   void add_actuator(YamlNode& list, std::size_t actuator);
+  void add_turn_in_parent(YamlNode& list, const MjcfActuator& actuator, const std::string& force,
+                          const Eigen::Vector3d& torque);
   void add_borne_weight(YamlNode& list);
   void add_fluid(YamlNode& list);
   void add_fluid_on(YamlNode& list, std::size_t body);
   void add_on(YamlNode& list, const std::string& name, std::size_t joint, const std::string& value,
               const SourceLocation& where);
-  YamlNode& add_named(YamlNode& list, const std::string& name, const SourceLocation& where) const;
   std::string law(std::size_t actuator) const;
   bool acts(std::size_t actuator) const;
   bool moves(std::size_t body) const;

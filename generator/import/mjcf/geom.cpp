@@ -65,7 +65,10 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
 void MjcfGeom::read_sizes(std::size_t count) {
   if (!element_.has("size"))
     throw InputError(element_.where(), fmt::format("no size of {}", element_.what()));
-  const std::vector<double> sizes = element_.list("size", count, 3);
+  const std::vector<double> sizes = element_.overlaid("size", 3);
+  if (sizes.size() < count)
+    throw element_.error(
+        "size", fmt::format("expected {} sizes of {}, found {}", count, element_.what(), sizes.size()));
   for (std::size_t i = 0; i < count; ++i) {
     if (!(sizes[i] > 0))
       throw element_.error("size",

@@ -19,6 +19,7 @@ class MjcfGeom {
   const PlacedShape& shape() const { return shape_; }
   const MjcfElement& element() const { return element_; }
   bool has_fluid_shape() const { return element_.string("fluidshape", "none") == "ellipsoid"; }
+  bool is_mesh() const { return mesh_; }
   int group() const { return group_; }
   /// In the body's frame. Throws InputError where they cannot be found.
   BodyMass mass() const;

@@ -6,15 +6,22 @@
 #include <algorithm>
 
 namespace alembert {
+namespace {
 
-BodyMass read_inertial(const MjcfElement& element, const MjcfCompiler& compiler) {
+bool counts(const MjcfGeom& geom, const MjcfCompiler& compiler) {
+  return geom.group() >= compiler.inertia_groups[0] && geom.group() <= compiler.inertia_groups[1];
+}
+
+}  // namespace
+
+BodyMass read_inertial(const MjcfElement& element, const RigidPose& frame, const MjcfCompiler& compiler) {
   element.text()
       .of(element.node())
       .check_spelling(
           element.node(), element.what(), {},
           {"pos", "quat", "mass", "diaginertia", "axisangle", "xyaxes", "zaxis", "euler", "fullinertia"});
   BodyMass out;
-  const RigidPose pose = compiler.pose(element);
+  const RigidPose pose = frame * compiler.pose(element);
   if (!element.has("mass")) throw InputError(element.where(), "no attribute 'mass' of an inertial");
   out.mass = element.number("mass", 0);
   if (out.mass < 0) throw element.error("mass", "the mass of an inertial is negative");
@@ -36,9 +43,24 @@ BodyMass read_inertial(const MjcfElement& element, const MjcfCompiler& compiler)
 BodyMass mass_of_geoms(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& compiler) {
   BodyMass out;
   for (const MjcfGeom& geom : geoms)
-    if (geom.group() >= compiler.inertia_groups[0] && geom.group() <= compiler.inertia_groups[1])
-      out += geom.mass();
+    if (counts(geom, compiler)) out += geom.mass();
   return out;
+}
+
+const MjcfGeom* only_geom_with_mass(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& compiler) {
+  const MjcfGeom* out = nullptr;
+  for (const MjcfGeom& geom : geoms) {
+    if (!counts(geom, compiler) || geom.mass().mass == 0) continue;
+    if (out != nullptr) return nullptr;
+    out = &geom;
+  }
+  return out;
+}
+
+Eigen::Quaterniond principal_turn(const BodyMass& mass) {
+  Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(mass.inertia).eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) *= -1;
+  return Eigen::Quaterniond(axes);
 }
 
 BodyMass corrected(BodyMass mass, const MjcfCompiler& compiler, const SourceLocation& where,

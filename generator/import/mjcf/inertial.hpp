@@ -8,10 +8,16 @@
 
 namespace alembert {
 
-BodyMass read_inertial(const MjcfElement& element, const MjcfCompiler& compiler);
+/// `frame`: where the element stands in its body.
+BodyMass read_inertial(const MjcfElement& element, const RigidPose& frame, const MjcfCompiler& compiler);
 
 /// Of all geoms whose group counts.
 BodyMass mass_of_geoms(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& compiler);
+/// The one of them that has mass; none if more have, or none has.
+const MjcfGeom* only_geom_with_mass(const std::vector<MjcfGeom>& geoms, const MjcfCompiler& compiler);
+
+/// The axes of an inertia.
+Eigen::Quaterniond principal_turn(const BodyMass& mass);
 
 /// With the least mass and inertia that the compiler asks for, and balanced. Throws InputError at `where` at an
 /// inertia that no body can have, as MuJoCo does.

@@ -43,9 +43,10 @@ void disable(MjcfModel& model, const std::vector<std::string>& disabled) {
   };
   for (MjcfJoint& joint : model.joints) calm(joint);
   for (MjcfTendon& tendon : model.tendons) calm(tendon);
-  if (passive || is("gravity"))
+  const bool nothing_passive = springs && dampers;
+  if (nothing_passive || is("gravity"))
     for (MjcfBody& body : model.bodies) body.weightless = 0;
-  if (passive) model.density = model.viscosity = 0;
+  if (nothing_passive) model.density = model.viscosity = 0;
 }
 
 void read_start(const MjcfText& text, MjcfModel& model) {

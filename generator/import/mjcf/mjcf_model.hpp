@@ -30,10 +30,11 @@ struct MjcfJoint {
 struct MjcfBody {
   std::string name;
   std::size_t parent = 0;
-  RigidPose pose;                                   ///< in its parent, where no joint has moved
-  BodyMass mass;                                    ///< in its own frame
-  std::optional<Eigen::Quaterniond> inertial_turn;  ///< axes of its inertia, if the model says them
-  double weightless = 0;                            ///< gravcomp: the part of its weight that is borne
+  RigidPose pose;  ///< in its parent, where no joint has moved
+  BodyMass mass;   ///< in its own frame
+  std::optional<Eigen::Quaterniond>
+      inertial_turn;      ///< axes of its inertia before it was corrected; none of the world
+  double weightless = 0;  ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
   std::vector<PlacedShape> shapes;
@@ -45,6 +46,7 @@ struct MjcfPlace {
   std::string name;
   std::size_t body = 0;
   RigidPose pose;
+  bool of_mesh = false;  ///< the frame of a mesh, which MuJoCo moves to its centre of mass
   SourceLocation where;
 };
 
@@ -80,7 +82,6 @@ struct MjcfActuator {
   std::size_t of = 0;
   std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
   std::array<double, 3> gain{1, 0, 0}, bias{};
-  double damping_ratio = 0;  ///< of a position actuator, in place of bias[2]
   MjcfActivation activation = MjcfActivation::none;
   double time_constant = 1;
   std::optional<std::array<double, 2>> inputs, forces, activations;

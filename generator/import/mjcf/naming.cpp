@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
@@ -10,6 +12,8 @@
 
 namespace alembert {
 namespace {
+
+constexpr int kMaximumChain = 100;  // of equalities, by which texts grow
 
 bool is_single(MjcfJointType type) {
   return type == MjcfJointType::hinge || type == MjcfJointType::slide;
@@ -97,35 +101,78 @@ void MjcfNaming::name_others() {
   }
 }
 
-bool MjcfNaming::leads_to(std::size_t from, std::size_t to) const {
-  for (;;) {
-    if (from == to) return true;
-    if (equality_of_[from] == kNone) return false;
-    const std::optional<std::size_t>& next = model_.equalities[equality_of_[from]].second;
-    if (!next) return false;
-    from = *next;
+/// By how many equalities a joint follows the last of its chain; those that are too many are no functions.
+void MjcfNaming::shorten_chains(const Demote& demote) {
+  std::vector<int> steps(model_.joints.size(), -1);
+  std::vector<std::size_t> path;
+  for (std::size_t first = 0; first < steps.size(); ++first) {
+    std::size_t at = first;
+    for (; steps[at] < 0 && follows(at); at = *model_.equalities[equality_of_[at]].second) {
+      path.push_back(at);
+      if (!model_.equalities[equality_of_[at]].second) break;
+    }
+    int count = std::max(steps[at], 0);
+    for (; !path.empty(); path.pop_back()) {
+      if (++count > kMaximumChain) {
+        demote(path.back(), "it follows by way of too many others");
+        count = 0;
+      }
+      steps[path.back()] = count;
+    }
   }
 }
 
+/// Whether its position is a linear function of a coordinate, or stays what it is.
+bool MjcfNaming::follows_straight(std::size_t joint) const {
+  while (equality_of_[joint] != kNone) {
+    const MjcfEquality& of = model_.equalities[equality_of_[joint]];
+    if (!of.second) return true;
+    if (!is_linear(of.polynomial)) return false;
+    joint = *of.second;
+  }
+  return true;
+}
+
 void MjcfNaming::find_followers(Warnings& warnings) {
+  const auto warn = [&](std::size_t equality, const char* why) {
+    warnings.push_back({model_.equalities[equality].where,
+                        fmt::format("an equality of joints is a constraint and no function: {}", why),
+                        {},
+                        "equality as constraint"});
+  };
+  // By joint: another that it follows, nearer to the last of its chain.
+  std::vector<std::size_t> ahead(model_.joints.size());
+  std::iota(ahead.begin(), ahead.end(), std::size_t{0});
+  const auto last_of = [&](std::size_t joint) {
+    while (ahead[joint] != joint) joint = ahead[joint] = ahead[ahead[joint]];
+    return joint;
+  };
   for (std::size_t e = 0; e < model_.equalities.size(); ++e) {
     const MjcfEquality& of = model_.equalities[e];
     if (of.type != MjcfEqualityType::joint) continue;
-    const bool bent = of.second && !is_linear(of.polynomial);
     const char* why = nullptr;
     if (equality_of_[of.first] != kNone) why = "its joint follows another already";
-    if (of.second && leads_to(*of.second, of.first)) why = "its joints would follow each other";
-    if (bent && model_.joints[of.first].armature != 0)
-      why = "its joint has an armature and follows no straight line";
+    if (of.second && last_of(*of.second) == of.first) why = "its joints would follow each other";
     if (why != nullptr) {
-      warnings.push_back({of.where,
-                          fmt::format("an equality of joints is a constraint and no function: {}", why),
-                          {},
-                          "equality as constraint"});
+      warn(e, why);
       continue;
     }
     equality_of_[of.first] = e;
     functions_.insert(e);
+    if (of.second) ahead[of.first] = *of.second;
+  }
+  const auto demote = [&](std::size_t joint, const char* text) {
+    warn(equality_of_[joint], text);
+    functions_.erase(equality_of_[joint]);
+    equality_of_[joint] = kNone;
+  };
+  shorten_chains(demote);
+  // Once all are known: a chain of them bends where one of them does.
+  const std::set<std::size_t> functions = functions_;
+  for (const std::size_t e : functions) {
+    const std::size_t joint = model_.equalities[e].first;
+    if (model_.joints[joint].armature == 0 || follows_straight(joint)) continue;
+    demote(joint, "its joint has an armature and follows no straight line");
   }
   for (std::size_t j = 0; j < model_.joints.size(); ++j) write_text(j);
 }
@@ -157,8 +204,8 @@ void MjcfNaming::write_text(std::size_t joint) {
     out.constant_slope = p[1] * *other.constant_slope;
     out.slope = number_text(*out.constant_slope);
   } else {
-    const std::string x = factor_text(from_reference(*equality.second));
-    const std::string own = sum_text({{p[1], ""}, {2 * p[2], x}, {3 * p[3], x + "^2"}, {4 * p[4], x + "^3"}});
+    const std::string own =
+        polynomial_text(std::array{p[1], 2 * p[2], 3 * p[3], 4 * p[4]}, from_reference(*equality.second));
     out.slope = other.slope.empty() ? factor_text(own) : factor_text(own) + "*" + factor_text(other.slope);
   }
   if (!out.base) {
@@ -186,8 +233,7 @@ std::string MjcfNaming::definition(std::size_t joint) const {
   const double other = model_.joints[*equality.second].reference;
   const std::string& position = texts_[*equality.second].position;
   if (is_linear(p)) return sum_text({{p[1], position}, {own + p[0] - p[1] * other, ""}});
-  const std::string x = factor_text(from_reference(*equality.second));
-  return sum_text({{own + p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
+  return polynomial_text(std::array{own + p[0], p[1], p[2], p[3], p[4]}, from_reference(*equality.second));
 }
 
 }  // namespace alembert

@@ -2,6 +2,7 @@
 // speed of a joint that follows another.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,7 +60,10 @@ class MjcfNaming {
   void name_joints(Warnings& warnings);
   void name_others();
   void find_followers(Warnings& warnings);
-  bool leads_to(std::size_t from, std::size_t to) const;
+  bool follows_straight(std::size_t joint) const;
+  /// Makes a joint's equality a constraint again, and says why.
+  using Demote = std::function<void(std::size_t joint, const char* why)>;
+  void shorten_chains(const Demote& demote);
   void write_text(std::size_t joint);
 
   const MjcfModel& model_;

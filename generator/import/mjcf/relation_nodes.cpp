@@ -35,11 +35,8 @@ void MjcfRelationNodes::add_function(std::vector<std::string>& equations,
                                      const MjcfEquality& equality) const {
   const std::array<double, 5>& p = equality.polynomial;
   const std::string own = naming_.from_reference(equality.first);
-  std::string value = sum_text({{p[0], ""}});
-  if (equality.second) {
-    const std::string x = factor_text(naming_.from_reference(*equality.second));
-    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
-  }
+  const std::string value =
+      equality.second ? polynomial_text(p, naming_.from_reference(*equality.second)) : number_text(p[0]);
   equations.push_back(fmt::format("{} - {}", own, factor_text(value)));
 }
 
@@ -53,11 +50,8 @@ void MjcfRelationNodes::add_tendons(std::vector<std::string>& equations, const M
     return reference == 0 ? text : fmt::format("{} - {}", text, factor_text(number_text(reference)));
   };
   const std::array<double, 5>& p = equality.polynomial;
-  std::string value = number_text(p[0]);
-  if (equality.second) {
-    const std::string x = factor_text(length(*equality.second));
-    value = sum_text({{p[0], ""}, {p[1], x}, {p[2], x + "^2"}, {p[3], x + "^3"}, {p[4], x + "^4"}});
-  }
+  const std::string value =
+      equality.second ? polynomial_text(p, length(*equality.second)) : number_text(p[0]);
   equations.push_back(fmt::format("{} - {}", length(equality.first), factor_text(value)));
 }
 
@@ -82,23 +76,13 @@ void MjcfRelationNodes::add_constraints(YamlNode& list) {
       add_function(equations, equality);
     else
       add_tendons(equations, equality);
-    YamlNode& node = nodes_.mapping(equality.where);
-    nodes_.put(node, "name", nodes_.text(name, equality.where));
-    nodes_.put(node, "type", nodes_.text("holonomic", equality.where));
-    YamlNode& rows = nodes_.sequence(equality.where);
-    for (const std::string& equation : equations)
-      rows.items.push_back(&nodes_.text(equation, equality.where));
-    nodes_.put(node, "equations", rows);
-    list.items.push_back(&node);
+    nodes_.add_holonomic(list, name, equations, equality.where);
   }
 }
 
 void MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
                                    const SourceLocation& where) {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "name", nodes_.text(naming_.new_output(name), where));
-  nodes_.put(node, "value", nodes_.text(value, where));
-  list.items.push_back(&node);
+  nodes_.put(nodes_.add_named(list, naming_.new_output(name), where), "value", nodes_.text(value, where));
 }
 
 void MjcfRelationNodes::add_vector(YamlNode& list, const std::string& name, const std::string (&values)[3],
@@ -119,16 +103,6 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
                                                 : fmt::format("{}_{}", subject, kind);
   const auto vector = [&](const char* quantity, std::string(&out)[3]) {
     for (int k = 0; k < 3; ++k) out[k] = fmt::format("{}({}).{}", quantity, subject, kAxes[k]);
-  };
-  const auto in_axes_of = [&](const std::string& frame, std::string(&v)[3]) {
-    std::string turned[3];
-    for (int k = 0; k < 3; ++k) {
-      const std::string row[3] = {fmt::format("rotation({}).x{}", frame, kAxes[k]),
-                                  fmt::format("rotation({}).y{}", frame, kAxes[k]),
-                                  fmt::format("rotation({}).z{}", frame, kAxes[k])};
-      turned[k] = dot_text(row, v);
-    }
-    for (int k = 0; k < 3; ++k) v[k] = turned[k];
   };
   std::string v[3];
   if (kind == "framepos") {
@@ -165,8 +139,8 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
     }
     return add_output(list, name, value, sensor.where);
   }
-  if (sensor.reference) in_axes_of(naming_.frame(*sensor.reference), v);
-  if (kind == "gyro" || kind == "velocimeter") in_axes_of(subject, v);
+  if (sensor.reference) turn_into(naming_.frame(*sensor.reference), v);
+  if (kind == "gyro" || kind == "velocimeter") turn_into(subject, v);
   add_vector(list, name, v, sensor.where);
 }
 

@@ -79,6 +79,33 @@ const Attributes kOfOption = {"timestep",
                               "actuatorgroupdisable",
                               "collision"};
 
+const Attributes kOfMesh = {"name",    "class",       "content_type",   "file",     "vertex",
+                            "normal",  "texcoord",    "face",           "refpos",   "refquat",
+                            "scale",   "builtin",     "params",         "material", "smoothnormal",
+                            "inertia", "maxhullvert", "octree_maxdepth"};
+const Attributes kOfTendon = {"name",
+                              "class",
+                              "group",
+                              "limited",
+                              "actuatorfrclimited",
+                              "range",
+                              "actuatorfrcrange",
+                              "solreflimit",
+                              "solimplimit",
+                              "solreffriction",
+                              "solimpfriction",
+                              "frictionloss",
+                              "springlength",
+                              "width",
+                              "material",
+                              "margin",
+                              "stiffness",
+                              "damping",
+                              "armature",
+                              "rgba",
+                              "user"};
+const Attributes kOfEquality = {"class", "active", "solref", "solimp"};
+
 const Attributes kOthers = {"plugin", "flag", "include"};  // within any of them
 
 const KnownElement kElements[] = {{"joint", kOthers, kOfJoint},       {"geom", kOthers, kOfGeom},
@@ -86,7 +113,8 @@ const KnownElement kElements[] = {{"joint", kOthers, kOfJoint},       {"geom", k
                                   {"motor", kOthers, kOfActuator},    {"position", kOthers, kOfActuator},
                                   {"velocity", kOthers, kOfActuator}, {"intvelocity", kOthers, kOfActuator},
                                   {"damper", kOthers, kOfActuator},   {"cylinder", kOthers, kOfActuator},
-                                  {"option", kOthers, kOfOption}};
+                                  {"option", kOthers, kOfOption},     {"mesh", kOthers, kOfMesh},
+                                  {"tendon", kOthers, kOfTendon},     {"equality", kOthers, kOfEquality}};
 
 }  // namespace
 

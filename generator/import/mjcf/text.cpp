@@ -21,7 +21,8 @@ constexpr std::string_view kVitalMjcf[] = {
     "stiffness",   "springref", "ref",       "class",        "childclass", "gravity",   "angle",
     "equality",    "connect",   "weld",      "tendon",       "actuator",   "replicate", "frictionloss",
     "gravcomp",    "polycoef",  "eulerseq",  "gear",         "gainprm",    "biasprm",   "kp",
-    "kv",          "coef",      "anchor",    "springlength", "mesh"};
+    "kv",          "coef",      "anchor",    "springlength", "mesh",       "scale",     "refpos",
+    "refquat",     "vertex",    "face"};
 constexpr XmlFormat kMjcf{"mujoco", kVitalMjcf};
 
 constexpr std::size_t kMaximumFiles = 1000;
@@ -133,11 +134,12 @@ fs::path MjcfText::below(const std::string& file, const SourceLocation& where) c
                      fmt::format("'{}' is beside a model that came from standard input", printable(file)),
                      "give the model as a file");
   const fs::path folder = fs::weakly_canonical(fs::absolute(model).parent_path());
-  const fs::path path = fs::weakly_canonical(folder / file);
-  if (!lies_below(path, folder))
+  // A link may lead elsewhere before `..` is taken, and after.
+  const fs::path found = (fs::path(model).parent_path() / file).lexically_normal();
+  const auto is_below = [&](const fs::path& path) { return lies_below(fs::weakly_canonical(path), folder); };
+  if (!is_below(folder / file) || !is_below(fs::absolute(found)))
     throw InputError(where, fmt::format("'{}' lies outside the folder of the model", printable(file)),
                      "files are read below the folder of the model only");
-  const fs::path found = (fs::path(model).parent_path() / file).lexically_normal();
   if (fs::exists(found)) named_files_.insert(found.string());
   return found;
 }

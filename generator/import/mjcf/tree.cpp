@@ -69,6 +69,8 @@ void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
     const std::string_view kind = child.name();
     if (kind == "body") {
       read_body(child, scope);
+    } else if (kind == "inertial") {
+      read_inertial_of(child, scope);
     } else if (kind == "joint") {
       read_joint(child, scope);
     } else if (kind == "freejoint") {
@@ -112,13 +114,19 @@ void MjcfTree::read_replicate(pugi::xml_node element, Scope scope) {
   const pugi::xml_attribute childclass = element.attribute("childclass");
   defaults_.require(childclass);
   if (childclass) scope.childclass = childclass.value();
-  RigidPose step{of.vector("offset", Eigen::Vector3d::Zero()), compiler_.turn(of)};
+  const Eigen::Vector3d step = of.vector("offset", Eigen::Vector3d::Zero()),
+                        angles = of.vector("euler", Eigen::Vector3d::Zero());
   const std::string outer = scope.suffix;
+  const RigidPose first = scope.frame;
+  RigidPose copy;
   const std::size_t digits = std::to_string(static_cast<std::size_t>(count)).size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     scope.suffix = fmt::format("{}{:0{}}{}", of.string("sep"), i, digits, outer);
+    scope.frame = first * copy;
     read_children(element, scope);
-    scope.frame = scope.frame * step;
+    // Each copy is shifted in the axes of the one before it, and turned by a multiple of the angles.
+    copy = {(copy * RigidPose{step}).shift, compiler_.euler_turn(static_cast<double>(i + 1) * angles),
+            copy.longest()};
   }
 }
 
@@ -141,15 +149,19 @@ void MjcfTree::read_body(pugi::xml_node element, const Scope& scope) {
                 "mocap"});
   const pugi::xml_attribute childclass = element.attribute("childclass");
   defaults_.require(childclass);
-  const std::vector<pugi::xml_node> inertials = text_.children(element, "inertial");
-  if (inertials.size() > 1)
-    throw InputError(text_.where(inertials[1]), fmt::format("a second inertial of {}", of.what()));
   read_children(element, {index, {}, childclass ? childclass.value() : scope.childclass, scope.suffix});
-  finish_body(index, of, inertials);
+  finish_body(index, of);
 }
 
-void MjcfTree::finish_body(std::size_t index, const MjcfElement& element,
-                           const std::vector<pugi::xml_node>& inertials) {
+void MjcfTree::read_inertial_of(pugi::xml_node element, const Scope& scope) {
+  if (scope.body == 0)
+    throw InputError(text_.where(element), "an inertial of the world, which does not move");
+  if (!inertials_.emplace(scope.body, Inertial{element, scope.frame}).second)
+    throw InputError(text_.where(element), fmt::format("a second inertial of body '{}'",
+                                                       printable(model_.bodies[scope.body].name)));
+}
+
+void MjcfTree::finish_body(std::size_t index, const MjcfElement& element) {
   using FromGeoms = MjcfCompiler::FromGeoms;
   MjcfBody& body = model_.bodies[index];
   const std::vector<MjcfGeom>& own = geoms_[index];
@@ -158,13 +170,24 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element,
     body.fluid_shapes = body.fluid_shapes || geom.has_fluid_shape();
   }
   const FromGeoms from = compiler_.inertia_from_geoms;
-  if (from == FromGeoms::yes || (from == FromGeoms::where_missing && inertials.empty())) {
+  const auto given = inertials_.find(index);
+  if (from == FromGeoms::yes || (from == FromGeoms::where_missing && given == inertials_.end())) {
     body.mass = mass_of_geoms(own, compiler_);
-  } else if (!inertials.empty()) {
-    const MjcfElement inertial(text_, {inertials[0]}, "the inertial of " + element.what());
-    body.mass = read_inertial(inertial, compiler_);
-    if (inertial.has("diaginertia")) body.inertial_turn = compiler_.turn(inertial);
+    // Of one geom alone, MuJoCo takes its own axes.
+    if (const MjcfGeom* only = only_geom_with_mass(own, compiler_); only != nullptr && !only->is_mesh())
+      body.inertial_turn = only->shape().pose.turn;
+  } else if (given != inertials_.end()) {
+    const MjcfElement inertial(text_, {given->second.element}, "the inertial of " + element.what());
+    body.mass = read_inertial(inertial, given->second.frame, compiler_);
+    if (inertial.has("diaginertia")) body.inertial_turn = given->second.frame.turn * compiler_.turn(inertial);
   }
+  // What MuJoCo gives to a body that says nothing of its mass (boundmass) lies as far from it as it from its parent.
+  if (body.mass.mass == 0 && given == inertials_.end()) {
+    const RigidPose said = compiler_.pose(element);
+    body.mass.centre = said.shift;
+    body.inertial_turn = said.turn;
+  }
+  if (!body.inertial_turn) body.inertial_turn = principal_turn(body.mass);
   body.mass = corrected(body.mass, compiler_, body.where, element.what());
 }
 
@@ -201,7 +224,7 @@ void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
   }
   // Newer models may have the factors of higher powers behind the first.
   const auto first_only = [&](const char* name) {
-    const std::vector<double> values = of.list(name, 1, 3);
+    const std::vector<double> values = of.overlaid(name, 3);
     for (std::size_t i = 1; i < values.size(); ++i)
       if (values[i] != 0)
         throw of.error(name,
@@ -293,6 +316,7 @@ void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vecto
   RigidPose pose = compiler_.pose(of);
   if (const std::vector<double> ends = of.list("fromto", 6, 6); !ends.empty()) {
     const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
+    if (from == to) throw of.error("fromto", fmt::format("the ends of {} are one point", of.what()));
     pose = {(from + to) / 2, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to)};
   }
   place.pose = scope.frame * pose;
@@ -307,6 +331,7 @@ void MjcfTree::read_geom(pugi::xml_node element, const Scope& scope) {
   place.body = scope.body;
   place.where = of.where();
   place.pose = geom.shape().pose;
+  place.of_mesh = geom.is_mesh();
   place.name = add_name(element, scope, geoms, geom_places.size());
   geom_places.push_back(std::move(place));
   geoms_[scope.body].push_back(std::move(geom));

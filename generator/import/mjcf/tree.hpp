@@ -31,8 +31,8 @@ class MjcfTree {
   void read_frame(pugi::xml_node element, Scope scope);
   void read_replicate(pugi::xml_node element, Scope scope);
   void read_body(pugi::xml_node element, const Scope& scope);
-  void finish_body(std::size_t index, const MjcfElement& element,
-                   const std::vector<pugi::xml_node>& inertials);
+  void read_inertial_of(pugi::xml_node element, const Scope& scope);
+  void finish_body(std::size_t index, const MjcfElement& element);
   void read_joint(pugi::xml_node element, const Scope& scope);
   void read_free_joint(pugi::xml_node element, const Scope& scope);
   void read_ranges(const MjcfElement& of, MjcfJoint& joint, bool single);
@@ -50,7 +50,12 @@ class MjcfTree {
   MjcfAssets assets_;
   MjcfModel& model_;
   std::vector<std::vector<MjcfGeom>> geoms_;  ///< by body
-  std::size_t count_ = 0;                     ///< of elements, copies too
+  struct Inertial {
+    pugi::xml_node element;
+    RigidPose frame;
+  };
+  std::map<std::size_t, Inertial> inertials_;  ///< likewise
+  std::size_t count_ = 0;                      ///< of elements, copies too
 };
 
 }  // namespace alembert

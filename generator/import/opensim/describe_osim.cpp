@@ -25,8 +25,7 @@ void add_body(OsimDescription& out, std::size_t index) {
   const OsimJoint& joint = out.model.joints[out.model.joint_of[index]];
   const SourceLocation &at = body.where, &joint_at = joint.where;
   const OsimFrame &parent = out.model.frames[joint.parent], &child = out.model.frames[joint.child];
-  YamlNode& node = out.nodes.mapping(at);
-  out.put(node, "name", out.bodies[index], at);
+  YamlNode& node = out.nodes.add_named(*out.sections["bodies"], out.bodies[index], at);
   const std::string& carrier = out.bodies[joint.reversed ? child.body : parent.body];
   if (carrier != "world") out.put(node, "parent", carrier, joint_at);
   std::vector<std::string> q, coordinate_names;
@@ -59,7 +58,6 @@ void add_body(OsimDescription& out, std::size_t index) {
       if (i < 3 || body.inertia[i] != 0) out.put(inertia, kKeys[i], number_text(body.inertia[i]), at);
     out.nodes.put(node, "inertia", inertia);
   }
-  out.sections["bodies"]->items.push_back(&node);
   out.took(joint.type);
 }
 

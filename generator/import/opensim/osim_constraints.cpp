@@ -135,14 +135,8 @@ void add_osim_constraints(OsimDescription& out) {
       continue;
     }
     const SourceLocation at = out.xml.where(element);
-    YamlNode& node = out.nodes.mapping(at);
-    out.put(node, "name", out.constraint_names.add(OsimXml::name_of(element), at), at);
-    out.put(node, "type", "holonomic", at);
-    YamlNode& list = out.nodes.sequence(at);
-    for (const std::string& equation : type->equations(out, element))
-      list.items.push_back(&out.nodes.text(equation, at));
-    out.nodes.put(node, "equations", list);
-    out.sections["constraints"]->items.push_back(&node);
+    const std::string name = out.constraint_names.add(OsimXml::name_of(element), at);
+    out.nodes.add_holonomic(*out.sections["constraints"], name, type->equations(out, element), at);
     out.took(element.name());
   }
 }

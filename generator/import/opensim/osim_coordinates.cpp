@@ -108,8 +108,7 @@ class CoordinateRoles {
     const OsimCoordinate& coordinate = out_.model.coordinates[i];
     out_.independent[i] = true;
     const SourceLocation& at = coordinate.where;
-    YamlNode& node = out_.nodes.mapping(at);
-    out_.put(node, "name", out_.coordinate_names[i], at);
+    YamlNode& node = out_.nodes.add_named(*out_.sections["coordinates"], out_.coordinate_names[i], at);
     if (coordinate.value != 0) out_.put(node, "initial", number_text(coordinate.value), at);
     if (coordinate.speed != 0) out_.put(node, "initial_speed", number_text(coordinate.speed), at);
     if (coordinate.range) {
@@ -124,7 +123,6 @@ class CoordinateRoles {
              {},
              "outside range"});
     }
-    out_.sections["coordinates"]->items.push_back(&node);
     out_.took("coordinates");
   }
 

@@ -73,16 +73,14 @@ std::string OsimDescription::add_frame(const std::string& name, std::size_t on,
   const std::string key = fmt::format("{} {}", name, fmt::join(point, " "));
   if (const auto made = frames_made_.find({on, key}); made != frames_made_.end()) return made->second;
   const OsimFrame& frame = model.frames[on];
-  YamlNode& node = nodes.mapping(at);
   const std::string fit = frame_names.add(name, at);
-  nodes.put(node, "name", nodes.text(fit, at));
+  YamlNode& node = nodes.add_named(*sections["frames"], fit, at);
   nodes.put(node, "body", nodes.text(bodies[frame.body], at));
   YamlNode& transform = nodes.sequence(at);
   factors.add_offsets(transform, frame, at);
   if (std::ranges::any_of(point, [](const std::string& text) { return text != "0"; }))
     transform.items.push_back(&nodes.single("translate", nodes.list({point[0], point[1], point[2]}, at)));
   if (!transform.items.empty()) nodes.put(node, "transform", transform);
-  sections["frames"]->items.push_back(&node);
   frames_made_.emplace(std::pair(on, key), fit);
   return fit;
 }
@@ -95,33 +93,26 @@ std::string OsimDescription::frame_of(std::size_t frame, const SourceLocation& a
 std::string OsimDescription::add_input(const std::string& name, double initial,
                                        const std::array<double, 2>& limits, const SourceLocation& at) {
   const std::string fit = names.add(name, at);
-  YamlNode& node = nodes.mapping(at);
-  put(node, "name", fit, at);
+  YamlNode& node = nodes.add_named(*sections["inputs"], fit, at);
   if (initial != 0) put(node, "initial", number_text(initial), at);
   if (std::isfinite(limits[1] - limits[0]) && limits[0] < limits[1] && limits[0] <= initial &&
       initial <= limits[1])
     nodes.put(node, "limits", nodes.list({number_text(limits[0]), number_text(limits[1])}, at));
-  sections["inputs"]->items.push_back(&node);
   return fit;
 }
 
 std::string OsimDescription::add_state(const std::string& name, double initial,
                                        const std::array<double, 2>& limits, const std::string& rate,
                                        const SourceLocation& at) {
-  YamlNode& node = nodes.mapping(at);
-  put(node, "name", name, at);
+  YamlNode& node = nodes.add_named(*sections["states"], name, at);
   put(node, "initial", number_text(std::clamp(initial, limits[0], limits[1])), at);
   nodes.put(node, "limits", nodes.list({number_text(limits[0]), number_text(limits[1])}, at));
   put(node, "rate", rate, at);
-  sections["states"]->items.push_back(&node);
   return name;
 }
 
 YamlNode& OsimDescription::add_force(const std::string& name, const SourceLocation& at) {
-  YamlNode& node = nodes.mapping(at);
-  put(node, "name", force_names.add(name, at), at);
-  sections["forces"]->items.push_back(&node);
-  return node;
+  return nodes.add_named(*sections["forces"], force_names.add(name, at), at);
 }
 
 void OsimDescription::put(YamlNode& mapping, const char* key, const std::string& text,
@@ -164,10 +155,7 @@ void OsimDescription::drop_unused() {
 YamlNode& OsimDescription::finish() {
   drop_unused();
   const SourceLocation& top = model.where;
-  YamlNode& root = nodes.mapping(top);
-  put(root, "alembert", "1", top);
-  put(root, "name", fit_mechanism_name(model.name), top);
-  put(root, "description", summary(), top);
+  YamlNode& root = nodes.root(model.name, summary(), top);
   nodes.put(root, "gravity", nodes.numbers(model.gravity, top));
   const auto put_named = [&](const char* key, const std::vector<Named>& list) {
     if (list.empty()) return;

@@ -83,6 +83,10 @@ bool add_coordinate_limit(OsimDescription& out, pugi::xml_node element) {
       out.model, OsimXml::text(element, {"coordinate", "socket_coordinate"}), xml.where(element), "");
   const double unit = out.model.coordinates[coordinate].rotational ? std::numbers::pi / 180 : 1;
   const double transition = xml.number(element, "transition", 0.1) * unit;
+  if (!(transition > 0))
+    throw InputError(xml.where(element.child("transition")),
+                     fmt::format("expected a positive <transition> of {}: its stiffness grows from 0 over it",
+                                 OsimXml::title(element)));
   const double damping = xml.number(element, "damping", 0.001) / unit;
   const std::string& q = where->position;
   std::vector<std::string> terms;

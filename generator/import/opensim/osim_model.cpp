@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "import/opensim/osim_joints.hpp"
@@ -54,6 +55,7 @@ class SkeletonReader {
     std::vector<pugi::xml_node> elements = xml_.objects(model_.element, "BodySet");
     for (const pugi::xml_node element : model_.element.child("components").children("Body"))
       elements.push_back(element);
+    std::set<std::string> names;
     for (const pugi::xml_node element : elements) {
       const std::string name = OsimXml::name_of(element);
       if (std::string_view(element.name()) != "Body")
@@ -73,14 +75,13 @@ class SkeletonReader {
                                           "inertia_xy", "inertia_xz", "inertia_yz"};
       for (std::size_t i = 0; i < 6; ++i) body.inertia[i] = xml_.number(element, kEntries[i], 0);
       body.inertia = xml_.vector<6>(element, "inertia", body.inertia);
-      if (std::ranges::find(model_.bodies, name, &OsimBody::name) != model_.bodies.end())
+      if (!names.insert(name).second)
         throw InputError(body.where, fmt::format("a second body '{}'", printable(name)));
       model_.bodies.push_back(body);
     }
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
       const OsimBody& body = model_.bodies[i];
-      model_.frames.push_back(
-          {body.name, i == 0 ? "/ground" : "/bodyset/" + body.name, i, {}, false, body.where});
+      model_.add_frame({body.name, i == 0 ? "/ground" : "/bodyset/" + body.name, i, {}, false, body.where});
     }
   }
 
@@ -104,9 +105,11 @@ class SkeletonReader {
     // Frames on frames: as many rounds as they are deep.
     std::vector<Pending> open = std::move(pending_);
     while (!open.empty()) {
+      std::set<std::string, std::less<>> pending;
+      for (const Pending& frame : open) pending.insert(frame.frame.name);
       std::vector<Pending> left;
       for (const Pending& frame : open)
-        if (!place(frame, frame_is_pending(frame, open))) left.push_back(frame);
+        if (!place(frame, pending.contains(last_part(frame.parent)))) left.push_back(frame);
       if (left.size() == open.size())
         throw InputError(left[0].frame.where,
                          fmt::format("frame '{}' stands on itself", printable(left[0].frame.name)));
@@ -135,10 +138,7 @@ class SkeletonReader {
         collect_frames(element.child("components"), path + "/" + name, own);
       }
   }
-  static bool frame_is_pending(const Pending& frame, const std::vector<Pending>& open) {
-    const std::string name = frame.parent.substr(frame.parent.find_last_of('/') + 1);
-    return std::ranges::any_of(open, [&](const Pending& other) { return other.frame.name == name; });
-  }
+  static std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
   bool place(const Pending& pending, bool parent_is_pending) {
     std::size_t parent = 0;
     try {
@@ -152,7 +152,7 @@ class SkeletonReader {
     frame.body = model_.frames[parent].body;
     frame.offsets = model_.frames[parent].offsets;
     if (!pending.offset.is_identity()) frame.offsets.push_back(pending.offset);
-    model_.frames.push_back(frame);
+    model_.add_frame(std::move(frame));
     return true;
   }
 
@@ -207,7 +207,7 @@ class SkeletonReader {
     frame.name = frame.path = "";
     frame.offsets.push_back(offset);
     frame.own = false;
-    model_.frames.push_back(frame);
+    model_.add_frame(std::move(frame));
     return model_.frames.size() - 1;
   }
 
@@ -255,6 +255,15 @@ class SkeletonReader {
 };
 
 }  // namespace
+
+void OsimModel::add_frame(OsimFrame frame) {
+  // A joint's own place on a body has no name.
+  if (!frame.path.empty()) {
+    frame_of_path.try_emplace(frame.path, frames.size());
+    frames_of_name[frame.name].push_back(frames.size());
+  }
+  frames.push_back(std::move(frame));
+}
 
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root) {
   return SkeletonReader(xml, root).read();

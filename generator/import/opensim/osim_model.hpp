@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,10 +62,14 @@ struct OsimJoint {
 
 /// Joints make a tree; body 0 is the ground.
 struct OsimModel {
+  void add_frame(OsimFrame frame);
+
   std::string name;
   std::array<double, 3> gravity{};
   std::vector<OsimBody> bodies;
-  std::vector<OsimFrame> frames;  ///< frame i is body i's, for all bodies
+  std::vector<OsimFrame> frames;                                   ///< frame i is body i's, for all bodies
+  std::map<std::string, std::size_t> frame_of_path;                ///< the first one of each
+  std::map<std::string, std::vector<std::size_t>> frames_of_name;  ///< in their order
   std::vector<OsimJoint> joints;
   std::vector<OsimCoordinate> coordinates;
   std::vector<std::size_t> joint_of;  ///< by body: that which moves it; of the ground: none

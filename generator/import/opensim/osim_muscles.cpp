@@ -196,13 +196,10 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
   const std::string load = out.names.add(name + "_load", muscle.at_);
   out.add_state(fibre, muscle.number("default_fiber_length", muscle.fibre_) / muscle.fibre_, {0.2, 2},
                 fmt::format("{}*{}", n(muscle.speed_), curves.speed(a, load, active)), muscle.at_);
-  YamlNode& output = out.nodes.mapping(muscle.at_);
-  out.put(output, "name", load, muscle.at_);
-  out.put(output, "value",
+  out.put(out.nodes.add_named(*out.sections["outputs"], load, muscle.at_), "value",
           fmt::format("tension({})/{}{} - {}", name, n(muscle.force_), cosine == "1" ? "" : "/" + cosine,
                       curves.passive(fibre)),
           muscle.at_);
-  out.sections["outputs"]->items.push_back(&output);
   return true;
 }
 

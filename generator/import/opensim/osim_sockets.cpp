@@ -35,27 +35,23 @@ std::size_t resolve_osim_frame(const OsimModel& model, const std::string& socket
                                const SourceLocation& where, const std::string& what) {
   if (socket.empty()) throw InputError(where, what + " names no frame");
   const auto& frames = model.frames;
-  const auto by_path = [&](const std::string& path) {
-    return std::ranges::find(frames, path, &OsimFrame::path);
-  };
+  const auto& by_path = model.frame_of_path;
   const std::string absolute = plain_path(socket.starts_with('/') ? socket : owner + "/" + socket);
-  auto found = by_path(absolute);
+  auto found = by_path.find(absolute);
   // Paths of some versions begin with the name of the model.
-  if (found == frames.end() && socket.starts_with('/') && absolute.find('/', 1) != std::string::npos)
-    found = by_path(absolute.substr(absolute.find('/', 1)));
+  if (found == by_path.end() && socket.starts_with('/') && absolute.find('/', 1) != std::string::npos)
+    found = by_path.find(absolute.substr(absolute.find('/', 1)));
+  if (found != by_path.end()) return found->second;
   const std::string name = last_part(socket);
-  if (found == frames.end())
-    found = std::ranges::find_if(frames, [&](const OsimFrame& frame) {
-      return frame.name == name && frame.path.starts_with(owner + "/");
-    });
-  if (found == frames.end()) found = std::ranges::find(frames, name, &OsimFrame::name);
-  if (found == frames.end()) {
-    std::vector<std::string> names;
-    for (const OsimFrame& frame : frames) names.push_back(frame.name);
-    throw InputError(where, fmt::format("{} names an unknown frame '{}'{}", what, printable(socket),
-                                        did_you_mean(name, names)));
+  if (const auto named = model.frames_of_name.find(name); named != model.frames_of_name.end()) {
+    const auto own = std::ranges::find_if(
+        named->second, [&](std::size_t frame) { return frames[frame].path.starts_with(owner + "/"); });
+    return own != named->second.end() ? *own : named->second.front();
   }
-  return static_cast<std::size_t>(found - frames.begin());
+  std::vector<std::string> names;
+  for (const OsimFrame& frame : frames) names.push_back(frame.name);
+  throw InputError(where, fmt::format("{} names an unknown frame '{}'{}", what, printable(socket),
+                                      did_you_mean(name, names)));
 }
 
 std::size_t resolve_osim_coordinate(const OsimModel& model, const std::string& socket,

@@ -47,10 +47,7 @@ std::string OsimXml::title(pugi::xml_node element) {
 }
 
 std::string OsimXml::text(pugi::xml_node element, const char* property) {
-  const std::string_view value = element.child(property).child_value();
-  const std::size_t first = value.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(value.substr(first, value.find_last_not_of(kBlank) - first + 1));
+  return text_of_element(element.child(property));
 }
 
 std::string OsimXml::text(pugi::xml_node element, std::initializer_list<const char*> properties) {
@@ -60,21 +57,23 @@ std::string OsimXml::text(pugi::xml_node element, std::initializer_list<const ch
 }
 
 std::vector<std::string> OsimXml::words(pugi::xml_node element, const char* property) {
-  return split(element.child(property).child_value());
+  return split(text_of_element(element.child(property)));
 }
 
 bool OsimXml::is_blank(pugi::xml_node element) {
-  return std::string_view(element.child_value()).find_first_not_of(kBlank) == std::string_view::npos;
+  return text_of_element(element).empty();
 }
 
 bool OsimXml::flag(pugi::xml_node element, const char* property, bool otherwise) const {
-  std::string value = text(element, property);
+  // Of the model's defaults, too.
+  const pugi::xml_node found = this->property(element, property);
+  std::string value = text_of_element(found);
   std::ranges::transform(value, value.begin(),
                          [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   if (value.empty()) return otherwise;
   if (value == "true" || value == "1") return true;
   if (value == "false" || value == "0") return false;
-  throw InputError(where(element.child(property)),
+  throw InputError(where(found),
                    fmt::format("expected true or false as <{}>, found '{}'", property, printable(value)));
 }
 
@@ -83,9 +82,9 @@ double OsimXml::number(pugi::xml_node element, const char* property, double othe
 }
 
 double OsimXml::number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const {
-  const std::string_view value = this->property(element, property).child_value();
+  const std::string value = text_of_element(this->property(element, property));
   const std::size_t letter = value.find_first_of("iI");
-  if (letter == std::string_view::npos) return number(element, property, otherwise);
+  if (letter == std::string::npos) return number(element, property, otherwise);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return value.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
 }
@@ -101,10 +100,10 @@ std::vector<double> OsimXml::numbers(pugi::xml_node element, std::size_t count) 
     const std::string expected =
         count == 0 ? "numbers" : (count == 1 ? "a number" : fmt::format("{} numbers", count));
     return InputError(where(element), fmt::format("expected {} as <{}>, found '{}'", expected, element.name(),
-                                                  printable(element.child_value())));
+                                                  printable(text_of_element(element))));
   };
   std::vector<double> out;
-  for (const std::string& word : split(element.child_value())) {
+  for (const std::string& word : split(text_of_element(element))) {
     const char* const begin = word.data() + (word[0] == '+' ? 1 : 0);
     const char* const end = word.data() + word.size();
     double value = 0;
@@ -118,7 +117,7 @@ std::vector<double> OsimXml::numbers(pugi::xml_node element, std::size_t count) 
 
 std::vector<pugi::xml_node> OsimXml::objects(pugi::xml_node parent, const char* set) const {
   const pugi::xml_node found = parent.child(set);
-  if (const pugi::xml_attribute file = found.attribute("file"))
+  if (const pugi::xml_attribute file = found.attribute("file"); file.value()[0] != '\0')
     throw InputError(
         xml_.where(file),
         fmt::format("<{}> stands in another file, '{}', which is not read", set, printable(file.value())),

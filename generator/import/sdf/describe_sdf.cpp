@@ -57,10 +57,7 @@ class SdfDescriber {
       add_frame(frames, frame_names_.add(frame.name, frame.where), frame.link, frame.pose, frame.where);
     add_forces(forces, frames);
     for (const std::size_t cut : tree_.cuts) add_constraint(constraints, forces, frames, cut);
-    YamlNode& root = nodes_.mapping(top);
-    nodes_.put(root, "alembert", nodes_.text("1", top));
-    nodes_.put(root, "name", nodes_.text(fit_mechanism_name(model_.name), top));
-    nodes_.put(root, "description", nodes_.text(fmt::format("SDF '{}'", printable(model_.name)), top));
+    YamlNode& root = nodes_.root(model_.name, fmt::format("SDF '{}'", printable(model_.name)), top);
     if (model_.gravity != Eigen::Vector3d(0, 0, -9.81))
       nodes_.put(root, "gravity", nodes_.numbers(entries(model_.gravity), top));
     nodes_.put(root, "coordinates", coordinates);
@@ -77,7 +74,7 @@ class SdfDescriber {
   const SdfAxis& axis_of(std::size_t joint, std::size_t axis) const {
     return model_.joints[joint].axes[axis];
   }
-  bool is_cut(std::size_t joint) const { return std::ranges::find(tree_.cuts, joint) != tree_.cuts.end(); }
+  bool is_cut(std::size_t joint) const { return std::ranges::binary_search(tree_.cuts, joint); }
   bool stands_still(const SdfJoint& joint) const {
     return joint.parent == kSdfWorld && joint.child == kSdfWorld;
   }
@@ -129,10 +126,8 @@ class SdfDescriber {
       if (!is_used(j)) continue;
       if (joint.type == SdfJointType::ball) {
         names.push_back(names_.add(joint.name, joint.where));
-        YamlNode& node = nodes_.mapping(joint.where);
-        nodes_.put(node, "name", nodes_.text(names[0], joint.where));
-        nodes_.put(node, "type", nodes_.text("quaternion", joint.where));
-        list.items.push_back(&node);
+        nodes_.put(nodes_.add_named(list, names[0], joint.where), "type",
+                   nodes_.text("quaternion", joint.where));
       }
       for (std::size_t a = 0; a < joint.axes.size(); ++a) {
         names.push_back(
@@ -147,8 +142,7 @@ class SdfDescriber {
     for (const char* suffix : {"_x", "_y", "_z", "_rotation"})
       free_names_[link].push_back(names_.add(of.name, of.where, suffix));
     for (int i = 0; i < 4; ++i) {
-      YamlNode& node = nodes_.mapping(of.where);
-      nodes_.put(node, "name", nodes_.text(free_names_[link][static_cast<std::size_t>(i)], of.where));
+      YamlNode& node = nodes_.add_named(list, free_names_[link][static_cast<std::size_t>(i)], of.where);
       if (i < 3) {
         const double initial = shift_without_rounding(of.pose)[static_cast<std::size_t>(i)];
         if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
@@ -161,14 +155,14 @@ class SdfDescriber {
               nodes_.list({number_text(q.x()), number_text(q.y()), number_text(q.z()), number_text(q.w())},
                           of.where));
       }
-      list.items.push_back(node.items.size() == 2 ? node.items[1] : &node);
+      if (node.items.size() == 2) list.items.back() = node.items[1];
     }
   }
 
   void add_coordinate(YamlNode& list, const SdfJoint& joint, const SdfAxis& axis, const std::string& name) {
     const SourceLocation& where = axis.where;
     YamlNode& node = nodes_.mapping(where);
-    nodes_.put(node, "name", nodes_.text(name, joint.where));
+    nodes_.put(node, "name", nodes_.text(name, joint.where));  // which stands elsewhere
     const bool turns = joint.type != SdfJointType::prismatic;
     const auto text = [&](double value) {
       return turns ? SnappedAngle(value, 1e-12).text() : number_text(value);
@@ -191,10 +185,7 @@ class SdfDescriber {
     };
     if (options_.resistance) number("damping", axis.damping);
     if (options_.resistance && axis.friction != 0) {
-      YamlNode& friction = nodes_.mapping(where);
-      nodes_.put(friction, "force", nodes_.text(number_text(axis.friction), where));
-      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
-      nodes_.put(node, "friction", friction);
+      nodes_.put_friction(node, axis.friction, where);
     }
     number("stiffness", axis.stiffness);
     if (axis.stiffness != 0) number("rest", axis.rest);
@@ -259,8 +250,7 @@ class SdfDescriber {
     const SdfLink& of = model_.links[link];
     const SdfPlace& place = tree_.places[link];
     if (of.fixed && !has_solid(of.shapes)) return;
-    YamlNode& node = nodes_.mapping(of.where);
-    nodes_.put(node, "name", nodes_.text(link_names_[link], of.where));
+    YamlNode& node = nodes_.add_named(list, link_names_[link], of.where);
     YamlNode& factors = nodes_.sequence(of.where);
     if (place.free) {
       factors_.add_free(factors, free_names_[link], of.where);
@@ -287,18 +277,11 @@ class SdfDescriber {
     YamlNode& shapes = nodes_.sequence(of.where);
     for (const PlacedShape& shape : of.shapes) add_shape(nodes_, factors_, shapes, shape, options_.folder);
     if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
-    list.items.push_back(&node);
   }
 
   void add_frame(YamlNode& list, const std::string& name, std::size_t link, const RigidPose& pose,
                  const SourceLocation& where) {
-    YamlNode& node = nodes_.mapping(where);
-    nodes_.put(node, "name", nodes_.text(name, where));
-    nodes_.put(node, "body", nodes_.text(link_name(link), where));
-    YamlNode& factors = nodes_.sequence(where);
-    factors_.add_pose(factors, pose, where);
-    if (!factors.items.empty()) nodes_.put(node, "transform", factors);
-    list.items.push_back(&node);
+    factors_.add_frame(list, name, link_name(link), pose, where);
   }
 
   // Forces.
@@ -322,11 +305,9 @@ class SdfDescriber {
     const Following of = following(j, a);
     const std::string &own = joint_names_[j][a], &base = joint_names_[of.joint][of.axis];
     const auto add = [&](const char* what, const char* key, const std::string& value) {
-      YamlNode& force = nodes_.mapping(axis.where);
-      nodes_.put(force, "name", nodes_.text(force_names_.add(own, axis.where, what), axis.where));
+      YamlNode& force = nodes_.add_named(list, force_names_.add(own, axis.where, what), axis.where);
       if (key == std::string_view("value")) nodes_.put(force, "on", nodes_.text(base, axis.where));
       nodes_.put(force, key, nodes_.text(value, axis.where));
-      list.items.push_back(&force);
     };
     if (options_.resistance && axis.damping != 0)
       add("_damping", "value",
@@ -372,13 +353,7 @@ class SdfDescriber {
       case SdfJointType::screw:
         break;
     }
-    YamlNode& node = nodes_.mapping(joint.where);
-    nodes_.put(node, "name", nodes_.text(name, joint.where));
-    nodes_.put(node, "type", nodes_.text("holonomic", joint.where));
-    YamlNode& rows = nodes_.sequence(joint.where);
-    for (const std::string& equation : loop.take()) rows.items.push_back(&nodes_.text(equation, joint.where));
-    nodes_.put(node, "equations", rows);
-    list.items.push_back(&node);
+    nodes_.add_holonomic(list, name, loop.take(), joint.where);
     for (const SdfAxis& axis : joint.axes)
       if (resists(axis)) add_resistance(forces, joint, axis, ends);
   }
@@ -411,12 +386,10 @@ class SdfDescriber {
         along[static_cast<std::size_t>(k)] =
             factor == 0 ? "0" : fmt::format("({})*({})", number_text(factor), resistance);
       }
-      YamlNode& node = nodes_.mapping(axis.where);
-      nodes_.put(node, "name",
-                 nodes_.text(force_names_.add(ends[end], axis.where, "_resistance"), axis.where));
+      YamlNode& node =
+          nodes_.add_named(list, force_names_.add(ends[end], axis.where, "_resistance"), axis.where);
       nodes_.put(node, "at", nodes_.text(ends[end], axis.where));
       nodes_.put(node, slides ? "force" : "torque", nodes_.list({along[0], along[1], along[2]}, axis.where));
-      list.items.push_back(&node);
     }
   }
 

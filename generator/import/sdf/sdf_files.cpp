@@ -67,7 +67,6 @@ constexpr std::string_view kVitalSdf[] = {"world",
 constexpr XmlFormat kSdf{"sdf", kVitalSdf};
 
 constexpr std::size_t kMaximumSdfIncludes = 1000;
-constexpr std::string_view kSdfBlank = " \t\r\n";
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),
@@ -127,11 +126,16 @@ fs::path SdfFiles::resolve(pugi::xml_node uri, std::string_view kind) const {
     candidates.push_back(fs::absolute(from).parent_path().parent_path() / rest);
   bool any_allowed = false;
   for (const fs::path& candidate : candidates) {
-    const fs::path path = fs::weakly_canonical(candidate);
-    const bool allowed = std::ranges::any_of(
-        roots, [&](const fs::path& root) { return lies_below(path, fs::weakly_canonical(root)); });
+    const auto allowed_at = [&](const fs::path& path) {
+      return std::ranges::any_of(roots, [&](const fs::path& root) {
+        return lies_below(fs::weakly_canonical(path), fs::weakly_canonical(root));
+      });
+    };
+    // A link may lead elsewhere before `..` is taken, and after.
+    const fs::path normal = candidate.lexically_normal();
+    const bool allowed = allowed_at(candidate) && allowed_at(normal);
     any_allowed = any_allowed || allowed;
-    if (allowed && fs::exists(path)) return candidate.lexically_normal();
+    if (allowed && fs::exists(normal)) return normal;
   }
   if (!any_allowed && !candidates.empty())
     throw InputError(place, fmt::format("'{}' lies outside the folder of the file", printable(name)),
@@ -146,8 +150,15 @@ fs::path SdfFiles::resolve(pugi::xml_node uri, std::string_view kind) const {
 
 /// The newest file that a model's folder names.
 fs::path SdfFiles::model_file(const fs::path& folder, pugi::xml_node uri) const {
-  const fs::path config = folder / "model.config";
-  if (!fs::exists(config)) return folder / "model.sdf";
+  // Nothing in the folder may be a link that leads out of it.
+  const auto inside = [&](const fs::path& file) {
+    if (!lies_below(fs::weakly_canonical(folder / file), fs::weakly_canonical(folder)))
+      throw InputError(where_text(uri), fmt::format("the '{}' of '{}' lies outside its folder",
+                                                    printable(file.generic_string()), printable(text(uri))));
+    return folder / file;
+  };
+  const fs::path config = inside("model.config");
+  if (!fs::exists(config)) return inside("model.sdf");
   pugi::xml_document document;
   named_files_.insert(config.string());
   if (!document.load_file(config.c_str()))
@@ -165,12 +176,7 @@ fs::path SdfFiles::model_file(const fs::path& folder, pugi::xml_node uri) const 
       best = text(sdf);
     }
   }
-  if (best.empty()) return folder / "model.sdf";
-  const fs::path path = fs::weakly_canonical(folder / best);
-  if (!lies_below(path, fs::weakly_canonical(folder)))
-    throw InputError(where_text(uri), fmt::format("the model.config of '{}' names a file outside its folder",
-                                                  printable(text(uri))));
-  return folder / best;
+  return inside(best.empty() ? "model.sdf" : best);
 }
 
 bool SdfFiles::is_scenery(pugi::xml_node include) {
@@ -226,10 +232,7 @@ std::optional<fs::path> SdfFiles::drawn_file(pugi::xml_node uri) const {
 }
 
 std::string SdfFiles::text(pugi::xml_node element) {
-  const std::string_view value = element.child_value();
-  const std::size_t first = value.find_first_not_of(kSdfBlank);
-  if (first == std::string_view::npos) return {};
-  return std::string(value.substr(first, value.find_last_not_of(kSdfBlank) - first + 1));
+  return text_of_element(element);
 }
 
 double SdfFiles::number(pugi::xml_node element, const char* child, double otherwise) const {

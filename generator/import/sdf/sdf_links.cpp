@@ -104,7 +104,14 @@ class SdfLinkReader {
       }
     }
     if (mass == 0 && !inertia) matrix.setZero();
-    const RigidPose pose = files_.pose(inertial.child("pose"));
+    const pugi::xml_node own = inertial.child("pose");
+    if (own.attribute("relative_to").value()[0] != '\0')
+      files_.warn({files_.where(own, "relative_to"),
+                   fmt::format("the inertial of {} lies in the link's own frame; relative_to is passed over",
+                               sdf_title(node)),
+                   {},
+                   "relative inertial"});
+    const RigidPose pose = files_.pose(own);
     link_.mass = BodyMass{mass, Eigen::Vector3d::Zero(), matrix}.moved(pose);
   }
 
@@ -150,10 +157,7 @@ class SdfLinkReader {
                        fmt::format("'{}' {}", printable(SdfFiles::text(uri)), error.what()),
                        "inertias follow from it");
     }
-    const Eigen::Vector3d scale = files_.vector(mesh, "scale", Eigen::Vector3d::Ones());
-    for (Eigen::Vector3d& vertex : triangles.vertices) vertex = scale.cwiseProduct(vertex);
-    if (scale.prod() < 0)
-      for (auto& triangle : triangles.triangles) std::swap(triangle[1], triangle[2]);
+    stretch(triangles, files_.vector(mesh, "scale", Eigen::Vector3d::Ones()));
     const BodyMass out = mass_properties(triangles, MeshVolume::exact);
     if (!(out.mass > 0))
       throw InputError(files_.where_text(uri), fmt::format("'{}' encloses no volume, or is turned inside out",

@@ -16,7 +16,7 @@ struct SdfPlace {
 
 struct SdfTree {
   std::vector<SdfPlace> places;   ///< by link
-  std::vector<std::size_t> cuts;  ///< joints that close chains
+  std::vector<std::size_t> cuts;  ///< joints that close chains, in their order
 };
 
 /// Screws, joints with springs and joints that follow or are followed are in the tree where that can be, then those that

@@ -35,10 +35,7 @@ class Describer {
       if (link == robot_.root && root_is_world_) continue;
       (is_frame(link) ? frames : bodies).items.push_back(&add_link(link));
     }
-    YamlNode& root = nodes_.mapping(top);
-    nodes_.put(root, "alembert", nodes_.text("1", top));
-    nodes_.put(root, "name", nodes_.text(fit_mechanism_name(robot_.name), top));
-    nodes_.put(root, "description", nodes_.text(fmt::format("URDF robot '{}'", printable(robot_.name)), top));
+    YamlNode& root = nodes_.root(robot_.name, fmt::format("URDF robot '{}'", printable(robot_.name)), top);
     nodes_.put(root, "coordinates", coordinates);
     if (!definitions.items.empty()) nodes_.put(root, "definitions", definitions);
     nodes_.put(root, "bodies", bodies);
@@ -78,7 +75,8 @@ class Describer {
                       const UrdfJoint* joint = nullptr, const char* type = nullptr) {
     const std::array<double, 2>* limits = joint != nullptr && joint->limits ? &*joint->limits : nullptr;
     std::vector<std::pair<const char*, double>> numbers;
-    const double armature = joint != nullptr ? rotor(*joint) : 0;
+    const double armature =
+        joint != nullptr ? rotors_[static_cast<std::size_t>(joint - robot_.joints.data())] : 0;
     if (armature > 0)
       numbers.emplace_back("armature", armature);
     else if (massless && options_.massless == Massless::armature)
@@ -93,8 +91,7 @@ class Describer {
       list.items.push_back(&nodes_.text(name, where));
       return;
     }
-    YamlNode& node = nodes_.mapping(where);
-    nodes_.put(node, "name", nodes_.text(name, where));
+    YamlNode& node = nodes_.add_named(list, name, where);
     if (type != nullptr) nodes_.put(node, "type", nodes_.text(type, where));
     if (limits != nullptr) {
       const double initial = std::clamp(0.0, (*limits)[0], (*limits)[1]);
@@ -102,25 +99,19 @@ class Describer {
       nodes_.put(node, "limits", nodes_.list({number_text((*limits)[0]), number_text((*limits)[1])}, where));
     }
     for (const auto& [key, value] : numbers) nodes_.put(node, key, nodes_.text(number_text(value), where));
-    if (rubbed) {
-      YamlNode& friction = nodes_.mapping(where);
-      nodes_.put(friction, "force", nodes_.text(number_text(joint->friction), where));
-      nodes_.put(friction, "velocity", nodes_.text(number_text(kFrictionVelocity), where));
-      nodes_.put(node, "friction", friction);
-    }
-    list.items.push_back(&node);
+    if (rubbed) nodes_.put_friction(node, joint->friction, where);
   }
-  /// Inertia that rotors have for a joint: that of its own drive, and those of joints that mimic it.
-  double rotor(const UrdfJoint& joint) const {
-    double sum = 0;
+  /// Inertia that rotors have for each joint: that of its own drive, and those of joints that mimic it.
+  std::vector<double> rotors() const {
+    std::vector<double> out(robot_.joints.size(), 0);
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
       const UrdfJoint& driven = robot_.joints[i];
       if (driven.rotor_inertia == 0) continue;
       const auto [of, multiplier] = moved_by(i);
       const double turns = multiplier * driven.reduction;
-      if (&robot_.joints[of] == &joint) sum += turns * turns * driven.rotor_inertia;
+      out[of] += turns * turns * driven.rotor_inertia;
     }
-    return sum;
+    return out;
   }
   /// The joint at the end of a chain of mimics, and how far this one moves for it. (One that mimics none that
   /// is left stands still, and is an end too.)
@@ -211,12 +202,9 @@ class Describer {
       if (robot_.joints[of].mimic) continue;  // stands still
       const std::string& coordinate = joint_names_[of][0];
       const auto add = [&](const char* what, const std::string& value) {
-        YamlNode& force = nodes_.mapping(joint.where);
-        const std::string name = fmt::format("{}_{}", joint_names_[i][0], what);
-        nodes_.put(force, "name", nodes_.text(name, joint.where));
+        YamlNode& force = nodes_.add_named(out, fmt::format("{}_{}", joint_names_[i][0], what), joint.where);
         nodes_.put(force, "on", nodes_.text(coordinate, joint.where));
         nodes_.put(force, "value", nodes_.text(value, joint.where));
-        out.items.push_back(&force);
       };
       if (joint.damping != 0)
         add("damping",
@@ -308,7 +296,8 @@ class Describer {
   DescriptionNodes nodes_;
   JointFactors factors_{nodes_, robot_, options_.snap_angles};
   LinkNodes link_nodes_{nodes_, factors_, options_};
-  std::vector<bool> massless_;  ///< by joint
+  std::vector<bool> massless_;            ///< by joint
+  std::vector<double> rotors_{rotors()};  ///< likewise
   Warnings warnings_;
   FitNames names_{"joint", warnings_};
   bool root_is_world_ = false;
