@@ -46,6 +46,32 @@ std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
   return real(numeric_value(a) * numeric_value(b));
 }
 
+bool Builder::has_choice_factor(Ref x, int depth) const {
+  const Node& n = node(x);
+  if (is_choice(n.op)) return true;
+  if (depth == 0 || n.constant) return false;
+  if (n.op == Operation::div) return has_choice_factor(n.a, depth - 1);
+  if (n.op == Operation::mul) return has_choice_factor(n.a, depth - 1) || has_choice_factor(n.b, depth - 1);
+  return n.op == Operation::add && has_choice_factor(n.a, depth - 1) && has_choice_factor(n.b, depth - 1);
+}
+
+Ref Builder::into_choice(Ref x, Ref other) {
+  const Node n = node(x);  // a copy: making nodes may move the arena
+  Ref out;
+  if (is_choice(n.op)) {
+    out = choice(n.op, n.a, product(n.b, other));
+  } else if (n.op == Operation::add) {
+    const Ref first = into_choice(n.a, other);
+    out = sum(first, into_choice(n.b, other));
+  } else if (n.op == Operation::div) {
+    out = into_choice(n.a, quotient(other, n.b));
+  } else {
+    const bool first = has_choice_factor(n.a);
+    out = into_choice(first ? n.a : n.b, product(first ? n.b : n.a, other));
+  }
+  return signed_as(out, x.negative());
+}
+
 Ref Builder::product(Ref a, Ref b) {
   if (a == kZero || b == kZero) return kZero;
   const bool negative = a.negative() != b.negative();
@@ -57,10 +83,9 @@ Ref Builder::product(Ref a, Ref b) {
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    if (!is_choice(op(one))) continue;
-    const Node chosen = node(one);
-    if (chosen.b == kOne || may_lack_value(other))
-      return signed_as(choice(chosen.op, chosen.a, product(chosen.b, other)), negative);
+    if (!has_choice_factor(one)) continue;
+    if ((is_choice(op(one)) && node(one).b == kOne) || may_lack_value(other))
+      return signed_as(into_choice(one, other), negative);
   }
 
   if (constant(a)) {
@@ -204,8 +229,8 @@ Ref Builder::quotient(Ref a, Ref b) {
     return signed_as(product(factor, a), negative);
   }
   const Node na = node(a), nb = node(b);
-  if (is_choice(na.op) && may_lack_value(b))
-    return signed_as(choice(na.op, na.a, quotient(na.b, b)), negative);
+  if (has_choice_factor(a) && may_lack_value(b))
+    return signed_as(into_choice(a, quotient(kOne, b)), negative);
   if (nb.op == Operation::mul && constant(nb.a)) {
     const Ref factor = reciprocal(nb.a);
     const Ref rest = quotient(a, nb.b);

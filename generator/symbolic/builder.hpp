@@ -26,9 +26,12 @@ struct Builder {
   Ref function(Operation op, Ref x);
   Ref arctangent2(Ref y, Ref x);
   Ref choice(Operation wanted, Ref condition, Ref x);
-  /// Whether it divides by what may be 0, or has a function outside of its domain. A choice whose factor this
-  /// is takes it in: it must not spoil what is not chosen.
+  /// Whether it divides by what may be 0, or has a function outside of its domain. A choice in a product with
+  /// this takes it in: it must not spoil what is not chosen.
   bool may_lack_value(Ref x) const;
+  /// Whether a choice is a factor of each of its terms.
+  bool has_choice_factor(Ref x, int depth = 6) const;
+  Ref into_choice(Ref x, Ref other);  ///< x * other for such an x, with choices outside
   Ref power(Ref x, Ref y);
   Ref integer_power(Ref x, std::int64_t n);
 

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -53,7 +54,9 @@ void redirect(const fs::path& path, int flags, int to) {
 
 Eigen::VectorXd vector_of(const nlohmann::json& values) {
   Eigen::VectorXd v(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) v[static_cast<Eigen::Index>(i)] = values[i].get<double>();
+  for (std::size_t i = 0; i < values.size(); ++i)  // null is what has no value
+    v[static_cast<Eigen::Index>(i)] =
+        values[i].is_null() ? std::numeric_limits<double>::infinity() : values[i].get<double>();
   return v;
 }
 

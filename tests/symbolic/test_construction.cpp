@@ -112,6 +112,19 @@ TEST_F(Construction, ReciprocalsStayShared) {
   EXPECT_LE(count_operations(components).div, 1u);
 }
 
+/// Factors without value where a condition does not choose them, in products and sums of any nesting.
+TEST_F(Construction, ChoicesKeepOutWhatHasNoValue) {
+  const Expr root = sqrt(x);
+  const Expr chosen = if_positive(x, y), other = if_positive(x, sin(y));
+  for (const Expr& e :
+       {(chosen * z) / root, (z * (chosen * (y + z))) * (half / root), (chosen + other) / root,
+        (root * y) * ((chosen * z - other) * three), (chosen / (z * z + one)) * (root * z)}) {
+    EXPECT_EQ(evaluate(std::vector<Expr>{e}, std::vector<double>{-4, 0.3, 0.7})[0], 0);
+    EXPECT_TRUE(std::isfinite(evaluate(std::vector<Expr>{e}, std::vector<double>{4, 0.3, 0.7})[0]));
+    EXPECT_NE(evaluate(std::vector<Expr>{e}, std::vector<double>{4, 0.3, 0.7})[0], 0);
+  }
+}
+
 TEST_F(Construction, Roots) {
   EXPECT_TRUE(same(sqrt(x) * sqrt(x), x));
   EXPECT_TRUE(same(x / sqrt(x), sqrt(x)));
