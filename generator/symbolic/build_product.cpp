@@ -67,6 +67,10 @@ Ref Builder::product(Ref a, Ref b) {
     if (const auto found = constant_product(a, b)) return signed_as(*found, negative);
     return signed_as(intern_product(a, b), negative);
   }
+  if (graph.keeps_brackets_) {
+    if (a == b && op(a) == Operation::sqrt) return signed_as(node(a).a, negative);
+    return signed_as(intern_product(a, b), negative);
+  }
   if (op(a) == Operation::mul || op(b) == Operation::mul) {
     const Term ta = is_scaled_sine(a) ? Term{kOne, a} : factor(a);
     const Term tb = is_scaled_sine(b) ? Term{kOne, b} : factor(b);
@@ -95,7 +99,7 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
       const Ref gathered = product(a, nb.a);
       return product(gathered, nb.b);
     }
-    if (nb.op == Operation::div && constant(nb.a)) {
+    if (nb.op == Operation::div && constant(nb.a) && !graph.keeps_brackets_) {
       const Ref gathered = product(a, nb.a);
       return gathered == kZero
                  ? kZero
@@ -204,6 +208,12 @@ Ref Builder::quotient(Ref a, Ref b) {
     return signed_as(product(factor, a), negative);
   }
   const Node na = node(a), nb = node(b);
+  if (graph.keeps_brackets_) {
+    // (c/(d*x)) is (c/d)/x: one operation less.
+    if (na.constant && nb.op == Operation::mul && constant(nb.a))
+      return signed_as(quotient(quotient(a, nb.a), nb.b), negative);
+    return signed_as(intern(Operation::div, a, b), negative);
+  }
   if (is_choice(na.op) && may_lack_value(b))
     return signed_as(choice(na.op, na.a, quotient(na.b, b)), negative);
   if (nb.op == Operation::mul && constant(nb.a)) {

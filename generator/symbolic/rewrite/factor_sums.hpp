@@ -1,9 +1,10 @@
-// Common factors of sums: a value program in; an equal one out, or nothing where there is nothing to factor.
+// Common factors of sums: live nodes in; equal roots out, or nothing where there is nothing to factor.
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "program/value_graph.hpp"
+#include "symbolic/rewrite/node_rewrite.hpp"
 
 namespace alembert {
 
@@ -13,7 +14,7 @@ enum class CommonPairs { taken_apart, spared };
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
 /// `any_spared` becomes true if a pair was spared: as long as it is not, both ways are one.
-std::optional<ValueProgram> factor_sums(const LiveProgram& program, CommonPairs common_pairs,
-                                        bool& any_spared);
+std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, CommonPairs common_pairs,
+                                             bool& any_spared);
 
 }  // namespace alembert
