@@ -57,7 +57,7 @@ Ref Builder::product(Ref a, Ref b) {
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    if (!is_choice(op(one))) continue;
+    if (!is_choice(op(one)) || graph.keeps_brackets_) continue;
     const Node chosen = node(one);
     if (chosen.b == kOne || may_lack_value(other))
       return signed_as(choice(chosen.op, chosen.a, product(chosen.b, other)), negative);

@@ -135,7 +135,7 @@ class ExprGraph {
   /// Whether `simplify` does anything (LeftAsWritten).
   bool simplifies() const { return simplifies_; }
   void set_simplifies(bool yes) { simplifies_ = yes; }
-  /// Whether products and quotients stay bracketed as they are made (BracketsKept).
+  /// Whether what is made stays bracketed as it is (BracketsKept).
   bool keeps_brackets() const { return keeps_brackets_; }
   void set_keeps_brackets(bool yes) { keeps_brackets_ = yes; }
 
@@ -187,8 +187,8 @@ class ExprGraph {
   bool simplifies_ = true, keeps_brackets_ = false;
 };
 
-/// While one lives, products and quotients of its graph stay as they are bracketed: (c*x)*y does not become
-/// c*(x*y), which costs more where c*x is there anyway. What the operands alone decide still folds.
+/// While one lives, sums, products and quotients of its graph stay bracketed as they are made: (c*x)*y does not
+/// become c*(x*y), which costs more where c*x is there anyway. What the operands alone decide still folds.
 class BracketsKept {
  public:
   explicit BracketsKept(ExprGraph& graph) : graph_(graph), before_(graph.keeps_brackets()) {

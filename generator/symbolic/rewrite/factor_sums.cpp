@@ -51,12 +51,8 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
 
 class SumFactoring : NodeRewrite {
  public:
-  SumFactoring(const LiveNodes& from, CommonPairs common_pairs, bool& any_spared)
-      : NodeRewrite(from),
-        spares_pairs_(common_pairs == CommonPairs::spared),
-        any_spared_(any_spared),
-        inner_(size(), 0),
-        angle_(size(), 1) {
+  SumFactoring(const LiveNodes& from, FactorsLeft left, FactorsLeft& met)
+      : NodeRewrite(from), left_(left), met_(met), inner_(size(), 0), angle_(size(), 1) {
     for (std::uint32_t id = 0; id < size(); ++id) {
       const Operation user = op(id);
       for (int k = 0; k < arity(id); ++k) {
@@ -69,7 +65,7 @@ class SumFactoring : NodeRewrite {
   }
 
   std::optional<std::vector<Expr>> run() {
-    if (spares_pairs_) count_pairs();
+    if (left_.in_common_pairs) count_pairs();
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
     if (!rewritten_) return std::nullopt;
     return finished();
@@ -147,7 +143,7 @@ class SumFactoring : NodeRewrite {
       stack_.pop_back();
       if (is_product(id) && (id == top ? open : inner_[id] != 0)) {
         const bool quotient = op(id) == Operation::div;
-        const LocalOperands n = quotient ? operands(id) : terms(id);
+        const LocalOperands n = quotient ? operands(id) : in_order(id);
         stack_.push_back({n.b >> 1, divides != quotient});
         stack_.push_back({n.a >> 1, divides});
       } else {
@@ -205,8 +201,8 @@ class SumFactoring : NodeRewrite {
       const std::uint32_t local = chain_.back(), id = local >> 1, sign = local & 1;
       chain_.pop_back();
       if (is_sum(id) && (id == root || inner_[id] != 0)) {
-        chain_.push_back(terms(id).b ^ sign);
-        chain_.push_back(terms(id).a ^ sign);
+        chain_.push_back(in_order(id).b ^ sign);
+        chain_.push_back(in_order(id).a ^ sign);
         continue;
       }
       terms_.push_back(read_term(local, uses_[id] == 1));
@@ -230,26 +226,28 @@ class SumFactoring : NodeRewrite {
     struct Candidate {
       std::ptrdiff_t gain;
       std::uint32_t first_term;
-      std::size_t begin, end;  ///< in occurrences_
-      bool constant, two;
+      std::size_t begin, end;                     ///< in occurrences_
+      bool is_two, constant;                      ///< 2x is a sum, and stands last
       bool operator<(const Candidate& y) const {  // the worse one
-        return std::tie(y.two, gain, y.first_term, y.constant, y.begin) <
-               std::tie(two, y.gain, first_term, constant, begin);
+        return std::tie(y.is_two, gain, y.first_term, y.constant, y.begin) <
+               std::tie(is_two, y.gain, first_term, constant, begin);
       }
     };
     std::priority_queue<Candidate> queue;
     for (std::size_t begin = 0, end = 0; begin < occurrences_.size(); begin = end) {
       while (end < occurrences_.size() && occurrences_[end].first == occurrences_[begin].first) ++end;
       if (end - begin < 2) continue;
-      if (spares_pairs_ && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) {
-        any_spared_ = true;
+      if (left_.in_common_pairs && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) {
+        met_.in_common_pairs = true;
         continue;
       }
       const std::ptrdiff_t gained = gain(std::span(occurrences_).subspan(begin, end - begin));
-      if (gained > 0)
-        queue.push({gained, occurrences_[begin].second, begin, end,
-                    is_constant(occurrences_[begin].first >> 1),
-                    number(occurrences_[begin].first >> 1) == 2});
+      const std::uint32_t factor = occurrences_[begin].first >> 1;
+      if (gained <= 0) continue;
+      const bool is_two = number_of(factor) == 2;
+      met_.twos = met_.twos || is_two;
+      if (!is_two || !left_.twos)
+        queue.push({gained, occurrences_[begin].second, begin, end, is_two, is_constant(factor)});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -291,7 +289,7 @@ class SumFactoring : NodeRewrite {
         if (factors_[f].bits == key && !removed) {
           removed = true;
         } else if (is_constant(factors_[f].node()) && !factors_[f].divides()) {
-          constant *= this->number(factors_[f].node());
+          constant *= number_of(factors_[f].node());
         } else {
           other_factor = true;
         }
@@ -370,8 +368,8 @@ class SumFactoring : NodeRewrite {
   bool made_constant(Ref x) const { return graph_.node(x.node()).constant; }
 
   const Ref one_ = graph_.one().ref();
-  bool spares_pairs_;
-  bool& any_spared_;
+  FactorsLeft left_;
+  FactorsLeft& met_;
   std::vector<std::uint64_t> pairs_;  ///< one for each product that a pair is in, in order
   std::vector<std::uint8_t> inner_;   ///< part of the sum or product that uses it
   std::vector<std::uint8_t> angle_;   ///< used by sin, cos and tan only
@@ -388,9 +386,8 @@ class SumFactoring : NodeRewrite {
 
 }  // namespace
 
-std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, CommonPairs common_pairs,
-                                             bool& any_spared) {
-  return SumFactoring(nodes, common_pairs, any_spared).run();
+std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met) {
+  return SumFactoring(nodes, left, met).run();
 }
 
 }  // namespace alembert

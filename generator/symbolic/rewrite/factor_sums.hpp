@@ -8,13 +8,15 @@
 
 namespace alembert {
 
-/// Whether a factor is left in a sum where it comes cheaper as part of products that many places share.
-enum class CommonPairs { taken_apart, spared };
+/// Which common factors stay in a sum: those that come cheaper as part of products that many places share, and
+/// 2, which costs no multiplication there.
+struct FactorsLeft {
+  bool in_common_pairs, twos;
+};
 
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
-/// `any_spared` becomes true if a pair was spared: as long as it is not, both ways are one.
-std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, CommonPairs common_pairs,
-                                             bool& any_spared);
+/// `met` tells of which kinds there were any: without them both ways are one.
+std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met);
 
 }  // namespace alembert

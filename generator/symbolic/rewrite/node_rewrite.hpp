@@ -47,13 +47,13 @@ class NodeRewrite {
   int arity(std::uint32_t position) const { return is_constant(position) ? 0 : node(position).arity(); }
   LocalOperands operands(std::uint32_t position) const { return from_.order.operands[position]; }
   /// Those of a sum or a product, the one that comes up first in front.
-  LocalOperands terms(std::uint32_t position) const {
+  LocalOperands in_order(std::uint32_t position) const {
     const LocalOperands n = operands(position);
     return n.b >> 1 < n.a >> 1 ? LocalOperands{n.b, n.a} : n;
   }
   /// Value of a number; of another constant NaN.
-  double number(std::uint32_t position) const { return number(Ref(from_.order.ids[position], false)); }
-  double number(Ref x) const {
+  double number_of(std::uint32_t position) const { return number_of(Ref(from_.order.ids[position], false)); }
+  double number_of(Ref x) const {
     const Operation kind = graph_.node(x.node()).op;
     const double value = kind == Operation::rational ? graph_.rational_value(x.node()).to_double()
                          : kind == Operation::real   ? graph_.real_value(x.node())

@@ -32,16 +32,15 @@ struct Candidate {
 
 class Rewriting {
  public:
-  explicit Rewriting(CommonPairs pairs) : pairs_(pairs) {}
+  explicit Rewriting(FactorsLeft left) : left_(left) {}
   Candidate run(std::vector<Expr> roots);
-  bool any_spared() const { return any_spared_; }
+  FactorsLeft met() const { return met_; }
 
  private:
   Candidate rewrite(std::vector<Expr> roots);
   std::optional<std::vector<Expr>> rewritten(const LiveNodes& nodes, int which);
 
-  CommonPairs pairs_;
-  bool any_spared_ = false;
+  FactorsLeft left_, met_{false, false};
 };
 
 constexpr int kRewrites = 3;
@@ -50,7 +49,7 @@ constexpr int kRewrites = 3;
 // constant outside of a function's domain.
 std::optional<std::vector<Expr>> Rewriting::rewritten(const LiveNodes& nodes, int which) {
   try {
-    if (which == 0) return factor_sums(nodes, pairs_, any_spared_);
+    if (which == 0) return factor_sums(nodes, left_, met_);
     return which == 1 ? share_divisions(nodes) : share_products(nodes);
   } catch (const std::domain_error&) {
     return std::nullopt;
@@ -124,11 +123,16 @@ Candidate Rewriting::run(std::vector<Expr> roots) {
 std::vector<Expr> optimize(std::span<const Expr> roots) {
   if (roots.empty()) return {};
   Candidate given(round_constants(roots));
-  Rewriting sparing(CommonPairs::spared);
+  // Which factors had better stay in sums shows in the end only.
+  Rewriting sparing({true, false});
   Candidate best = sparing.run(given.nodes.roots);
-  if (sparing.any_spared()) {
-    Candidate other = Rewriting(CommonPairs::taken_apart).run(given.nodes.roots);
+  if (sparing.met().in_common_pairs) {
+    Candidate other = Rewriting({false, false}).run(given.nodes.roots);
     if (other.weight <= best.weight) best = std::move(other);
+  }
+  if (sparing.met().twos) {
+    Candidate other = Rewriting({true, true}).run(given.nodes.roots);
+    if (other.weight < best.weight) best = std::move(other);
   }
   if (best.weight > given.weight) return given.nodes.roots;
   try {

@@ -85,7 +85,7 @@ class DivisionSharing : NodeRewrite {
   // (c/y)*x -> (c*x)/y saves a multiply if c is one or c*x is a constant.
   bool pays(const Quotient& q, Ref x) const {
     if (!graph_.node(q.numerator.node()).constant) return false;
-    return graph_.node(x.node()).constant || std::abs(number(q.numerator)) == 1;
+    return graph_.node(x.node()).constant || std::abs(number_of(q.numerator)) == 1;
   }
   Ref into_numerator(const Quotient& q, Ref x) {
     const Ref numerator = graph_.make(Operation::mul, q.numerator, x);
