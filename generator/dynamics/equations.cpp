@@ -61,6 +61,8 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   }
   if (any) peeled = motion_tree(mechanism, motions, derivatives, graph);
   AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
+  // Points have a value for each symbol, so all arguments have theirs from here on.
+  symbol_bindings(mechanism, graph);
   return {mechanism,          graph, std::move(derivatives), std::move(tree), std::move(peeled),
           std::move(applied), {}};
 }
@@ -69,6 +71,7 @@ Kinematics plain_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   SpeedDerivatives derivatives(mechanism, graph);
   MotionTree tree = motion_tree(mechanism, derivatives, graph);
   AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
+  symbol_bindings(mechanism, graph);  // as above
   return {mechanism, graph, std::move(derivatives), std::move(tree), std::nullopt, std::move(applied), {}};
 }
 
