@@ -23,7 +23,6 @@
 #include "program/loops/dot_products.hpp"
 #include "program/loops/reroll.hpp"
 #include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "program/verify/verify.hpp"
 #include "symbolic/count_operations.hpp"
@@ -156,7 +155,7 @@ void dump_tree(std::ostream& out, const MotionTree& tree) {
 }  // namespace
 
 std::vector<std::string> dump_stages() {
-  return {"load", "kinematics", "equations", "lower", "optimise", "schedule"};
+  return {"load", "kinematics", "equations", "optimise", "lower", "schedule"};
 }
 
 const CompiledFunction& CompiledMechanism::function(FunctionKind kind) const {
@@ -247,11 +246,13 @@ class FunctionWriter {
 
   Candidate candidate(FunctionKind kind, Formulation formulation,
                       std::vector<OutputExpressions> outputs) const {
-    Program program = lower(std::string(to_string(kind)), outputs, bindings_);
+    const std::vector<OutputExpressions> optimized =
+        with_elements(outputs, kinematics_.lengths.optimized(elements(outputs)));
+    for (const OutputExpressions& output : optimized)
+      if (dumping("optimise")) dump_expressions(*options_.dump, output.name, output.values);
+    Program program = lower(std::string(to_string(kind)), optimized, bindings_);
     program.formulation = to_string(formulation);
     if (dumping("lower")) *options_.dump << dump(program);
-    program = kinematics_.lengths.optimized(std::move(program), outputs);
-    if (dumping("optimise")) *options_.dump << dump(program);
     const OperationCount operations = count(program);
     return {{kind, formulation, std::move(program), operations, {}}, std::move(outputs)};
   }

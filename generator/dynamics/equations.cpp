@@ -61,26 +61,18 @@ Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   }
   if (any) peeled = motion_tree(mechanism, motions, derivatives, graph);
   AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
-  return {mechanism,
-          graph,
-          std::move(derivatives),
-          std::move(tree),
-          std::move(peeled),
-          std::move(applied),
-          ProgramLengths(mechanism, graph)};
+  // Points have a value for each symbol, so all arguments have theirs from here on.
+  symbol_bindings(mechanism, graph);
+  return {mechanism,          graph, std::move(derivatives), std::move(tree), std::move(peeled),
+          std::move(applied), {}};
 }
 
 Kinematics plain_kinematics(const Mechanism& mechanism, ExprGraph& graph) {
   SpeedDerivatives derivatives(mechanism, graph);
   MotionTree tree = motion_tree(mechanism, derivatives, graph);
   AppliedForces applied = applied_forces(mechanism, tree, derivatives, graph);
-  return {mechanism,
-          graph,
-          std::move(derivatives),
-          std::move(tree),
-          std::nullopt,
-          std::move(applied),
-          ProgramLengths(mechanism, graph)};
+  symbol_bindings(mechanism, graph);  // as above
+  return {mechanism, graph, std::move(derivatives), std::move(tree), std::nullopt, std::move(applied), {}};
 }
 
 namespace {

@@ -1,144 +1,224 @@
-// Stage `lower`: expressions in, straight-line program out. Constant subexpressions are folded to one double
-// each; everything else keeps its shape, each node becoming one value.
+// Stage `lower` (see the header). Each node becomes one value, each constant one double.
 //
 // Besides `verify` the only stage of this room that knows expressions. The order of everything follows
 // `postorder`, which is structural, so that the program does not depend on the order in which the expressions
 // were built.
 #include "program/lower.hpp"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
+#include <unordered_map>
+#include <utility>
 
 #include "program/sign_placement.hpp"
-#include "program/value_graph.hpp"
 #include "support/error.hpp"
 #include "support/operation.hpp"
-#include "symbolic/extended.hpp"
 #include "symbolic/postorder.hpp"
-#include "symbolic/to_string.hpp"
+#include "symbolic/round_constants.hpp"
 
 namespace alembert {
 namespace {
 
-// A sum of constants that cancels to less of its terms has no longer the digits of a double.
-constexpr long double kLostDigits = 0x1p-11L;
-// A sum with constants that were rounded to doubles is zero where it cancels to this fraction of its terms.
-constexpr long double kCancellation = 0x1p-58L;
+class Writer {
+ public:
+  Writer(std::span<const Expr> roots, const Postorder& order, Program& to)
+      : graph_(roots.front().graph()),
+        order_(order),
+        constants_(graph_, order),
+        negative_(place_signs(roots, order)),
+        to_(to),
+        at_(2 * order.ids.size(), kNone) {}
 
-bool has_rounded(const Expr& constant) {
-  const ExprGraph& graph = constant.graph();
-  const std::vector<std::uint32_t> nodes = postorder({&constant, 1});
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [&](std::uint32_t id) { return graph.node(id).op == Operation::real; });
-}
-
-// What is left of the sum where its terms, of which `term` is one, cancel to `left`. With 50 digits it is told
-// whether that is zero or a small number, as it is for axes that are parallel to 1e-19.
-long double remainder_of(const Expr& sum, long double term, long double left) {
-  if (has_rounded(sum)) return std::abs(left) < kCancellation * std::abs(term) ? 0 : left;
-  const Extended value = extended_value_of(sum);
-  return abs(value) < kExtendedRounding * std::abs(term) ? 0 : value.convert_to<long double>();
-}
-
-// Extended precision leaves one rounding, to double, that matters.
-long double fold(ExprGraph& graph, std::uint32_t id, const std::vector<long double>& folded) {
-  const Node& n = graph.node(id);
-  const auto value = [&folded](Ref r) { return r.negative() ? -folded[r.node()] : folded[r.node()]; };
-  if (n.op == Operation::rational) {
-    const Rational r = graph.rational_value(id);
-    return static_cast<long double>(r.numerator) / static_cast<long double>(r.denominator);
+  /// `slot`: of the symbol, where the node is one.
+  void write(std::uint32_t id, std::uint32_t slot) {
+    const Node& n = graph_.node(order_.ids[id]);
+    if (n.constant) return;
+    const LocalOperands from = order_.operands[id];
+    const bool flip = negative_[id] != 0;
+    if (n.op == Operation::symbol) {
+      at_[id << 1] = append(Operation::input, slot);
+    } else if (n.op == Operation::add) {
+      write_sum(id, from, flip);
+    } else if (n.op == Operation::mul || n.op == Operation::div) {
+      write_product(id, n.op, from, flip);
+    } else if (parity(n.op) == Parity::odd) {
+      const std::uint32_t sign = pick(from.a, flip);
+      at_[id << 1 | sign] = append(n.op, get(from.a ^ sign));
+    } else if (parity(n.op) == Parity::even) {
+      const std::uint32_t sign = pick(from.a, false);
+      at_[id << 1] = append(n.op, get(from.a ^ sign));
+    } else {
+      const std::uint32_t a = get(from.a);
+      const std::uint32_t b = n.arity() == 2 ? get(from.b) : 0;
+      at_[id << 1] = append(n.op, a, b);
+    }
   }
-  if (n.op == Operation::pi_multiple) {
-    const Rational r = graph.rational_value(id);
-    return std::numbers::pi_v<long double> * static_cast<long double>(r.numerator) /
-           static_cast<long double>(r.denominator);
-  }
-  if (n.op == Operation::real) return graph.real_value(id);
-  if (n.op == Operation::add) {
-    const long double a = value(n.a), b = value(n.b), sum = a + b;
-    return std::abs(sum) < kLostDigits * std::abs(a) ? remainder_of(Expr(graph, Ref(id, false)), a, sum)
-                                                     : sum;
-  }
-  return apply(n.op, value(n.a), n.arity() == 2 ? value(n.b) : 0.0L);
-}
 
-double to_double(ExprGraph& graph, std::uint32_t id, long double folded) {
-  const Operation op = graph.node(id).op;
-  const double value =
-      op == Operation::rational ? graph.rational_value(id).to_double() : static_cast<double>(folded);
-  if (!std::isfinite(value))
-    throw InternalError("lower: the constant " + to_string(Expr(graph, Ref(id, false))) +
-                        " has no finite value");
-  return value;
-}
+  /// The instruction that computes a node with a sign, as Postorder tells them; a constant or a negation is
+  /// appended where there is none yet.
+  std::uint32_t get(std::uint32_t v) {
+    if (is_constant(v)) return constant(constants_.rounded(v));
+    std::uint32_t& index = at_[v];
+    if (index == kNone) index = append(Operation::neg, at_[v ^ 1]);
+    return index;
+  }
+
+ private:
+  bool is_constant(std::uint32_t v) const { return graph_.node(order_.ids[v >> 1]).constant; }
+  bool has(std::uint32_t v) const { return is_constant(v) || at_[v] != kNone; }
+  // The sign in which to take v: the preferred one unless only the other exists.
+  std::uint32_t pick(std::uint32_t v, std::uint32_t preferred) const {
+    return has(v ^ preferred) ? preferred : preferred ^ 1;
+  }
+
+  void write_sum(std::uint32_t id, LocalOperands n, std::uint32_t flip) {
+    if (is_constant(n.b)) std::swap(n.a, n.b);
+    if (is_constant(n.a)) {
+      const std::uint32_t other = pick(n.b, flip);  // b enters as x = (other ? -b : b)
+      const double c = constants_.rounded(n.a ^ flip);
+      const std::uint32_t x = get(n.b ^ other);
+      if (other != flip) {
+        const std::uint32_t k = constant(c);
+        store(id, flip, Operation::sub, k, x);
+      } else {
+        const std::uint32_t k = constant(std::abs(c));
+        store(id, flip, c < 0 ? Operation::sub : Operation::add, x, k);
+      }
+      return;
+    }
+    // Of a + b with the signs that exist: prefer a result with the wanted sign, then one without a negation.
+    for (const std::uint32_t sign : {flip, flip ^ 1}) {
+      const std::uint32_t a = n.a ^ sign, b = n.b ^ sign;
+      if (has(a) && has(b)) return store(id, sign, Operation::add, get(a), get(b));
+      if (has(a) && has(b ^ 1)) return store(id, sign, Operation::sub, get(a), get(b ^ 1));
+      if (has(a ^ 1) && has(b)) return store(id, sign, Operation::sub, get(b), get(a ^ 1));
+    }
+  }
+
+  void write_product(std::uint32_t id, Operation op, LocalOperands n, std::uint32_t flip) {
+    if (op == Operation::mul && is_constant(n.a) && constants_.rounded(n.a) == 2 && has(n.b ^ flip)) {
+      const std::uint32_t x = get(n.b ^ flip);
+      return store(id, flip, Operation::add, x, x);
+    }
+    std::uint32_t sign_a = pick(n.a, 0), sign_b = pick(n.b, 0);
+    if (is_constant(n.a)) {
+      sign_a = flip ^ sign_b;
+    } else if (is_constant(n.b)) {
+      sign_b = flip ^ sign_a;
+    } else if ((sign_a ^ sign_b) != flip) {
+      if (has(n.a ^ sign_a ^ 1))
+        sign_a ^= 1;
+      else if (has(n.b ^ sign_b ^ 1))
+        sign_b ^= 1;
+    }
+    const std::uint32_t a = get(n.a ^ sign_a);
+    const std::uint32_t b = get(n.b ^ sign_b);
+    store(id, sign_a ^ sign_b, op, a, b);
+  }
+
+  void store(std::uint32_t id, std::uint32_t sign, Operation op, std::uint32_t a, std::uint32_t b) {
+    at_[id << 1 | sign] = append(op, a, b);
+  }
+
+  std::uint32_t append(Operation op, std::uint32_t a, std::uint32_t b = 0) {
+    to_.code.push_back({op, a, b});
+    return static_cast<std::uint32_t>(to_.code.size() - 1);
+  }
+
+  std::uint32_t constant(double value) {
+    if (value == 0) value = 0;  // never -0
+    const auto [entry, fresh] = constant_at_.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
+    if (fresh) {
+      to_.constants.push_back(value);
+      entry->second = append(Operation::constant, static_cast<std::uint32_t>(to_.constants.size() - 1));
+    }
+    return entry->second;
+  }
+
+  ExprGraph& graph_;
+  const Postorder& order_;
+  ConstantValues constants_;
+  std::vector<std::uint8_t> negative_;
+  Program& to_;
+  std::vector<std::uint32_t> at_;  ///< by position and sign: the instruction, or kNone
+  std::unordered_map<std::uint64_t, std::uint32_t> constant_at_;
+};
 
 }  // namespace
 
+std::vector<Expr> elements(std::span<const OutputExpressions> outputs) {
+  std::vector<Expr> out;
+  for (const OutputExpressions& output : outputs)
+    out.insert(out.end(), output.values.begin(), output.values.end());
+  return out;
+}
+
+std::vector<OutputExpressions> with_elements(std::span<const OutputExpressions> outputs,
+                                             std::span<const Expr> elements) {
+  std::vector<OutputExpressions> out(outputs.begin(), outputs.end());
+  auto next = elements.begin();
+  for (OutputExpressions& output : out)
+    for (Expr& value : output.values) value = *next++;
+  return out;
+}
+
 Program lower(std::string function, std::span<const OutputExpressions> outputs,
               std::span<const SymbolBinding> bindings) {
-  ValueProgram program;
+  Program program;
   program.function = std::move(function);
   for (const SymbolBinding& binding : bindings) program.inputs.push_back(binding.slot);
 
-  std::vector<Expr> roots;
   for (const OutputExpressions& output : outputs) {
     program.outputs.push_back({output.name, output.rows, output.columns, {}});
     if (output.values.size() != std::size_t{output.rows} * output.columns)
       throw InternalError("lower: output " + output.name + " of " + program.function + " has " +
                           std::to_string(output.values.size()) + " elements, not rows x columns");
-    roots.insert(roots.end(), output.values.begin(), output.values.end());
   }
-  if (!roots.empty()) {
-    ExprGraph& graph = roots.front().graph();
-    std::vector<std::uint32_t> slot_of(graph.symbol_count(), kNone);
-    for (std::uint32_t i = 0; i < bindings.size(); ++i)
-      slot_of[graph.symbol_index(bindings[i].symbol.ref().node())] = i;
+  const std::vector<Expr> roots = round_constants(elements(outputs));
+  if (roots.empty()) return program;
+  const ExprGraph& graph = roots.front().graph();
+  std::vector<std::uint32_t> slot_of(graph.symbol_count(), kNone);
+  for (std::uint32_t i = 0; i < bindings.size(); ++i)
+    slot_of[graph.symbol_index(bindings[i].symbol.ref().node())] = i;
 
-    const std::vector<std::uint32_t> order = postorder(roots);
-    program.graph.reserve(order.size());
-    std::vector<Value> values(graph.size());
-    std::vector<long double> folded(graph.size(), 0);
-    const auto value_of = [&](Ref r) {
-      if (graph.node(r.node()).constant) {
-        const double c = to_double(graph, r.node(), folded[r.node()]);
-        return program.graph.constant(r.negative() ? -c : c);
-      }
-      return values[r.node()].negated_if(r.negative());
-    };
-    for (const std::uint32_t id : order) {
-      const Node& n = graph.node(id);
-      if (n.constant) {
-        folded[id] = fold(graph, id, folded);
-      } else if (n.op == Operation::symbol) {
-        const std::uint32_t index = graph.symbol_index(id);
-        if (slot_of[index] == kNone)
-          throw InternalError("lower: " + program.function + " depends on the symbol '" +
-                              graph.symbol_name(index) + "', which no argument stands for");
-        values[id] = program.graph.input(slot_of[index]);
-      } else if (n.op == Operation::div && graph.node(n.b.node()).constant) {
-        // The reciprocal in extended precision, so that only its rounding to double is seen.
-        const long double divisor = folded[n.b.node()];
-        const double reciprocal = static_cast<double>(1 / divisor);
-        const Value a = value_of(n.a);
-        if (std::isnormal(reciprocal))
-          values[id] = program.graph.make(
-              Operation::mul, program.graph.constant(n.b.negative() ? -reciprocal : reciprocal), a);
-        else
-          values[id] = program.graph.make(Operation::div, a, value_of(n.b));
-      } else {
-        const Value a = value_of(n.a);
-        const Value b = n.arity() == 2 ? value_of(n.b) : Value();
-        values[id] = program.graph.make(n.op, a, b);
-      }
+  const Postorder order = indexed_postorder(roots);
+  program.code.reserve(order.ids.size());
+  Writer writer(roots, order, program);
+  for (std::uint32_t i = 0; i < order.ids.size(); ++i) {
+    std::uint32_t slot = kNone;
+    if (graph.node(order.ids[i]).op == Operation::symbol) {
+      const std::uint32_t index = graph.symbol_index(order.ids[i]);
+      slot = slot_of[index];
+      if (slot == kNone)
+        throw InternalError("lower: " + program.function + " depends on the symbol '" +
+                            graph.symbol_name(index) + "', which no argument stands for");
     }
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      for (const Expr& e : outputs[i].values) program.outputs[i].values.push_back(value_of(e.ref()));
-    }
+    writer.write(i, slot);
   }
-  return place_signs(program);
+  auto root = roots.begin();
+  for (OutputArray& output : program.outputs) {
+    for (std::size_t k = std::size_t{output.rows} * output.columns; k > 0; --k)
+      output.values.push_back(writer.get(order.local((root++)->ref())));
+  }
+  return program;
+}
+
+Program without_unused_inputs(Program program) {
+  std::vector<std::uint32_t> place(program.inputs.size(), 0);
+  for (const Instruction& i : program.code) {
+    if (i.op == Operation::input) place[i.a] = 1;
+  }
+  std::vector<InputSlot> used;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) continue;
+    place[i] = static_cast<std::uint32_t>(used.size());
+    used.push_back(program.inputs[i]);
+  }
+  for (Instruction& i : program.code) {
+    if (i.op == Operation::input) i.a = place[i.a];
+  }
+  program.inputs = std::move(used);
+  return program;
 }
 
 }  // namespace alembert

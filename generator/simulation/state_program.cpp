@@ -3,7 +3,7 @@
 #include "dynamics/tree/symbols.hpp"
 #include "program/interpret.hpp"
 #include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
+#include "symbolic/rewrite/optimize.hpp"
 
 namespace alembert {
 
@@ -11,9 +11,9 @@ StateProgram::StateProgram(std::vector<Expr> values, const CompiledMechanism& co
     : values_(values.size()) {
   if (values.empty()) return;
   const std::vector<OutputExpressions> outputs{
-      {"values", static_cast<std::uint32_t>(values.size()), 1, std::move(values)}};
-  program_ = without_unused_inputs(
-      optimize(lower("values", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph))));
+      {"values", static_cast<std::uint32_t>(values.size()), 1, optimize(values)}};
+  program_ =
+      without_unused_inputs(lower("values", outputs, symbol_bindings(*compiled.mechanism, *compiled.graph)));
 }
 
 std::span<const double> StateProgram::operator()(const EvaluationState& state) {

@@ -83,13 +83,17 @@ Ref Builder::product(Ref a, Ref b) {
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    if (!has_choice_factor(one)) continue;
+    if (graph.keeps_brackets_ || !has_choice_factor(one)) continue;
     if ((is_choice(op(one)) && node(one).b == kOne) || may_lack_value(other))
       return signed_as(into_choice(one, other), negative);
   }
 
   if (constant(a)) {
     if (const auto found = constant_product(a, b)) return signed_as(*found, negative);
+    return signed_as(intern_product(a, b), negative);
+  }
+  if (graph.keeps_brackets_) {
+    if (a == b && op(a) == Operation::sqrt) return signed_as(node(a).a, negative);
     return signed_as(intern_product(a, b), negative);
   }
   if (op(a) == Operation::mul || op(b) == Operation::mul) {
@@ -120,7 +124,7 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
       const Ref gathered = product(a, nb.a);
       return product(gathered, nb.b);
     }
-    if (nb.op == Operation::div && constant(nb.a)) {
+    if (nb.op == Operation::div && constant(nb.a) && !graph.keeps_brackets_) {
       const Ref gathered = product(a, nb.a);
       return gathered == kZero
                  ? kZero
@@ -229,6 +233,12 @@ Ref Builder::quotient(Ref a, Ref b) {
     return signed_as(product(factor, a), negative);
   }
   const Node na = node(a), nb = node(b);
+  if (graph.keeps_brackets_) {
+    // (c/(d*x)) is (c/d)/x: one operation less.
+    if (na.constant && nb.op == Operation::mul && constant(nb.a))
+      return signed_as(quotient(quotient(a, nb.a), nb.b), negative);
+    return signed_as(intern(Operation::div, a, b), negative);
+  }
   if (has_choice_factor(a) && may_lack_value(b))
     return signed_as(into_choice(a, quotient(kOne, b)), negative);
   if (nb.op == Operation::mul && constant(nb.a)) {

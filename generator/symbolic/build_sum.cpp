@@ -98,6 +98,12 @@ Ref Builder::sum(Ref a, Ref b) {
     return intern_sum(a, b);
   }
   const Operation oa = op(a), ob = op(b);
+  if (graph.keeps_brackets_) {
+    if (numeric(a) && ob == Operation::add) {
+      if (const auto found = sum_with_nested(a, b)) return *found;
+    }
+    return intern_sum(a, b);
+  }
   const bool product_a = oa == Operation::mul || oa == Operation::div,
              product_b = ob == Operation::mul || ob == Operation::div;
   if (product_a || product_b) {

@@ -4,6 +4,7 @@
 // Every rule looks at most two levels below its operands and gives a result with no more operations than it
 // was asked for. Rules may call each other; past kMaxDepth nested calls nodes are interned as they stand, so
 // that neither the stack nor the time depends on how deep the operands are.
+// Where brackets are kept, rules only fold: none of them takes an operand apart that is no constant.
 #pragma once
 
 #include <cstdint>

@@ -1,14 +1,14 @@
 // Operation counts of expressions (see the header).
 #include "symbolic/count_operations.hpp"
 
-#include "symbolic/node_index.hpp"
-#include "symbolic/postorder.hpp"
-
 namespace alembert {
 
 OperationCount count_operations(std::span<const Expr> roots) {
+  return roots.empty() ? OperationCount() : count_operations(roots, indexed_postorder(roots));
+}
+
+OperationCount count_operations(std::span<const Expr> roots, const Postorder& order) {
   const ExprGraph* graph = graph_of(roots);
-  const Postorder order = indexed_postorder(roots);
   // An offset angle is free if nothing but trigonometric calls uses it.
   std::vector<bool> used_otherwise(order.ids.size(), false);
   for (std::size_t i = 0; i < order.ids.size(); ++i) {

@@ -69,6 +69,28 @@ Modular odd(Operation op, Modular x, Modular with = {}) {
 
 }  // namespace
 
+Modular apply(Operation op, Modular a, Modular b) {
+  if (op == Operation::add) return add(a, b);
+  if (op == Operation::sub) return add(a, negate(b));
+  if (op == Operation::neg) return negate(a);
+  if (op == Operation::mul) return multiply(a, b);
+  if (op == Operation::div) return is_zero(b) ? odd(op, a) : multiply(a, inverse(b));
+  if (op == Operation::sqrt) {
+    const std::optional<Modular> found = root(a);
+    return found ? *found : Modular{hash(op, a), 0};
+  }
+  if (is_choice(op)) {
+    const Modular taken{hash(Operation::if_positive, a), 0};
+    return multiply(b, op == Operation::if_positive ? taken : add({1, 0}, negate(taken)));
+  }
+  if (facts(op).field != FieldValue::opaque) return on_curve(op, a);
+  if (parity(op) == Parity::odd) return odd(op, a);
+  if (parity(op) == Parity::even)
+    return op == Operation::abs && is_zero(a) ? a : Modular{hash(op, is_upper(a) ? negate(a) : a), 0};
+  if (op == Operation::atan2 && !is_zero(a)) return odd(op, a, b);  // in the first operand
+  return {hash(op, a, b), 0};
+}
+
 std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
                             std::span<const Modular> symbols) {
   std::vector<Modular> out(order.ids.size());
@@ -93,30 +115,8 @@ std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
       const std::uint32_t index = graph.symbol_index(id);
       if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
       value = symbols[index];
-    } else if (node.op == Operation::add) {
-      value = add(a, b);
-    } else if (node.op == Operation::mul) {
-      value = multiply(a, b);
-    } else if (node.op == Operation::div) {
-      value = is_zero(b) ? odd(node.op, a) : multiply(a, inverse(b));
-    } else if (node.op == Operation::sqrt) {
-      const std::optional<Modular> found = root(a);
-      value = found ? *found : Modular{hash(node.op, a), 0};
-    } else if (is_choice(node.op)) {
-      const Modular taken{hash(Operation::if_positive, a), 0};
-      value = multiply(b, node.op == Operation::if_positive ? taken : add({1, 0}, negate(taken)));
-    } else if (facts(node.op).field != FieldValue::opaque) {
-      value = on_curve(node.op, a);
-    } else if (parity(node.op) == Parity::odd) {
-      value = odd(node.op, a);
-    } else if (parity(node.op) == Parity::even) {
-      value = node.op == Operation::abs && is_zero(a)
-                  ? a
-                  : Modular{hash(node.op, is_upper(a) ? negate(a) : a), 0};
-    } else if (node.op == Operation::atan2 && !is_zero(a)) {  // odd in the first operand
-      value = odd(node.op, a, b);
     } else {
-      value = {hash(node.op, a, b), 0};
+      value = apply(node.op, a, b);
     }
   }
   return out;

@@ -16,6 +16,8 @@ namespace alembert {
 /// equal expressions have equal values.
 std::vector<Modular> evaluate_modular(std::span<const Expr> roots, std::span<const Modular> symbols);
 namespace modular {
+/// Value of an operation that is no leaf; b is for those of two operands.
+Modular apply(Operation op, Modular a, Modular b);
 /// Values of all nodes of an order at one point; symbols[i] belongs to the symbol with index i.
 std::vector<Modular> values(const ExprGraph& graph, const Postorder& order, std::span<const Modular> symbols);
 }  // namespace modular

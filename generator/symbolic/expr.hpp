@@ -135,6 +135,9 @@ class ExprGraph {
   /// Whether `simplify` does anything (LeftAsWritten).
   bool simplifies() const { return simplifies_; }
   void set_simplifies(bool yes) { simplifies_ = yes; }
+  /// Whether what is made stays bracketed as it is (BracketsKept).
+  bool keeps_brackets() const { return keeps_brackets_; }
+  void set_keeps_brackets(bool yes) { keeps_brackets_ = yes; }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
   const Node& node(std::uint32_t id) const { return nodes_[id]; }
@@ -181,7 +184,23 @@ class ExprGraph {
   std::unordered_map<std::string, std::uint32_t> symbol_ids_;
   mutable std::unordered_map<std::uint32_t, Interval>
       bounds_;  ///< of nodes that were asked for; looked up only
-  bool simplifies_ = true;
+  bool simplifies_ = true, keeps_brackets_ = false;
+};
+
+/// While one lives, sums, products and quotients of its graph stay bracketed as they are made: (c*x)*y does not
+/// become c*(x*y), which costs more where c*x is there anyway. What the operands alone decide still folds.
+class BracketsKept {
+ public:
+  explicit BracketsKept(ExprGraph& graph) : graph_(graph), before_(graph.keeps_brackets()) {
+    graph_.set_keeps_brackets(true);
+  }
+  ~BracketsKept() { graph_.set_keeps_brackets(before_); }
+  BracketsKept(const BracketsKept&) = delete;
+  BracketsKept& operator=(const BracketsKept&) = delete;
+
+ private:
+  ExprGraph& graph_;
+  bool before_;
 };
 
 }  // namespace alembert

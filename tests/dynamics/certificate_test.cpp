@@ -10,7 +10,7 @@
 #include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/symbols.hpp"
 #include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
+#include "program/optimized.hpp"
 #include "symbolic/identity.hpp"
 
 namespace alembert::test {
@@ -25,7 +25,7 @@ TEST_P(Certified, ProgramsAreMeasured) {
   const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
   const Certificate certificate(kinematics, bindings);
   Program program =
-      optimize(lower("function", function_outputs(kinematics, equations, GetParam()), bindings));
+      lower("function", optimized(function_outputs(kinematics, equations, GetParam())), bindings);
   const MeasuredError right = certificate.measure(program, GetParam());
   EXPECT_EQ(right.states, 10);
   EXPECT_LT(right.relative, 1e-13);
@@ -58,7 +58,7 @@ TEST(Certificate, SeesAWrongTreeOfMotions) {
   const auto error = [&] {
     const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
     const Program program =
-        optimize(lower("function", function_outputs(kinematics, equations, function), bindings));
+        lower("function", optimized(function_outputs(kinematics, equations, function)), bindings);
     return Certificate(kinematics, bindings).measure(program, function).relative;
   };
   EXPECT_LT(error(), 1e-14);
@@ -82,7 +82,7 @@ forces: [{name: spring, on: x, value: '-3*x + max(0, asin(sin(x)) - x)'}]
   const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
   const Certificate certificate(kinematics, bindings);
   const FunctionKind bias("bias");
-  Program program = optimize(lower("bias", function_outputs(kinematics, equations, bias), bindings));
+  Program program = lower("bias", optimized(function_outputs(kinematics, equations, bias)), bindings);
   EXPECT_EQ(certificate.measure(program, bias).states, 10);
   EXPECT_LT(certificate.measure(program, bias).relative, 1e-13);
   double worst = 0;

@@ -17,7 +17,7 @@
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/mate.hpp"
 #include "program/lower.hpp"
-#include "program/rewrite/optimize.hpp"
+#include "program/optimized.hpp"
 #include "program/schedule.hpp"
 #include "program/verify/verify.hpp"
 #include "symbolic/to_string.hpp"
@@ -349,7 +349,7 @@ TEST(Constraints, NoneGiveNoRows) {
   ASSERT_EQ(outputs.size(), 4u);
   for (const OutputExpressions& output : outputs) EXPECT_TRUE(output.values.empty());
   const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
-  const Program program = schedule(optimize(lower("constraints", outputs, bindings)));
+  const Program program = schedule(lower("constraints", optimized(outputs), bindings));
   EXPECT_EQ(program.outputs.size(), 4u);
   EXPECT_NO_THROW(verify(program, outputs, bindings));
 }

@@ -4,8 +4,8 @@
 
 #include "program/dump.hpp"
 #include "program/loops/dot_products.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "registers/register_order.hpp"
 #include "rounds.hpp"
@@ -37,7 +37,7 @@ std::size_t loads(const Program& program, std::size_t registers) {
 TEST(RegisterOrder, KeepsInstructionsAndEveryBit) {
   std::mt19937_64 random(11);
   for (int round = 0; round < test::rounds(300); ++round) {
-    const Program program = schedule(optimize(random_program(150, Mix::everything, random)));
+    const Program program = schedule(optimized(random_program(150, Mix::everything, random)));
     for (const States states : {States::one, States::many}) {
       const Program result = order_for_registers(program, states);
       ASSERT_EQ(result.code.size(), program.code.size());

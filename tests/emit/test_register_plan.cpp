@@ -14,8 +14,8 @@
 #include <string>
 
 #include "emit/statements/statements.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "registers/order_search.hpp"
 #include "registers/register_file.hpp"
@@ -243,7 +243,7 @@ TEST(PlannedStatements, GiveEveryBitWithSixteenRegisters) {
   std::mt19937_64 random(31);
   std::size_t stores = 0;
   for (int round = 0; round < 22; ++round) {
-    Program program = schedule(optimize(random_program(round < 20 ? 200 : 900, Mix::arithmetic, random)));
+    Program program = schedule(optimized(random_program(round < 20 ? 200 : 900, Mix::arithmetic, random)));
     program.function = "inverse_dynamics";
     program.outputs = {{"tau", 0, 1, {}}};
     for (std::uint32_t v = 0; v < program.code.size(); v += 7) program.outputs[0].values.push_back(v);

@@ -3,8 +3,8 @@
 
 #include "program/dump.hpp"
 #include "program/loops/dot_products.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 
 namespace alembert {
@@ -162,7 +162,7 @@ TEST(DotProducts, RandomProgramsKeepTheirValues) {
   std::mt19937_64 random(14);
   for (int k = 0; k < 60; ++k) {
     const Program given =
-        schedule(optimize(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
+        schedule(optimized(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
     const Program gathered = gather_dot_products(given, 1);
     expect_equivalent(given, gathered, random);
     expect_sound(gathered);

@@ -6,8 +6,8 @@
 #include "program/count.hpp"
 #include "program/dump.hpp"
 #include "program/expression_maker.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "program/verify/verify.hpp"
 #include "support/error.hpp"
@@ -168,7 +168,7 @@ TEST_F(Lower, TheOrderOfConstructionDoesNotShow) {
     for (std::uint32_t i = 0; i < 4; ++i)
       bound.push_back({std::vector<Expr>{x, y, z, w}[i], {ArgumentKind::q, i, ""}});
     const Program program = lower("f", outputs_of(out), bound);
-    return dump(program) + dump(schedule(optimize(program)));
+    return dump(program) + dump(schedule(lower("f", optimized(outputs_of(out)), bound)));
   };
   ExprGraph first, second;
   const std::string one = build(first, false);
@@ -190,7 +190,7 @@ TEST_F(Lower, AMillionNodesDeep) {
   const Program program = lower("deep", outputs, bindings);
   EXPECT_EQ(count(program).arithmetic(), 750000u);
   EXPECT_EQ(count(program).trig, 250000u);
-  const Program result = schedule(optimize(program));
+  const Program result = schedule(lower("deep", optimized(outputs), bindings));
   EXPECT_EQ(count(result).arithmetic(), 500002u);  // b/4 is made once
   verify(result, outputs, bindings);
   EXPECT_GT(dump(result).size(), 1000000u);
@@ -208,7 +208,7 @@ TEST_P(RandomExpressions, SurviveEveryStage) {
         random_expressions(graph, bindings, 20 + static_cast<int>(random() % 80), 4, GetParam(), random));
     const Program program = lower("random", outputs, bindings);
     ASSERT_NO_THROW(verify(program, outputs, bindings)) << dump(program);
-    const Program better = optimize(program);
+    const Program better = lower("random", optimized(outputs), bindings);
     ASSERT_NO_THROW(verify(better, outputs, bindings)) << dump(program) << "became\n" << dump(better);
     ASSERT_LE(count(better).weight, count(program).weight);
     saved += count(program).weight - count(better).weight;

@@ -7,8 +7,8 @@
 #include "program/dump.hpp"
 #include "program/loops/dot_products.hpp"
 #include "program/loops/reroll.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "rounds.hpp"
 
@@ -197,7 +197,7 @@ TEST(Reroll, OtherProgramsKeepTheirValues) {
   std::mt19937_64 random(5);
   for (int k = 0; k < 40; ++k) {
     const Program given =
-        schedule(optimize(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
+        schedule(optimized(random_program(600, k % 2 == 0 ? Mix::arithmetic : Mix::everything, random)));
     expect_same(given, reroll(given), Values::exactly, random);
   }
   EXPECT_TRUE(reroll(Program{}).code.empty());

@@ -4,8 +4,8 @@
 
 #include "program/count.hpp"
 #include "program/dump.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "support/error.hpp"
 
@@ -21,7 +21,7 @@ TEST(Schedule, KeepsEveryBitAndDropsTheDead) {
     ASSERT_TRUE(is_ordered(result)) << dump(program);
     const std::vector<double> x = random_point(program.inputs.size(), random);
     ASSERT_TRUE(same_outputs(program, result, x)) << dump(program);
-    const Program final = schedule(optimize(program));
+    const Program final = schedule(optimized(program));
     EXPECT_EQ(dump(schedule(final)), dump(final)) << "a schedule of distinct values is final";
   }
 }

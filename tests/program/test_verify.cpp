@@ -3,8 +3,8 @@
 
 #include "program/dump.hpp"
 #include "program/expression_maker.hpp"
+#include "program/optimized.hpp"
 #include "program/program_maker.hpp"
-#include "program/rewrite/optimize.hpp"
 #include "program/schedule.hpp"
 #include "program/verify/verify.hpp"
 #include "support/error.hpp"
@@ -51,7 +51,7 @@ class Verify : public ::testing::Test {
 
 TEST_F(Verify, AcceptsWhatIsRight) {
   EXPECT_NO_THROW(verify(program, outputs, bindings));
-  EXPECT_NO_THROW(verify(schedule(optimize(program)), outputs, bindings));
+  EXPECT_NO_THROW(verify(schedule(lower("f", optimized(outputs), bindings)), outputs, bindings));
 }
 
 TEST_F(Verify, FindsAnotherOperation) {
@@ -194,7 +194,7 @@ TEST(VerifyRandom, FindsRandomDamage) {
     const Kinds kinds = round % 2 == 0 ? Kinds::rational : Kinds::functions;
     const std::vector<OutputExpressions> outputs =
         outputs_of(random_expressions(graph, bindings, 40, 4, kinds, random));
-    const Program program = schedule(optimize(lower("random", outputs, bindings)));
+    const Program program = schedule(lower("random", optimized(outputs), bindings));
     Program damaged = program;
     if (damaged.code.empty()) continue;
     Instruction& c = damaged.code[random() % damaged.code.size()];

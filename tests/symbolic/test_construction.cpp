@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
@@ -220,6 +221,23 @@ TEST_F(Construction, DoublesThatCancelToRoundingAreZero) {
   EXPECT_FALSE((g.real(c * (1 + 1e-13)) - computed).is_zero());
   // What is written is exact.
   EXPECT_FALSE((g.rational({1000000000000000001, 1000000000000000000}) - one).is_zero());
+}
+
+TEST_F(Construction, KeepsBracketsWhereTold) {
+  const Expr tenth = g.real(0.1), scaled = tenth * x;
+  EXPECT_TRUE(same(scaled * y, tenth * (x * y)));
+  const BracketsKept kept(g);
+  const Expr product = scaled * y, quotient = z / scaled;
+  const auto operands = [&](Expr e) {
+    const Node& n = g.node(e.ref().node());
+    return std::pair(Expr(g, n.a), Expr(g, n.b));
+  };
+  EXPECT_TRUE(operands(product) == std::pair(scaled, y) || operands(product) == std::pair(y, scaled));
+  EXPECT_EQ(operands(quotient), std::pair(z, scaled));
+  // What operands alone decide still folds.
+  EXPECT_TRUE(same(tenth * scaled, g.real(0.01) * x));
+  EXPECT_TRUE(same(scaled - scaled, zero));
+  EXPECT_TRUE(same(one / scaled, g.real(10) / x));
 }
 
 TEST_F(Construction, FlagsConstants) {

@@ -1,5 +1,5 @@
-// How long the programs of values are. In: lists of expressions. Out: operations of the optimised program of
-// each: what counts in the end; and these programs. The same list is optimised once only.
+// How long the programs of values are. In: lists of expressions. Out: what `optimize` makes of each, and the
+// operations that it takes: what counts in the end. The same list is optimised once only.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "mechanism/model.hpp"
-#include "program/lower.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
@@ -20,20 +18,19 @@ namespace alembert {
 /// and none is shorter (mass matrix and bias of the knee 254 to 292).
 using Length = std::pair<std::size_t, std::size_t>;
 
-/// Lengths of programs over the symbols of one mechanism.
+/// Lists that were optimised, and their lengths.
 class ProgramLengths {
  public:
-  ProgramLengths(const Mechanism& mechanism, ExprGraph& graph);
-  Length of(std::span<const Expr> values);
-  /// `lowered`, which computes these outputs, as `optimize` leaves it.
-  Program optimized(Program lowered, std::span<const OutputExpressions> outputs) const;
+  Length of(std::span<const Expr> values) { return measured(values).length; }
+  const std::vector<Expr>& optimized(std::span<const Expr> values) { return measured(values).values; }
 
  private:
   struct Measured {
     Length length;
-    Program program;
+    std::vector<Expr> values;
   };
-  std::vector<SymbolBinding> bindings_;
+  const Measured& measured(std::span<const Expr> values);
+
   std::map<std::vector<std::uint32_t>, Measured> known_;  ///< by the bits of the values
 };
 

@@ -108,13 +108,15 @@ class Search {
     if (!best_.empty() && !conditioning_.is_good(values)) return false;
     if (best_.empty()) small_ = length_of(values).first <= kSmall;
     const std::size_t here = measure(values).first;
-    if (!best_.empty() && here >= least_) {
+    const std::size_t plain = length_of(values).first;
+    if (!best_.empty() && (here > least_ || (here == least_ && plain >= plain_))) {
       keep_near(here, std::move(values));
       return false;
     }
     if (!best_.empty()) keep_near(least_, std::move(best_));
     best_ = std::move(values);
     least_ = here;
+    plain_ = plain;
     form_ = form;
     return true;
   }
@@ -229,6 +231,7 @@ class Search {
   Form form_;
   std::vector<Expr> best_;
   std::size_t least_ = ~std::size_t{0} / 4;
+  std::size_t plain_ = 0;
   double work_ = 0;
   std::vector<Near> near_;  ///< by length
 };

@@ -1,14 +1,14 @@
 // Part of stage `verify`: a program against its expressions modulo a large prime. See exact_comparison.hpp.
 #include "program/verify/exact_comparison.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "program/to_expressions.hpp"
 #include "symbolic/evaluate_modular.hpp"
 #include "symbolic/postorder.hpp"
+#include "symbolic/rational.hpp"
 
 namespace alembert {
 namespace {
@@ -44,19 +44,28 @@ ExactComparison compare_exactly(const Program& program, std::span<const Expr> ro
   if (roots.empty() || !are_exact(roots)) return {};
   for (const double x : program.constants)
     if (!is_short_binary(x)) return {};
-  ExprGraph program_graph;
-  const std::optional<std::vector<Expr>> program_roots = to_expressions(program, program_graph);
-  if (!program_roots || !are_exact(*program_roots)) return {};
+  const auto inexact = [](const Instruction& c) { return !is_leaf(c.op) && !is_exact(c.op); };
+  if (std::ranges::any_of(program.code, inexact)) return {};
 
   const ExprGraph& graph = roots.front().graph();
   const std::vector<Modular> point = random_modular_point(graph.symbol_count(), 1);
-  std::vector<Modular> program_point;
-  for (const SymbolBinding& binding : bindings)
-    program_point.push_back(point[graph.symbol_index(binding.symbol.ref().node())]);
   const std::vector<Modular> wanted = evaluate_modular(roots, point);
-  const std::vector<Modular> found = evaluate_modular(*program_roots, program_point);
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    if (!(wanted[k] == found[k])) return {true, k, found[k], wanted[k]};
+  std::vector<Modular> values;
+  for (const Instruction& c : program.code) {
+    if (c.op == Operation::constant)
+      values.push_back(modular::from_rational(*rational_from_double(program.constants[c.a])));
+    else if (c.op == Operation::input)
+      values.push_back(point[graph.symbol_index(bindings[c.a].symbol.ref().node())]);
+    else
+      values.push_back(modular::apply(c.op, values[c.a], values[operand_count(c.op) == 2 ? c.b : c.a]));
+  }
+  std::size_t k = 0;
+  for (const OutputArray& output : program.outputs) {
+    for (const std::uint32_t v : output.values) {
+      if (!(wanted[k] == values[v])) return {true, k, values[v], wanted[k]};
+      ++k;
+    }
+  }
   return {true, roots.size(), {}, {}};
 }
 

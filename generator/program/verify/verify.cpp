@@ -180,9 +180,7 @@ std::vector<Comparisons> compare_numerically(const Program& program, std::span<c
 void verify(const Program& program, std::span<const OutputExpressions> outputs,
             std::span<const SymbolBinding> bindings) {
   check_form(program, outputs, bindings);
-  std::vector<Expr> roots;
-  for (const OutputExpressions& output : outputs)
-    roots.insert(roots.end(), output.values.begin(), output.values.end());
+  const std::vector<Expr> roots = elements(outputs);
   if (roots.empty()) return;
   const std::vector<Comparisons> done = compare_numerically(program, roots, outputs, bindings);
   const ExactComparison exact = compare_exactly(program, roots, bindings);

@@ -33,7 +33,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S qd1 = qd[1];  // d(q)
   const S f0 = in.wrenches[0];  // wrench(cart).fx
   tau[0] = S(2.76) * qdd0 - (f0 - S(0.1728) * (qdd1 * t0 - qd1 * qd1 * t1));
-  tau[1] = S(0.111044) * qdd1 - S(0.1728) * (S(9.81) * t1 - t0 * qdd0);
+  tau[1] = S(0.111044) * qdd1 - S(0.1728) * (S(9.81) * t1 - qdd0 * t0);
 }
 
 // mass_matrix: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 8e-17 where it was measured).
@@ -100,7 +100,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t0 = cos(q1);
   const S qd1 = qd[1];  // d(q)
   const S qd0 = qd[0];  // d(x)
-  e[0] = S(0.055522) * (qd1 * qd1) + qd0 * (S(1.38) * qd0 + S(0.1728) * (qd1 * t0));
+  e[0] = qd0 * (S(0.1728) * (qd1 * t0) + S(1.38) * qd0) + S(0.055522) * (qd1 * qd1);
   e[1] = S(1.695168) * t0;
 }
 

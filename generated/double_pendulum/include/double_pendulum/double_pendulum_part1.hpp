@@ -26,19 +26,19 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t4 = qd0 + qd1;
-  const S qdd0 = qdd[0];  // dd(q1)
+  const S qd0 = qd[0];  // d(q1)
+  const S t4 = qd1 + qd0;
   const S qdd1 = qdd[1];  // dd(q2)
-  const S t5 = qdd0 + qdd1;
+  const S qdd0 = qdd[0];  // dd(q1)
+  const S t5 = qdd1 + qdd0;
   const S t0 = cosine[0];
-  const S t2 = sine[1];
+  const S t3 = sine[1];
   const S t1 = sine[0];
-  const S t3 = cosine[1];
-  const S t6 = S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + t3 * (S(0.55) * qdd0 + S(9.81) * t1)) + S(0.081465) * t5;
+  const S t2 = cosine[1];
+  const S t6 = S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + t2 * (S(0.55) * qdd0 + S(9.81) * t1)) + S(0.081465) * t5;
   tau[1] = t6;
-  tau[0] = t6 + S(0.126225) * (t3 * t5 - t4 * (t2 * t4)) + (S(8.235495) * t1 + S(0.406645) * qdd0);
+  tau[0] = S(0.126225) * (t5 * t2 - t3 * t4 * t4) + t6 + (S(8.235495) * t1 + S(0.406645) * qdd0);
 }
 
 // mass_matrix: 2 multiplications, 2 additions, 1 sin/cos/tan (reduced formulation; relative error 8.8e-17 where it was measured).
@@ -61,16 +61,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t4 = qd0 + qd1;
+  const S qd0 = qd[0];  // d(q1)
+  const S t4 = qd1 + qd0;
   const S t0 = cosine[0];
   const S t2 = sine[1];
   const S t3 = cosine[1];
   const S t1 = sine[0];
   const S t5 = S(0.2295) * (t2 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t3 * t1));
   c[1] = t5;
-  c[0] = t5 - S(0.126225) * (t2 * (t4 * t4)) + S(8.235495) * t1;
+  c[0] = t5 - S(0.126225) * (t4 * t4 * t2) + S(8.235495) * t1;
 }
 
 // mass_matrix_and_bias: 13 multiplications, 7 additions, 4 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
@@ -80,16 +80,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   using detail::sines_and_cosines;
   S sine[2], cosine[2];
   sines_and_cosines(2, q, sine, cosine);
-  const S qd0 = qd[0];  // d(q1)
   const S qd1 = qd[1];  // d(q2)
-  const S t4 = qd0 + qd1;
+  const S qd0 = qd[0];  // d(q1)
+  const S t4 = qd1 + qd0;
   const S t0 = cosine[0];
   const S t3 = sine[1];
   const S t2 = cosine[1];
   const S t1 = sine[0];
   const S t5 = S(0.2295) * (t3 * (S(0.55) * (qd0 * qd0) + S(9.81) * t0) + S(9.81) * (t2 * t1));
   c[1] = t5;
-  c[0] = t5 - S(0.126225) * (t3 * (t4 * t4)) + S(8.235495) * t1;
+  c[0] = t5 - S(0.126225) * (t4 * t4 * t3) + S(8.235495) * t1;
   M[0] = S(0.25245) * t2 + S(0.48811);
   const S t8 = S(0.126225) * t2 + S(0.081465);
   M[1] = t8;
@@ -117,7 +117,7 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S qd0 = qd[0];  // d(q1)
   const S t4 = qd1 + qd0;
   const S t2 = cosine[1];
-  e[0] = S(0.2033225) * (qd0 * qd0) + t4 * (S(0.0407325) * t4 + S(0.126225) * (qd0 * t2));
+  e[0] = S(0.2033225) * (qd0 * qd0) + (S(0.0407325) * t4 + S(0.126225) * (qd0 * t2)) * t4;
   const S t0 = cosine[0];
   const S t1 = sine[0];
   const S t3 = sine[1];
@@ -139,9 +139,9 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   const S t2 = cosine[1];
   const S t0 = cosine[0];
   const S t3 = sine[1];
-  const S t6 = t1 * t2 + t0 * t3;
+  const S t6 = t2 * t1 + t0 * t3;
   W[14] = t6;
-  const S t7 = t0 * t2 - t1 * t3;
+  const S t7 = t2 * t0 - t1 * t3;
   W[12] = t7;
   W[22] = t7;
   W[23] = S(-0.55) * t0;

@@ -64,7 +64,7 @@ extern const double four_bar_knee_default_parameters[0 + 1];
      tau = M(q) qdd + c(q, qd)
    tau [2]: generalized forces, N m for a speed in rad/s, N for one in m/s.
    Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-   Operations: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
+   Operations: 116 multiplications, 75 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
  */
 int four_bar_knee_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                    const double* parameters, const double* wrenches, double* tau);
@@ -79,7 +79,7 @@ int four_bar_knee_mass_matrix(const double* q, double t, const double* parameter
 /* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [2]: bias forces, in units of tau.
-   Operations: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
+   Operations: 107 multiplications, 66 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
  */
 int four_bar_knee_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                        double* c);
@@ -88,7 +88,7 @@ int four_bar_knee_bias(const double* q, const double* qd, double t, const double
      tau = M(q) qdd + c(q, qd)
    M [2 x 2], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [2]: bias forces, in units of tau.
-   Operations: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
+   Operations: 131 multiplications, 84 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
  */
 int four_bar_knee_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                        const double* wrenches, double* M, double* c);
@@ -118,14 +118,14 @@ int four_bar_knee_body_poses(const double* q, double t, const double* parameters
 /* Poses of the named frames in the world.
    F [1 x 3 x 4], row by row: for each frame of four_bar_knee_frame_names the matrix [R p]: the columns of R are
      the frame's axes, p is its origin, m.
-   Operations: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
+   Operations: 20 multiplications, 16 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
  */
 int four_bar_knee_frame_poses(const double* q, double t, const double* parameters, const double* wrenches, double* F);
 
 /* Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
    J [1 x 6 x 2], row by row: for each frame of four_bar_knee_frame_names 6 rows: 3 angular, then 3 linear.
-   Operations: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
+   Operations: 54 multiplications, 32 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
  */
 int four_bar_knee_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,
                                   double* J);

@@ -121,7 +121,7 @@ using ::alembert::sines_and_cosines;
 ///   tau = M(q) qdd + c(q, qd)
 /// tau [2]: generalized forces, N m for a speed in rad/s, N for one in m/s.
 /// Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-/// Operations: 117 multiplications, 76 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
+/// Operations: 116 multiplications, 75 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 5e-16 where it was measured).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -135,7 +135,7 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 /// Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
 ///   tau = M(q) qdd + c(q, qd)
 /// c [2]: bias forces, in units of tau.
-/// Operations: 108 multiplications, 67 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
+/// Operations: 107 multiplications, 66 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 7.1e-16 where it was measured).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
@@ -143,7 +143,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 ///   tau = M(q) qdd + c(q, qd)
 /// M [2 x 2], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
 /// c [2]: bias forces, in units of tau.
-/// Operations: 132 multiplications, 85 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
+/// Operations: 131 multiplications, 84 additions, 5 divisions, 8 sin/cos/tan, 5 other functions (reduced formulation; relative error 1e-15 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
@@ -171,14 +171,14 @@ void body_poses(const S* q, const Inputs<S>& in, S* W);
 /// Poses of the named frames in the world.
 /// F [1 x 3 x 4], row by row: for each frame of kFrameNames the matrix [R p]: the columns of R are the frame's
 ///   axes, p is its origin, m.
-/// Operations: 23 multiplications, 18 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
+/// Operations: 20 multiplications, 16 additions, 2 divisions, 6 sin/cos/tan, 4 other functions (reduced formulation; relative error 3.3e-16 where it was measured).
 template <class S>
 void frame_poses(const S* q, const Inputs<S>& in, S* F);
 
 /// Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
 ///   J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
 /// J [1 x 6 x 2], row by row: for each frame of kFrameNames 6 rows: 3 angular, then 3 linear.
-/// Operations: 55 multiplications, 34 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
+/// Operations: 54 multiplications, 32 additions, 4 divisions, 6 sin/cos/tan, 5 other functions (reduced formulation; relative error 9.5e-16 where it was measured).
 template <class S>
 void frame_jacobians(const S* q, const Inputs<S>& in, S* J);
 

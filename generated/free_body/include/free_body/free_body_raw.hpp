@@ -116,7 +116,7 @@ struct Inputs {
 ///   tau = M(q) qdd + c(q, qd)
 /// tau [6]: generalized forces, N m for a speed in rad/s, N for one in m/s.
 /// Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-/// Operations: 90 multiplications, 115 additions (reduced formulation; relative error 3e-16 where it was measured).
+/// Operations: 90 multiplications, 97 additions (reduced formulation; relative error 3e-16 where it was measured).
 template <class S>
 void inverse_dynamics(const S* q, const S* qd, const S* qdd, const Inputs<S>& in, S* tau);
 
@@ -130,7 +130,7 @@ void mass_matrix(const S* q, const Inputs<S>& in, S* M);
 /// Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
 ///   tau = M(q) qdd + c(q, qd)
 /// c [6]: bias forces, in units of tau.
-/// Operations: 75 multiplications, 91 additions (reduced formulation; relative error 1.7e-16 where it was measured).
+/// Operations: 75 multiplications, 79 additions (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 
@@ -138,7 +138,7 @@ void bias(const S* q, const S* qd, const Inputs<S>& in, S* c);
 ///   tau = M(q) qdd + c(q, qd)
 /// M [6 x 6], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
 /// c [6]: bias forces, in units of tau.
-/// Operations: 93 multiplications, 100 additions (reduced formulation; relative error 1.7e-16 where it was measured).
+/// Operations: 93 multiplications, 88 additions (reduced formulation; relative error 1.7e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias(const S* q, const S* qd, const Inputs<S>& in, S* M, S* c);
 
@@ -152,7 +152,7 @@ void coordinate_rates(const S* q, const S* qd, S* qdot);
 /// Kinetic and potential energy.
 ///   e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
 /// e [2]: kinetic and potential energy, J.
-/// Operations: 48 multiplications, 47 additions (reduced formulation; relative error 2.5e-16 where it was measured).
+/// Operations: 48 multiplications, 44 additions (reduced formulation; relative error 2.5e-16 where it was measured).
 template <class S>
 void energy(const S* q, const S* qd, const Inputs<S>& in, S* e);
 

@@ -30,11 +30,11 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t1 = cos(q1);
   const S qd0 = qd[0];  // d(q1)
   const S t2 = qd0 * t1;
-  const S t3 = t0 * qd0;
+  const S t3 = qd0 * t0;
   const S qdd0 = qdd[0];  // dd(q1)
-  const S t4 = t0 * qdd0;
+  const S t4 = qdd0 * t0;
   const S t5 = qdd0 * t1;
-  const S t6 = t3 * t2;
+  const S t6 = t2 * t3;
   const S qd1 = qd[1];  // d(q2)
   const S t7 = qd1 * t2;
   const S p2 = in.parameters[2];  // l
@@ -44,12 +44,12 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   const S t9 = p3 + p2 * t8;
   const S t10 = S(0.025) * p3;
   const S p0 = in.parameters[0];  // g
-  const S t11 = S(0.3) * t5 + t0 * p0;
+  const S t11 = S(0.3) * t5 + p0 * t0;
   const S qdd1 = qdd[1];  // dd(q2)
-  const S t12 = t0 * (t8 * (qd1 * qd1 + t3 * t3) - p1 * (S(0.3) * t4 - p0 * t1)) - t1 * (t8 * (qdd1 - t6) + p1 * t11);
+  const S t12 = t0 * (t8 * (qd1 * qd1 + t3 * t3) - p1 * (S(0.3) * t4 - p0 * t1)) - t1 * ((qdd1 - t6) * t8 + p1 * t11);
   const S t13 = t9 - t10;
-  const S t14 = S(0.3) * t12 - (t0 * (t8 * (qd0 * (S(0.3) * qd0)) + ((t4 + t7) * t9 + t7 * t13)) + t1 * (t10 * (t5 - qd1 * t3)));
-  tau[1] = t8 * t11 + (qdd1 * t9 - t6 * t13);
+  const S t14 = S(0.3) * t12 + (t1 * ((qd1 * t3 - t5) * t10) - (S(0.3) * (t8 * (qd0 * qd0)) + ((t7 + t4) * t9 + t7 * t13)) * t0);
+  tau[1] = t11 * t8 - (t13 * t6 - qdd1 * t9);
   tau[0] = S(0.01376) * qdd0 - t14;
 }
 
@@ -58,17 +58,17 @@ template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
   using ::std::sin;
-  const S p1 = in.parameters[1];  // m
-  const S p2 = in.parameters[2];  // l
-  const S t0 = p1 * p2;
-  const S p3 = in.parameters[3];  // I
-  const S t1 = p3 + p2 * t0;
-  M[3] = t1;
   const S q1 = q[1];  // q2
-  const S t2 = cos(q1);
-  const S t3 = sin(q1);
-  M[0] = t3 * (t3 * t1) + p3 * (t2 * (S(0.025) * t2)) + S(0.09) * p1 + S(0.01376);
-  const S t5 = t2 * (S(0.3) * t0);
+  const S t0 = cos(q1);
+  const S t1 = sin(q1);
+  const S p2 = in.parameters[2];  // l
+  const S p1 = in.parameters[1];  // m
+  const S t2 = p2 * p1;
+  const S p3 = in.parameters[3];  // I
+  const S t3 = p3 + p2 * t2;
+  M[3] = t3;
+  M[0] = t1 * t1 * t3 + p3 * (S(0.025) * (t0 * t0)) + S(0.09) * p1 + S(0.01376);
+  const S t5 = t0 * (S(0.3) * t2);
   M[1] = t5;
   M[2] = t5;
 }
@@ -89,16 +89,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t3 = sin(q1);
   const S t4 = cos(q1);
   const S qd0 = qd[0];  // d(q1)
-  const S t5 = t3 * qd0;
+  const S t5 = qd0 * t3;
   const S t6 = qd0 * t4;
   const S t7 = t1 - t2;
-  const S t8 = t6 * t5;
-  const S p0 = in.parameters[0];  // g
-  const S t9 = t3 * p0;
   const S qd1 = qd[1];  // d(q2)
-  const S t10 = S(0.3) * (t4 * (t0 * t8 - p1 * t9) + t3 * (t0 * (qd1 * qd1 + t5 * t5) + p1 * (t4 * p0)));
-  c[0] = t3 * (t0 * (qd0 * (S(0.3) * qd0)) + qd1 * (t6 * (t1 + t7))) - qd1 * (t4 * (t2 * t5)) - t10;
-  c[1] = t0 * t9 - t7 * t8;
+  const S t8 = qd1 * (t4 * (t5 * t2)) - (S(0.3) * (t0 * (qd0 * qd0)) + qd1 * (t6 * (t7 + t1))) * t3;
+  const S t9 = t6 * t5;
+  const S p0 = in.parameters[0];  // g
+  const S t10 = p0 * t3;
+  c[0] = S(-0.3) * (t4 * (t9 * t0 - p1 * t10) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t8;
+  c[1] = t0 * t10 - t7 * t9;
 }
 
 // mass_matrix_and_bias: 33 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
@@ -107,9 +107,9 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
   using ::std::cos;
   using ::std::sin;
-  const S p1 = in.parameters[1];  // m
   const S p2 = in.parameters[2];  // l
-  const S t0 = p1 * p2;
+  const S p1 = in.parameters[1];  // m
+  const S t0 = p2 * p1;
   const S p3 = in.parameters[3];  // I
   const S t1 = p3 + p2 * t0;
   M[3] = t1;
@@ -118,19 +118,19 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t3 = sin(q1);
   const S t4 = cos(q1);
   const S qd0 = qd[0];  // d(q1)
-  const S t5 = t3 * qd0;
-  const S t6 = t4 * qd0;
+  const S t5 = qd0 * t3;
+  const S t6 = qd0 * t4;
   const S t7 = t1 - t2;
   const S t8 = t6 * t5;
   const S t9 = S(0.3) * t0;
   const S t10 = t4 * t2;
-  const S p0 = in.parameters[0];  // g
-  const S t11 = t3 * p0;
   const S qd1 = qd[1];  // d(q2)
-  const S t12 = S(0.3) * (t4 * (t0 * t8 - p1 * t11) + t3 * (t0 * (qd1 * qd1 + t5 * t5) + p1 * (t4 * p0)));
-  c[0] = t3 * (qd0 * (t9 * qd0) + qd1 * (t6 * (t1 + t7))) - qd1 * (t10 * t5) - t12;
-  M[0] = t3 * (t3 * t1) + t4 * t10 + S(0.09) * p1 + S(0.01376);
-  c[1] = t0 * t11 - t7 * t8;
+  const S t11 = qd1 * (t10 * t5) - (qd0 * (qd0 * t9) + qd1 * (t6 * (t7 + t1))) * t3;
+  M[0] = t3 * t3 * t1 + t4 * t10 + S(0.09) * p1 + S(0.01376);
+  const S p0 = in.parameters[0];  // g
+  const S t13 = p0 * t3;
+  c[0] = S(-0.3) * (t4 * (t8 * t0 - p1 * t13) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t11;
+  c[1] = t0 * t13 - t7 * t8;
   const S t16 = t4 * t9;
   M[1] = t16;
   M[2] = t16;
@@ -152,21 +152,21 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   using ::std::cos;
   using ::std::sin;
   const S q1 = q[1];  // q2
-  const S t0 = sin(q1);
-  const S t1 = cos(q1);
+  const S t0 = cos(q1);
+  const S t1 = sin(q1);
   const S qd0 = qd[0];  // d(q1)
-  const S t2 = qd0 * t0;
-  const S t3 = qd0 * t1;
+  const S t2 = qd0 * t1;
+  const S t3 = qd0 * t0;
   const S t4 = qd0 * qd0;
-  const S qd1 = qd[1];  // d(q2)
   const S p2 = in.parameters[2];  // l
   const S p1 = in.parameters[1];  // m
-  const S t5 = S(0.00688) * t4 + p1 * (S(0.045) * t4 + t3 * (p2 * (S(0.3) * qd1)));
-  const S t6 = p1 * p2;
+  const S t5 = p2 * p1;
   const S p3 = in.parameters[3];  // I
-  e[0] = S(0.5) * (t3 * (t3 * (S(0.025) * p3)) + (p3 + p2 * t6) * (t2 * t2 + qd1 * qd1)) + t5;
+  const S qd1 = qd[1];  // d(q2)
+  const S t6 = S(0.5) * (t3 * (t3 * (S(0.025) * p3)) + (p3 + p2 * t5) * (qd1 * qd1 + t2 * t2));
+  e[0] = p1 * (S(0.3) * (p2 * (qd1 * t3)) + S(0.045) * t4) + S(0.00688) * t4 + t6;
   const S p0 = in.parameters[0];  // g
-  e[1] = -(t1 * (t6 * p0));
+  e[1] = -(t0 * (p0 * t5));
 }
 
 // body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
@@ -182,11 +182,11 @@ void body_poses([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& i
   W[16] = sine[0];
   W[22] = cosine[1];
   W[21] = sine[1];
-  const S t1 = sine[0];
   const S t2 = cosine[1];
-  W[13] = -(t1 * t2);
+  const S t1 = sine[0];
+  W[13] = -(t2 * t1);
   const S t0 = cosine[0];
-  W[17] = t0 * t2;
+  W[17] = t2 * t0;
   const S t3 = sine[1];
   W[18] = -(t0 * t3);
   W[14] = t1 * t3;

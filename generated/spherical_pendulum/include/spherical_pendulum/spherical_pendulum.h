@@ -64,7 +64,7 @@ extern const double spherical_pendulum_default_parameters[0 + 1];
      tau = M(q) qdd + c(q, qd)
    tau [3]: generalized forces, N m for a speed in rad/s, N for one in m/s.
    Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-   Operations: 60 multiplications, 75 additions (reduced formulation; relative error 6.7e-16 where it was measured).
+   Operations: 60 multiplications, 69 additions (reduced formulation; relative error 3.6e-16 where it was measured).
  */
 int spherical_pendulum_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                         const double* parameters, const double* wrenches, double* tau);
@@ -80,7 +80,7 @@ int spherical_pendulum_mass_matrix(const double* q, double t, const double* para
 /* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [3]: bias forces, in units of tau.
-   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.2e-15 where it was measured).
+   Operations: 57 multiplications, 60 additions (reduced formulation; relative error 1.5e-15 where it was measured).
  */
 int spherical_pendulum_bias(const double* q, const double* qd, double t, const double* parameters,
                             const double* wrenches, double* c);
@@ -89,7 +89,7 @@ int spherical_pendulum_bias(const double* q, const double* qd, double t, const d
      tau = M(q) qdd + c(q, qd)
    M [3 x 3], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [3]: bias forces, in units of tau.
-   Operations: 57 multiplications, 66 additions (reduced formulation; relative error 1.2e-15 where it was measured).
+   Operations: 57 multiplications, 60 additions (reduced formulation; relative error 1.5e-15 where it was measured).
  */
 int spherical_pendulum_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);

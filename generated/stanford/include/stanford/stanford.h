@@ -63,7 +63,7 @@ extern const double stanford_default_parameters[0 + 1];
      tau = M(q) qdd + c(q, qd)
    tau [6]: generalized forces, N m for a speed in rad/s, N for one in m/s.
    Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-   Operations: 135 multiplications, 105 additions, 8 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
+   Operations: 135 multiplications, 104 additions, 8 sin/cos/tan (reduced formulation; relative error 2.3e-16 where it was measured).
  */
 int stanford_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                               const double* parameters, const double* wrenches, double* tau);
@@ -78,7 +78,7 @@ int stanford_mass_matrix(const double* q, double t, const double* parameters, co
 /* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [6]: bias forces, in units of tau.
-   Operations: 126 multiplications, 90 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
+   Operations: 126 multiplications, 89 additions, 8 sin/cos/tan (reduced formulation; relative error 2.2e-16 where it was measured).
  */
 int stanford_bias(const double* q, const double* qd, double t, const double* parameters, const double* wrenches,
                   double* c);
@@ -87,7 +87,7 @@ int stanford_bias(const double* q, const double* qd, double t, const double* par
      tau = M(q) qdd + c(q, qd)
    M [6 x 6], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [6]: bias forces, in units of tau.
-   Operations: 176 multiplications, 127 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
+   Operations: 176 multiplications, 125 additions, 8 sin/cos/tan (reduced formulation; relative error 1.7e-16 where it was measured).
  */
 int stanford_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                   const double* wrenches, double* M, double* c);

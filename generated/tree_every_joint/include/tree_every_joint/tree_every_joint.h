@@ -64,7 +64,7 @@ extern const double tree_every_joint_default_parameters[0 + 1];
      tau = M(q) qdd + c(q, qd)
    tau [20]: generalized forces, N m for a speed in rad/s, N for one in m/s.
    Source: Guenter and Lee, Symbolic Lagrangian Multibody Dynamics, eq. 13.
-   Operations: 924 multiplications, 936 additions, 16 sin/cos/tan (reduced formulation; relative error 8.9e-16 where it was measured).
+   Operations: 919 multiplications, 877 additions, 16 sin/cos/tan (reduced formulation; relative error 4.6e-16 where it was measured).
  */
 int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const double* qdd, double t,
                                       const double* parameters, const double* wrenches, double* tau);
@@ -72,7 +72,7 @@ int tree_every_joint_inverse_dynamics(const double* q, const double* qd, const d
 /* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
    M [20 x 20], row by row: in units of tau / qdd.
-   Operations: 872 multiplications, 902 additions, 16 sin/cos/tan (reduced formulation; relative error 4e-16 where it was measured).
+   Operations: 856 multiplications, 766 additions, 16 sin/cos/tan (reduced formulation; relative error 3.5e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* M);
@@ -80,7 +80,7 @@ int tree_every_joint_mass_matrix(const double* q, double t, const double* parame
 /* Bias forces: Coriolis, centrifugal and gravity terms, less external wrenches and other forces.
      tau = M(q) qdd + c(q, qd)
    c [20]: bias forces, in units of tau.
-   Operations: 888 multiplications, 867 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).
+   Operations: 888 multiplications, 810 additions, 16 sin/cos/tan (reduced formulation; relative error 6.4e-16 where it was measured).
  */
 int tree_every_joint_bias(const double* q, const double* qd, double t, const double* parameters,
                           const double* wrenches, double* c);
@@ -89,7 +89,7 @@ int tree_every_joint_bias(const double* q, const double* qd, double t, const dou
      tau = M(q) qdd + c(q, qd)
    M [20 x 20], row by row: mass matrix, symmetric and in full, in units of tau / qdd.
    c [20]: bias forces, in units of tau.
-   Operations: 1725 multiplications, 1729 additions, 16 sin/cos/tan (reduced formulation; relative error 5.2e-16 where it was measured).
+   Operations: 1710 multiplications, 1524 additions, 16 sin/cos/tan (reduced formulation; relative error 6.4e-16 where it was measured).
  */
 int tree_every_joint_mass_matrix_and_bias(const double* q, const double* qd, double t, const double* parameters,
                                         const double* wrenches, double* M, double* c);
@@ -104,7 +104,7 @@ int tree_every_joint_coordinate_rates(const double* q, const double* qd, double*
 /* Kinetic and potential energy.
      e[0] = 1/2 sum (m |v|^2 + w^T J w), e[1] = -sum m g^T r, zero at the world's origin
    e [2]: kinetic and potential energy, J.
-   Operations: 792 multiplications, 713 additions, 16 sin/cos/tan (reduced formulation; relative error 8.5e-16 where it was measured).
+   Operations: 792 multiplications, 653 additions, 16 sin/cos/tan (reduced formulation; relative error 6.8e-16 where it was measured).
  */
 int tree_every_joint_energy(const double* q, const double* qd, double t, const double* parameters,
                             const double* wrenches, double* e);
@@ -112,14 +112,14 @@ int tree_every_joint_energy(const double* q, const double* qd, double t, const d
 /* Poses of the bodies in the world.
    W [10 x 3 x 4], row by row: for each body of tree_every_joint_body_names the matrix [R p]: the columns of R are
      the body's axes, p is its origin, m.
-   Operations: 274 multiplications, 287 additions, 16 sin/cos/tan (reduced formulation; relative error 3.3e-16 where it was measured).
+   Operations: 274 multiplications, 239 additions, 16 sin/cos/tan (reduced formulation; relative error 3.3e-16 where it was measured).
  */
 int tree_every_joint_body_poses(const double* q, double t, const double* parameters, const double* wrenches, double* W);
 
 /* Poses of the named frames in the world.
    F [1 x 3 x 4], row by row: for each frame of tree_every_joint_frame_names the matrix [R p]: the columns of R are
      the frame's axes, p is its origin, m.
-   Operations: 82 multiplications, 88 additions, 4 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
+   Operations: 82 multiplications, 76 additions, 4 sin/cos/tan (reduced formulation; relative error 5e-16 where it was measured).
  */
 int tree_every_joint_frame_poses(const double* q, double t, const double* parameters, const double* wrenches,
                                  double* F);
@@ -127,7 +127,7 @@ int tree_every_joint_frame_poses(const double* q, double t, const double* parame
 /* Geometric Jacobians of the named frames' origins: angular rows first, in world axes.
      J(q) qd = (angular velocity x y z, velocity of the frame's origin x y z), less what motion prescribed in time adds
    J [1 x 6 x 20], row by row: for each frame of tree_every_joint_frame_names 6 rows: 3 angular, then 3 linear.
-   Operations: 527 multiplications, 399 additions, 4 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).
+   Operations: 527 multiplications, 395 additions, 4 sin/cos/tan (reduced formulation; relative error 5.1e-16 where it was measured).
  */
 int tree_every_joint_frame_jacobians(const double* q, double t, const double* parameters, const double* wrenches,
                                      double* J);

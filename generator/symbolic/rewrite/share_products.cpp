@@ -1,7 +1,7 @@
-// Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: a value
-// program. Out: the same values, with the pairs of factors that most products have in common multiplied once.
-// See the header.
-#include "program/rewrite/share_products.hpp"
+// Rewrite of stage `optimise`: products of several factors bracketed so that they share pairs. In: live nodes.
+// Out: the same roots, with the pairs of factors that most products have in common multiplied once. See the
+// header.
+#include "symbolic/rewrite/share_products.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,21 +10,22 @@
 #include <utility>
 #include <vector>
 
-#include "program/rewrite/node_rewrite.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
 namespace {
 
-/// A node of the program, or, from `first_pair` on, a pair of factors.
+constexpr std::uint32_t kNoProduct = ~std::uint32_t{0};
+
+/// Position of a node, or, from `first_pair` on, a pair of factors.
 using FactorId = std::uint32_t;
 using Pair = std::pair<FactorId, FactorId>;  ///< ascending
 
 class ProductSharing : NodeRewrite {
  public:
-  explicit ProductSharing(const LiveProgram& from) : NodeRewrite(from) {}
+  explicit ProductSharing(const LiveNodes& from) : NodeRewrite(from) {}
 
-  std::optional<ValueProgram> run() {
+  std::optional<std::vector<Expr>> run() {
     collect();
     if (!extract()) return std::nullopt;
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
@@ -35,28 +36,27 @@ class ProductSharing : NodeRewrite {
   static constexpr std::size_t kMaxFactors = 8;
   using Monomial = std::vector<FactorId>;  ///< ascending, with repetitions
 
-  bool is_product(std::uint32_t id) const { return from_.graph.node(id).op == Operation::mul; }
-  FactorId first_pair() const { return from_.graph.size(); }
+  bool is_product(std::uint32_t id) const { return !is_constant(id) && op(id) == Operation::mul; }
+  FactorId first_pair() const { return size(); }
 
   // The factors of every product that is used other than once in another product.
   void collect() {
-    std::vector<char> inner(from_.graph.size(), 0);
-    for (const std::uint32_t id : order_) {
+    std::vector<char> inner(size(), 0);
+    for (std::uint32_t id = 0; id < size(); ++id) {
       if (!is_product(id)) continue;
-      for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
-        if (uses_[operand.node()] == 1 && is_product(operand.node())) inner[operand.node()] = 1;
+      for (const std::uint32_t operand : {operands(id).a >> 1, operands(id).b >> 1}) {
+        if (uses_[operand] == 1 && is_product(operand)) inner[operand] = 1;
       }
     }
     // A product that was taken in is still built where another one had no room for it.
-    monomial_of_.assign(from_.graph.size(), kNone);
-    for (const std::uint32_t id : order_) {
+    monomial_of_.assign(size(), kNoProduct);
+    for (std::uint32_t id = 0; id < size(); ++id) {
       if (!is_product(id)) continue;
       Monomial factors;
-      for (const Value operand : {from_.graph.node(id).a, from_.graph.node(id).b}) {
-        const std::uint32_t part = monomial_of_[operand.node()];
-        if (part == kNone || !inner[operand.node()] ||
-            monomials_[part].size() + factors.size() > kMaxFactors) {
-          factors.push_back(operand.node());
+      for (const std::uint32_t operand : {operands(id).a >> 1, operands(id).b >> 1}) {
+        const std::uint32_t part = monomial_of_[operand];
+        if (part == kNoProduct || !inner[operand] || monomials_[part].size() + factors.size() > kMaxFactors) {
+          factors.push_back(operand);
         } else {
           factors.insert(factors.end(), monomials_[part].begin(), monomials_[part].end());
         }
@@ -166,52 +166,42 @@ class ProductSharing : NodeRewrite {
     return !pairs_.empty();
   }
 
-  Value built(FactorId factor) {
+  Ref built(FactorId factor) {
     if (factor < first_pair()) return image_[factor];
     const std::size_t p = factor - first_pair();
     if (built_.size() < pairs_.size()) built_.resize(pairs_.size());
     if (!built_[p]) {
-      const Value a = built(pairs_[p].first);
-      const Value b = built(pairs_[p].second);
-      built_[p] = to_.graph.make(Operation::mul, a, b);
+      const Ref a = built(pairs_[p].first);
+      const Ref b = built(pairs_[p].second);
+      built_[p] = graph_.make(Operation::mul, a, b);
     }
     return *built_[p];
   }
 
-  Value rewrite(std::uint32_t id) {
-    const ValueNode& n = from_.graph.node(id);
-    ValueGraph& to = to_.graph;
-    if (n.op == Operation::constant) return to.constant(from_.graph.constant_value(Value(id, false)));
-    if (n.op == Operation::input) return to.input(n.a.bits);
-    if (n.op == Operation::mul) {
-      const std::uint32_t m = monomial_of_[id];
-      if (counted_[m]) {
-        // The constant, which comes first in a product, last.
-        const Monomial& factors = monomials_[m];
-        Value product = built(factors.back());
-        for (std::size_t i = factors.size() - 1; i-- > 0;) {
-          const Value factor = built(factors[i]);
-          product = to.make(Operation::mul, product, factor);
-        }
-        return product;
-      }
+  Ref rewrite(std::uint32_t id) {
+    const std::uint32_t m = monomial_of_[id];
+    if (m == kNoProduct || !counted_[m]) return copied(id);
+    // The constant, which comes first in a product, last.
+    const Monomial& factors = monomials_[m];
+    Ref product = built(factors.back());
+    for (std::size_t i = factors.size() - 1; i-- > 0;) {
+      const Ref factor = built(factors[i]);
+      product = graph_.make(Operation::mul, product, factor);
     }
-    const Value a = image(n.a);
-    const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
-    return to.make(n.op, a, b);
+    return product;
   }
 
   std::vector<Monomial> monomials_;
   std::vector<char> counted_;               ///< of each monomial: whether it is no part of another one
-  std::vector<std::uint32_t> monomial_of_;  ///< by node; kNone: no product
+  std::vector<std::uint32_t> monomial_of_;  ///< by node; kNoProduct: no product
   std::vector<Pair> pairs_;
-  std::vector<std::optional<Value>> built_;
+  std::vector<std::optional<Ref>> built_;
 };
 
 }  // namespace
 
-std::optional<ValueProgram> share_products(const LiveProgram& program) {
-  return ProductSharing(program).run();
+std::optional<std::vector<Expr>> share_products(const LiveNodes& nodes) {
+  return ProductSharing(nodes).run();
 }
 
 }  // namespace alembert

@@ -1,11 +1,11 @@
-// Rewrite of stage `optimise`: common factors of sums. In: a value program. Out: the same values with fewer
+// Rewrite of stage `optimise`: common factors of sums. In: live nodes. Out: the same roots with fewer
 // operations. See the header.
 //
 // A chain is a maximal tree of sums whose inner nodes have no other use; its leaves are terms, and a term
 // that is a product without other use is a list of factors (divisors among them, marked). All terms with a
 // factor in common form a group, worth the multiplies that collecting it saves. The best group is taken
 // first, until none gains anything; what is left inside the brackets is a chain of its own in the next round.
-#include "program/rewrite/factor_sums.hpp"
+#include "symbolic/rewrite/factor_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include "program/rewrite/node_rewrite.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
 namespace {
 
-/// A node that multiplies, or divides if `bits` is odd.
+/// A node, by its position, that multiplies, or divides if `bits` is odd.
 struct Factor {
   std::uint32_t bits;
   Factor(std::uint32_t node, bool divides) : bits(node << 1 | (divides ? 1u : 0u)) {}
@@ -33,7 +32,7 @@ struct Factor {
 };
 
 struct Term {
-  Value leaf;                ///< in the program that is read
+  std::uint32_t leaf;        ///< position and sign
   bool negative;             ///< sign of the product of the factors
   std::uint32_t begin, end;  ///< its factors
   bool constant = false;     ///< nothing but a number
@@ -52,59 +51,47 @@ std::size_t product_cost(std::size_t multiply, std::size_t divide) {
 
 class SumFactoring : NodeRewrite {
  public:
-  SumFactoring(const LiveProgram& from, CommonPairs common_pairs, bool& any_spared)
-      : NodeRewrite(from),
-        graph_(from.values.graph),
-        spares_pairs_(common_pairs == CommonPairs::spared),
-        any_spared_(any_spared),
-        inner_(graph_.size(), 0),
-        angle_(graph_.size(), 1) {
-    for (const std::uint32_t id : order_) {
-      const ValueNode& n = graph_.node(id);
-      const int operands = operand_count(n.op);
-      for (int k = 0; k < operands; ++k) {
-        const std::uint32_t operand = (k == 0 ? n.a : n.b).node();
-        if (is_inner(operand, n.op)) inner_[operand] = 1;
-        if (!is_trigonometric(n.op)) angle_[operand] = 0;
+  SumFactoring(const LiveNodes& from, FactorsLeft left, FactorsLeft& met)
+      : NodeRewrite(from), left_(left), met_(met), inner_(size(), 0), angle_(size(), 1) {
+    for (std::uint32_t id = 0; id < size(); ++id) {
+      const Operation user = op(id);
+      for (int k = 0; k < arity(id); ++k) {
+        const std::uint32_t operand = (k == 0 ? operands(id).a : operands(id).b) >> 1;
+        if (is_inner(operand, user)) inner_[operand] = 1;
+        if (!is_trigonometric(user)) angle_[operand] = 0;
       }
     }
-    for (const auto& output : from_.outputs)
-      for (const Value v : output.values) angle_[v.node()] = 0;
+    for (const Expr& root : from_.roots) angle_[from_.order.at(root.ref().node())] = 0;
   }
 
-  std::optional<ValueProgram> run() {
-    if (spares_pairs_) count_pairs();
+  std::optional<std::vector<Expr>> run() {
+    if (left_.in_common_pairs) count_pairs();
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
     if (!rewritten_) return std::nullopt;
     return finished();
   }
 
  private:
-  static bool is_product(Operation op) { return op == Operation::mul || op == Operation::div; }
+  static bool multiplies(Operation op) { return op == Operation::mul || op == Operation::div; }
+  bool is_sum(std::uint32_t id) const { return !is_constant(id) && op(id) == Operation::add; }
+  bool is_product(std::uint32_t id) const { return !is_constant(id) && multiplies(op(id)); }
   // Whether a node belongs to the sum or the product that is its only user.
   bool is_inner(std::uint32_t id, Operation user) const {
     if (uses_[id] != 1) return false;
-    const Operation op = graph_.node(id).op;
-    return (op == Operation::add && user == Operation::add) || (is_product(op) && is_product(user));
+    return (is_sum(id) && user == Operation::add) || (is_product(id) && multiplies(user));
   }
 
-  Value rewrite(std::uint32_t id) {
-    const ValueNode& n = graph_.node(id);
-    if (n.op == Operation::constant) return to_.graph.constant(graph_.constant_value(Value(id, false)));
-    if (n.op == Operation::input) return to_.graph.input(n.a.bits);
-    if (inner_[id] == 0) {
-      if (n.op == Operation::add && read_chain(id)) {
-        rewritten_ = true;
-        return write_chain();
-      }
-      if (is_product(n.op) && read_product(id)) {
-        rewritten_ = true;
-        return write_product(terms_[0], nullptr);
-      }
+  Ref rewrite(std::uint32_t id) {
+    if (inner_[id] != 0) return copied(id);
+    if (is_sum(id) && read_chain(id)) {
+      rewritten_ = true;
+      return write_chain();
     }
-    const Value a = image(n.a);
-    const Value b = operand_count(n.op) == 2 ? image(n.b) : Value();
-    return to_.graph.make(n.op, a, b);
+    if (is_product(id) && read_product(id)) {
+      rewritten_ = true;
+      return write_product(terms_[0], nullptr);
+    }
+    return copied(id);
   }
 
   static std::uint64_t pair_of(Factor x, Factor y) {
@@ -113,10 +100,10 @@ class SumFactoring : NodeRewrite {
 
   // In how many products each pair of factors is.
   void count_pairs() {
-    for (const std::uint32_t id : order_) {
-      if (inner_[id] != 0 || !is_product(graph_.node(id).op)) continue;
+    for (std::uint32_t id = 0; id < size(); ++id) {
+      if (inner_[id] != 0 || !is_product(id)) continue;
       factors_.clear();
-      read_term(Value(id, false), true);
+      read_term(id << 1, true);
       if (factors_.size() < 3) continue;
       std::vector<std::uint64_t> here;
       for (std::size_t i = 0; i < factors_.size(); ++i)
@@ -146,24 +133,24 @@ class SumFactoring : NodeRewrite {
     });
   }
 
-  // Reads the product below v; only inner nodes and the top are opened.
-  Term read_term(Value v, bool open) {
-    Term term{v, v.negative(), static_cast<std::uint32_t>(factors_.size()), 0};
-    stack_.assign(1, {v.node(), false});
+  // Reads the product below an operand; only inner nodes and the top are opened.
+  Term read_term(std::uint32_t leaf, bool open) {
+    const std::uint32_t top = leaf >> 1;
+    Term term{leaf, (leaf & 1) != 0, static_cast<std::uint32_t>(factors_.size()), 0, is_constant(top)};
+    stack_.assign(1, {top, false});
     while (!stack_.empty()) {
       const auto [id, divides] = stack_.back();
       stack_.pop_back();
-      const ValueNode& n = graph_.node(id);
-      const bool top = id == v.node();
-      if (is_product(n.op) && (top ? open : inner_[id] != 0)) {
-        stack_.push_back({n.b.node(), divides != (n.op == Operation::div)});
-        stack_.push_back({n.a.node(), divides});
+      if (is_product(id) && (id == top ? open : inner_[id] != 0)) {
+        const bool quotient = op(id) == Operation::div;
+        const LocalOperands n = quotient ? operands(id) : in_order(id);
+        stack_.push_back({n.b >> 1, divides != quotient});
+        stack_.push_back({n.a >> 1, divides});
       } else {
         factors_.push_back(Factor(id, divides));
       }
     }
     term.end = static_cast<std::uint32_t>(factors_.size());
-    term.constant = graph_.is_constant(v);
     return term;
   }
 
@@ -171,14 +158,14 @@ class SumFactoring : NodeRewrite {
   bool read_product(std::uint32_t id) {
     terms_.clear();
     factors_.clear();
-    terms_.push_back(read_term(Value(id, false), true));
+    terms_.push_back(read_term(id << 1, true));
     if (factors_.size() < 3) return false;
     std::vector<Factor> sorted = factors_;
     std::sort(sorted.begin(), sorted.end(), [](Factor x, Factor y) { return x.bits < y.bits; });
     std::size_t constants = 0;
     bool cancels = false;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-      if (graph_.is_constant(Value(sorted[i].node(), false))) ++constants;
+      if (is_constant(sorted[i].node())) ++constants;
       if (i > 0 && sorted[i].node() == sorted[i - 1].node() && sorted[i].divides() != sorted[i - 1].divides())
         cancels = true;
     }
@@ -208,22 +195,21 @@ class SumFactoring : NodeRewrite {
     terms_.clear();
     factors_.clear();
     groups_.clear();
-    chain_.assign(1, Value(root, false));
+    chain_.assign(1, root << 1);
     std::size_t constants = 0;
     while (!chain_.empty()) {
-      const Value v = chain_.back();
+      const std::uint32_t local = chain_.back(), id = local >> 1, sign = local & 1;
       chain_.pop_back();
-      const ValueNode& n = graph_.node(v.node());
-      if (n.op == Operation::add && (v.node() == root || inner_[v.node()] != 0)) {
-        chain_.push_back(n.b.negated_if(v.negative()));
-        chain_.push_back(n.a.negated_if(v.negative()));
+      if (is_sum(id) && (id == root || inner_[id] != 0)) {
+        chain_.push_back(in_order(id).b ^ sign);
+        chain_.push_back(in_order(id).a ^ sign);
         continue;
       }
-      terms_.push_back(read_term(v, uses_[v.node()] == 1));
+      terms_.push_back(read_term(local, uses_[id] == 1));
       constants += terms_.back().constant;
     }
     const bool offset_moves =
-        constants == 1 && angle_[root] != 0 && terms_.size() > 2 && !graph_.is_constant(graph_.node(root).a);
+        constants == 1 && angle_[root] != 0 && terms_.size() > 2 && !is_constant(operands(root).a >> 1);
     choose_groups();
     return !groups_.empty() || constants > 1 || offset_moves;
   }
@@ -241,20 +227,27 @@ class SumFactoring : NodeRewrite {
       std::ptrdiff_t gain;
       std::uint32_t first_term;
       std::size_t begin, end;                     ///< in occurrences_
+      bool is_two, constant;                      ///< 2x is a sum, and stands last
       bool operator<(const Candidate& y) const {  // the worse one
-        return std::tie(gain, y.first_term, y.begin) < std::tie(y.gain, first_term, begin);
+        return std::tie(y.is_two, gain, y.first_term, y.constant, y.begin) <
+               std::tie(is_two, y.gain, first_term, constant, begin);
       }
     };
     std::priority_queue<Candidate> queue;
     for (std::size_t begin = 0, end = 0; begin < occurrences_.size(); begin = end) {
       while (end < occurrences_.size() && occurrences_[end].first == occurrences_[begin].first) ++end;
       if (end - begin < 2) continue;
-      if (spares_pairs_ && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) {
-        any_spared_ = true;
+      if (left_.in_common_pairs && better_in_pairs(std::span(occurrences_).subspan(begin, end - begin))) {
+        met_.in_common_pairs = true;
         continue;
       }
       const std::ptrdiff_t gained = gain(std::span(occurrences_).subspan(begin, end - begin));
-      if (gained > 0) queue.push({gained, occurrences_[begin].second, begin, end});
+      const std::uint32_t factor = occurrences_[begin].first >> 1;
+      if (gained <= 0) continue;
+      const bool is_two = number_of(factor) == 2;
+      met_.twos = met_.twos || is_two;
+      if (!is_two || !left_.twos)
+        queue.push({gained, occurrences_[begin].second, begin, end, is_two, is_constant(factor)});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -295,8 +288,8 @@ class SumFactoring : NodeRewrite {
         ++(factors_[f].divides() ? divide : multiply);
         if (factors_[f].bits == key && !removed) {
           removed = true;
-        } else if (graph_.is_constant(Value(factors_[f].node(), false)) && !factors_[f].divides()) {
-          constant *= graph_.constant_value(Value(factors_[f].node(), false));
+        } else if (is_constant(factors_[f].node()) && !factors_[f].divides()) {
+          constant *= number_of(factors_[f].node());
         } else {
           other_factor = true;
         }
@@ -321,10 +314,8 @@ class SumFactoring : NodeRewrite {
   }
 
   // The product of a term's factors, without one factor `except` if there is such.
-  Value write_product(const Term& term, const Factor* except) {
-    ValueGraph& to = to_.graph;
-    const Value one = to.constant(1);
-    Value number = one, multipliers = one, divisors = one;
+  Ref write_product(const Term& term, const Factor* except) {
+    Ref numbers = one_, multipliers = one_, divisors = one_;
     bool removed = except == nullptr;
     for (std::uint32_t f = term.begin; f < term.end; ++f) {
       const Factor factor = factors_[f];
@@ -332,53 +323,53 @@ class SumFactoring : NodeRewrite {
         removed = true;
         continue;
       }
-      const Value value = image_[factor.node()];
-      Value& product = factor.divides() ? divisors : to.is_constant(value) ? number : multipliers;
-      product = to.make(Operation::mul, product, value);
+      const Ref value = image_[factor.node()];
+      Ref& product = factor.divides() ? divisors : made_constant(value) ? numbers : multipliers;
+      product = graph_.make(Operation::mul, product, value);
     }
-    Value result = to.make(Operation::mul, number, multipliers);
-    if (divisors != one) result = to.make(Operation::div, result, divisors);
-    return result.negated_if(term.negative);
+    Ref result = graph_.make(Operation::mul, numbers, multipliers);
+    if (divisors != one_) result = graph_.make(Operation::div, result, divisors);
+    return term.negative ? -result : result;
   }
 
-  Value write_group(const Group& group) {
-    ValueGraph& to = to_.graph;
-    Value sum = to.constant(0), number = to.constant(0);
+  Ref write_group(const Group& group) {
+    Ref sum, numbers;
     for (const std::uint32_t t : group.terms) {
-      const Value rest = write_product(terms_[t], &group.factor);
-      Value& part = to.is_constant(rest) ? number : sum;
-      part = to.make(Operation::add, part, rest);
+      const Ref rest = write_product(terms_[t], &group.factor);
+      Ref& part = made_constant(rest) ? numbers : sum;
+      part = graph_.make(Operation::add, part, rest);
     }
-    sum = to.make(Operation::add, sum, number);
-    const Value factor = image_[group.factor.node()];
-    return group.factor.divides() ? to.make(Operation::div, sum, factor)
-                                  : to.make(Operation::mul, factor, sum);
+    sum = graph_.make(Operation::add, sum, numbers);
+    const Ref factor = image_[group.factor.node()];
+    return group.factor.divides() ? graph_.make(Operation::div, sum, factor)
+                                  : graph_.make(Operation::mul, factor, sum);
   }
 
   // Terms in their order, each group where its first term stood, numbers last.
-  Value write_chain() {
-    ValueGraph& to = to_.graph;
+  Ref write_chain() {
     std::sort(groups_.begin(), groups_.end(),
               [](const Group& x, const Group& y) { return x.terms[0] < y.terms[0]; });
-    Value sum = to.constant(0), number = to.constant(0);
+    Ref sum, numbers;
     std::size_t next = 0;
     for (std::uint32_t t = 0; t < terms_.size(); ++t) {
-      Value part;
+      Ref part;
       if (next < groups_.size() && groups_[next].terms[0] == t)
         part = write_group(groups_[next++]);
       else if (terms_[t].taken)
         continue;
       else
         part = image(terms_[t].leaf);
-      Value& to_sum = to.is_constant(part) ? number : sum;
-      to_sum = to.make(Operation::add, to_sum, part);
+      Ref& to_sum = made_constant(part) ? numbers : sum;
+      to_sum = graph_.make(Operation::add, to_sum, part);
     }
-    return to.make(Operation::add, sum, number);
+    return graph_.make(Operation::add, sum, numbers);
   }
 
-  const ValueGraph& graph_;
-  bool spares_pairs_;
-  bool& any_spared_;
+  bool made_constant(Ref x) const { return graph_.node(x.node()).constant; }
+
+  const Ref one_ = graph_.one().ref();
+  FactorsLeft left_;
+  FactorsLeft& met_;
   std::vector<std::uint64_t> pairs_;  ///< one for each product that a pair is in, in order
   std::vector<std::uint8_t> inner_;   ///< part of the sum or product that uses it
   std::vector<std::uint8_t> angle_;   ///< used by sin, cos and tan only
@@ -389,15 +380,14 @@ class SumFactoring : NodeRewrite {
   std::vector<Factor> factors_;
   std::vector<Group> groups_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> occurrences_;  ///< factor bits and term
-  std::vector<Value> chain_;
+  std::vector<std::uint32_t> chain_;                                  ///< positions and signs
   std::vector<std::pair<std::uint32_t, bool>> stack_;
 };
 
 }  // namespace
 
-std::optional<ValueProgram> factor_sums(const LiveProgram& program, CommonPairs common_pairs,
-                                        bool& any_spared) {
-  return SumFactoring(program, common_pairs, any_spared).run();
+std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met) {
+  return SumFactoring(nodes, left, met).run();
 }
 
 }  // namespace alembert

@@ -1,0 +1,145 @@
+// Stage `optimise`: expressions in, equal ones that never cost more out.
+#include "symbolic/rewrite/optimize.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "support/error.hpp"
+#include "symbolic/count_operations.hpp"
+#include "symbolic/rewrite/factor_sums.hpp"
+#include "symbolic/rewrite/node_rewrite.hpp"
+#include "symbolic/rewrite/share_divisions.hpp"
+#include "symbolic/rewrite/share_products.hpp"
+#include "symbolic/round_constants.hpp"
+#include "symbolic/value_number.hpp"
+
+namespace alembert {
+namespace {
+
+// Rounds of all rewrites at most; all of them in a row without a gain end the work, in practice in the third
+// to fifth.
+constexpr int kRounds = 8;
+
+/// Roots, their nodes and what they cost.
+struct Candidate {
+  explicit Candidate(std::vector<Expr> roots)
+      : nodes(std::move(roots)), weight(count_operations(nodes.roots, nodes.order).weight) {}
+  LiveNodes nodes;
+  std::size_t weight;
+};
+
+class Rewriting {
+ public:
+  explicit Rewriting(FactorsLeft left) : left_(left) {}
+  Candidate run(std::vector<Expr> roots);
+  FactorsLeft met() const { return met_; }
+
+ private:
+  Candidate rewrite(std::vector<Expr> roots);
+  std::optional<std::vector<Expr>> rewritten(const LiveNodes& nodes, int which);
+
+  FactorsLeft left_, met_{false, false};
+};
+
+constexpr int kRewrites = 3;
+
+// Nothing where a rewrite finds nothing, or brings forth what expressions refuse: a division by zero, or a
+// constant outside of a function's domain.
+std::optional<std::vector<Expr>> Rewriting::rewritten(const LiveNodes& nodes, int which) {
+  try {
+    if (which == 0) return factor_sums(nodes, left_, met_);
+    return which == 1 ? share_divisions(nodes) : share_products(nodes);
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
+
+// The local rewrites, each kept if it gains, until none does. The first, which is nearly certain to gain, is
+// not compared: callers compare what comes out.
+Candidate Rewriting::rewrite(std::vector<Expr> roots) {
+  Candidate best(std::move(roots));
+  bool compares = false;
+  int failed = 0;  // since the last gain
+  for (int i = 0; i < kRounds * kRewrites && failed < kRewrites; ++i) {
+    ++failed;
+    std::optional<std::vector<Expr>> other = rewritten(best.nodes, i % kRewrites);
+    if (!other) continue;
+    Candidate next(*std::move(other));
+    if (compares && next.weight >= best.weight) continue;
+    compares = true;
+    best = std::move(next);
+    failed = 0;
+  }
+  return best;
+}
+
+// The roots built anew, with all rules of construction.
+std::vector<Expr> built_anew(std::span<const Expr> roots) {
+  ExprGraph& graph = roots.front().graph();
+  const Postorder order = indexed_postorder(roots);
+  std::vector<Ref> image(order.ids.size());
+  const auto of = [&](std::uint32_t local) {
+    const Ref x = image[local >> 1];
+    return (local & 1) != 0 ? -x : x;
+  };
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const Node n = graph.node(order.ids[i]);
+    const LocalOperands operands = order.operands[i];
+    image[i] = n.arity() == 0 ? Ref(order.ids[i], false)
+                              : graph.make(n.op, of(operands.a), n.arity() == 2 ? of(operands.b) : Ref());
+  }
+  std::vector<Expr> out;
+  for (const Expr& root : roots) out.emplace_back(graph, of(order.local(root.ref())));
+  return out;
+}
+
+// The roots with equal values merged, as probabilistic value numbering finds them: rewriting brings forth
+// values that are there already in another form.
+std::optional<std::vector<Expr>> merge_equal_values(std::span<const Expr> roots) {
+  try {
+    return value_number(built_anew(roots));
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
+
+// Rewriting and value numbering in turn, for as long as that gains.
+Candidate Rewriting::run(std::vector<Expr> roots) {
+  Candidate best = rewrite(std::move(roots));
+  for (int round = 0; round < kRounds; ++round) {
+    std::optional<std::vector<Expr>> merged = merge_equal_values(best.nodes.roots);
+    if (!merged) break;
+    Candidate next = rewrite(*std::move(merged));
+    if (next.weight >= best.weight) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Expr> optimize(std::span<const Expr> roots) {
+  if (roots.empty()) return {};
+  Candidate given(round_constants(roots));
+  // Which factors had better stay in sums shows in the end only.
+  Rewriting sparing({true, false});
+  Candidate best = sparing.run(given.nodes.roots);
+  if (sparing.met().in_common_pairs) {
+    Candidate other = Rewriting({false, false}).run(given.nodes.roots);
+    if (other.weight <= best.weight) best = std::move(other);
+  }
+  if (sparing.met().twos) {
+    Candidate other = Rewriting({true, true}).run(given.nodes.roots);
+    if (other.weight < best.weight) best = std::move(other);
+  }
+  if (best.weight > given.weight) return given.nodes.roots;
+  try {
+    return round_constants(best.nodes.roots);
+  } catch (const InternalError&) {  // of a constant that rewriting brought forth: log(x - x - 1), say
+    return given.nodes.roots;
+  }
+}
+
+}  // namespace alembert
