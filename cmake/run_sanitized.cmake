@@ -42,6 +42,7 @@ set(again *Million* *ForAMinute Chain.* LongChains.* Random/* Seeds/* *ChainWith
           SinesAndCosines.AreWithinOneUlpNextToQuarterTurns Bench.NothingStaysWhenItIsAskedToEnd
           Simulate.TakesStiffForcesAtTheStepOfAFrame SimulateConstrained.ClosesALoopAndKeepsItClosed Integrate.RepeatedStepsCountTime
           Events.ADroppedBallHitsTheGroundWhenItShould Contacts.ABallThatSlidesRollsInTheEnd LockedFolders.*Killed* Generate.KilledRuns*
+          JavaScript.EveryOperation C99.NamesAreTextOnly Rollout.IsTheSameInPacksAndThreads
           Import.IsWhatOtherCommandsDoBeforeTheyBegin SearchOrder.* Bench.EveryFunctionHasOperationsCodeAndTime Simplify.GivesUpInTime)
 list(JOIN again ":" again)
 set(ENV{GTEST_FILTER} "-${again}")
