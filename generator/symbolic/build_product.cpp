@@ -46,28 +46,31 @@ std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
   return real(numeric_value(a) * numeric_value(b));
 }
 
-bool Builder::has_choice_factor(Ref x, int depth) const {
+std::optional<Builder::Chosen> Builder::choice_in(Ref x, int depth) const {
   const Node& n = node(x);
-  if (is_choice(n.op)) return true;
-  if (depth == 0 || n.constant) return false;
-  if (n.op == Operation::div) return has_choice_factor(n.a, depth - 1);
-  if (n.op == Operation::mul) return has_choice_factor(n.a, depth - 1) || has_choice_factor(n.b, depth - 1);
-  return n.op == Operation::add && has_choice_factor(n.a, depth - 1) && has_choice_factor(n.b, depth - 1);
+  if (is_choice(n.op)) return Chosen{n.op, n.a};
+  if (depth == 0 || n.constant) return std::nullopt;
+  if (n.op != Operation::mul && n.op != Operation::div && n.op != Operation::add) return std::nullopt;
+  const std::optional<Chosen> first = choice_in(n.a, depth - 1);
+  if (n.op == Operation::div || (first && n.op == Operation::mul)) return first;
+  if (!first && n.op == Operation::add) return std::nullopt;
+  const std::optional<Chosen> second = choice_in(n.b, depth - 1);
+  return n.op == Operation::mul || second == first ? second : std::nullopt;
 }
 
-Ref Builder::into_choice(Ref x, Ref other) {
+Ref Builder::unchosen(Ref x, int depth) {
   const Node n = node(x);  // a copy: making nodes may move the arena
   Ref out;
   if (is_choice(n.op)) {
-    out = choice(n.op, n.a, product(n.b, other));
+    out = n.b;
   } else if (n.op == Operation::add) {
-    const Ref first = into_choice(n.a, other);
-    out = sum(first, into_choice(n.b, other));
+    const Ref first = unchosen(n.a, depth - 1);
+    out = sum(first, unchosen(n.b, depth - 1));
   } else if (n.op == Operation::div) {
-    out = into_choice(n.a, quotient(other, n.b));
+    out = quotient(unchosen(n.a, depth - 1), n.b);
   } else {
-    const bool first = has_choice_factor(n.a);
-    out = into_choice(first ? n.a : n.b, product(first ? n.b : n.a, other));
+    const bool first = choice_in(n.a, depth - 1).has_value();
+    out = product(unchosen(first ? n.a : n.b, depth - 1), first ? n.b : n.a);
   }
   return signed_as(out, x.negative());
 }
@@ -83,9 +86,12 @@ Ref Builder::product(Ref a, Ref b) {
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    if (graph.keeps_brackets_ || !has_choice_factor(one)) continue;
-    if ((is_choice(op(one)) && node(one).b == kOne) || may_lack_value(other))
-      return signed_as(into_choice(one, other), negative);
+    if (graph.keeps_brackets_ || !graph.has_choices_) break;
+    const std::optional<Chosen> chosen = choice_in(one);
+    if (chosen && ((is_choice(op(one)) && node(one).b == kOne) || may_lack_value(other))) {
+      const Ref inside = unchosen(one);
+      return signed_as(choice(chosen->op, chosen->condition, product(inside, other)), negative);
+    }
   }
 
   if (constant(a)) {
@@ -239,8 +245,10 @@ Ref Builder::quotient(Ref a, Ref b) {
       return signed_as(quotient(quotient(a, nb.a), nb.b), negative);
     return signed_as(intern(Operation::div, a, b), negative);
   }
-  if (has_choice_factor(a) && may_lack_value(b))
-    return signed_as(into_choice(a, quotient(kOne, b)), negative);
+  if (const auto chosen = graph.has_choices_ ? choice_in(a) : std::nullopt; chosen && may_lack_value(b)) {
+    const Ref inside = unchosen(a);
+    return signed_as(choice(chosen->op, chosen->condition, quotient(inside, b)), negative);
+  }
   if (nb.op == Operation::mul && constant(nb.a)) {
     const Ref factor = reciprocal(nb.a);
     const Ref rest = quotient(a, nb.b);
