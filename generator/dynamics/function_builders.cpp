@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "differentiation/jacobian.hpp"
+#include "dynamics/choice/candidates.hpp"
 #include "dynamics/choice/constrained_dynamics.hpp"
 #include "dynamics/choice/coriolis_matrix.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
@@ -18,7 +19,6 @@
 #include "functions/array_shape.hpp"
 #include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
-#include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
 
 namespace alembert {
@@ -39,27 +39,22 @@ struct Ingredients {
 using Results = std::vector<std::vector<Expr>>;
 
 /// What `make(i)` gives for one of so many trees of motions: for the one that takes the fewest operations.
-/// Unweighted and without sines and cosines, as lengths are (ProgramLengths).
 template <class Make>
-Results shortest_of(std::size_t trees, Make make) {
-  std::vector<Expr> shortest = make(0);
-  if (trees == 1) return {shortest};
-  shortest = value_number(shortest);
-  for (std::size_t i = 1; i < trees; ++i) {
-    std::vector<Expr> other = value_number(make(i));
-    if (count_operations(other).total() < count_operations(shortest).total()) shortest = std::move(other);
-  }
-  return {shortest};
+Results shortest_of(const Kinematics& kinematics, std::size_t trees, Make make) {
+  if (trees == 1) return {make(0)};
+  Candidates candidates(kinematics);
+  for (std::size_t i = 0; i < trees; ++i) candidates.add(make(i));
+  return {candidates.shortest()};
 }
 template <class Make>
 Results for_shortest_moving_tree(const Ingredients& given, Make make) {
-  return shortest_of(given.trees.size(), [&](std::size_t i) {
+  return shortest_of(given.kinematics, given.trees.size(), [&](std::size_t i) {
     return make(given.mechanism(), *given.trees[i], given.kinematics.derivatives, given.graph());
   });
 }
 template <class Make>
 Results for_shortest_tree(const Ingredients& given, Make make) {
-  return shortest_of(given.trees.size(),
+  return shortest_of(given.kinematics, given.trees.size(),
                      [&](std::size_t i) { return make(given.mechanism(), *given.trees[i], given.graph()); });
 }
 
@@ -88,7 +83,7 @@ Results build_gravity(const Ingredients& given) {
   std::vector<WrittenTree> trees;
   for (const MotionTree* tree : given.trees) trees.emplace_back(*tree);
   if (given.equations->tree) trees.push_back(*given.equations->tree);
-  return shortest_of(trees.size(), [&](std::size_t i) {
+  return shortest_of(given.kinematics, trees.size(), [&](std::size_t i) {
     return gravity_forces(given.mechanism(), trees[i], given.graph());
   });
 }

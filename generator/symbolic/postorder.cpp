@@ -20,7 +20,7 @@ ExprGraph* graph_of(std::span<const Expr> roots) {
   return graph;
 }
 
-Postorder indexed_postorder(std::span<const Expr> roots) {
+Postorder indexed_postorder(std::span<const Expr> roots, const NodeIndex* ranks) {
   const ExprGraph* graph = graph_of(roots);
   Postorder out;
   if (graph != nullptr) out.index = NodeIndex(graph->size());
@@ -33,9 +33,12 @@ Postorder indexed_postorder(std::span<const Expr> roots) {
       const int arity = node.arity();
       const std::uint32_t a = arity >= 1 ? out.at(node.a.node()) : 0;
       const std::uint32_t b = arity == 2 ? out.at(node.b.node()) : 0;
-      // b is pushed first so that a is visited first.
+      // What is visited first is pushed last.
+      const bool b_first = ranks != nullptr && arity == 2 && !graph->node(node.a.node()).constant &&
+                           ranks->find(node.b.node()) < ranks->find(node.a.node());
+      if (b_first && a == NodeIndex::kAbsent) open.push_back(node.a.node());
       if (b == NodeIndex::kAbsent) open.push_back(node.b.node());
-      if (a == NodeIndex::kAbsent) open.push_back(node.a.node());
+      if (!b_first && a == NodeIndex::kAbsent) open.push_back(node.a.node());
       if (a == NodeIndex::kAbsent || b == NodeIndex::kAbsent) continue;
       open.pop_back();
       if (!out.index.add(id, static_cast<std::uint32_t>(out.ids.size()))) continue;

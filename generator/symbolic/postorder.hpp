@@ -31,7 +31,9 @@ struct Postorder {
   }
   std::uint32_t local(Ref x) const { return local(at(x.node()), x); }
 };
-Postorder indexed_postorder(std::span<const Expr> roots);
+/// With `ranks`, of two operands the one of lower rank is visited first; constants, and operands of which none
+/// has a rank, stay as they are.
+Postorder indexed_postorder(std::span<const Expr> roots, const NodeIndex* ranks = nullptr);
 
 /// The graph of some roots; throws std::logic_error if they belong to several or to none.
 ExprGraph* graph_of(std::span<const Expr> roots);

@@ -64,7 +64,7 @@ class SumFactoring : NodeRewrite {
     for (const Expr& root : from_.roots) angle_[from_.order.at(root.ref().node())] = 0;
   }
 
-  std::optional<std::vector<Expr>> run() {
+  std::optional<LiveNodes> run() {
     if (left_.in_common_pairs) count_pairs();
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
     if (!rewritten_) return std::nullopt;
@@ -325,10 +325,10 @@ class SumFactoring : NodeRewrite {
       }
       const Ref value = image_[factor.node()];
       Ref& product = factor.divides() ? divisors : made_constant(value) ? numbers : multipliers;
-      product = graph_.make(Operation::mul, product, value);
+      product = make(Operation::mul, product, value);
     }
-    Ref result = graph_.make(Operation::mul, numbers, multipliers);
-    if (divisors != one_) result = graph_.make(Operation::div, result, divisors);
+    Ref result = make(Operation::mul, numbers, multipliers);
+    if (divisors != one_) result = make(Operation::div, result, divisors);
     return term.negative ? -result : result;
   }
 
@@ -337,12 +337,11 @@ class SumFactoring : NodeRewrite {
     for (const std::uint32_t t : group.terms) {
       const Ref rest = write_product(terms_[t], &group.factor);
       Ref& part = made_constant(rest) ? numbers : sum;
-      part = graph_.make(Operation::add, part, rest);
+      part = make(Operation::add, part, rest);
     }
-    sum = graph_.make(Operation::add, sum, numbers);
+    sum = make(Operation::add, sum, numbers);
     const Ref factor = image_[group.factor.node()];
-    return group.factor.divides() ? graph_.make(Operation::div, sum, factor)
-                                  : graph_.make(Operation::mul, factor, sum);
+    return group.factor.divides() ? make(Operation::div, sum, factor) : make(Operation::mul, factor, sum);
   }
 
   // Terms in their order, each group where its first term stood, numbers last.
@@ -360,9 +359,9 @@ class SumFactoring : NodeRewrite {
       else
         part = image(terms_[t].leaf);
       Ref& to_sum = made_constant(part) ? numbers : sum;
-      to_sum = graph_.make(Operation::add, to_sum, part);
+      to_sum = make(Operation::add, to_sum, part);
     }
-    return graph_.make(Operation::add, sum, numbers);
+    return make(Operation::add, sum, numbers);
   }
 
   bool made_constant(Ref x) const { return graph_.node(x.node()).constant; }
@@ -386,7 +385,7 @@ class SumFactoring : NodeRewrite {
 
 }  // namespace
 
-std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met) {
+std::optional<LiveNodes> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met) {
   return SumFactoring(nodes, left, met).run();
 }
 

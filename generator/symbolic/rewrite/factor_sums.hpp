@@ -17,6 +17,6 @@ struct FactorsLeft {
 /// a*b + x + a*c -> a*(b + c) + x inside sums whose parts are used once, also with quotients, constants and
 /// equal terms; constants of a sum and of a product are collected; constant offsets of angles come last.
 /// `met` tells of which kinds there were any: without them both ways are one.
-std::optional<std::vector<Expr>> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met);
+std::optional<LiveNodes> factor_sums(const LiveNodes& nodes, FactorsLeft left, FactorsLeft& met);
 
 }  // namespace alembert

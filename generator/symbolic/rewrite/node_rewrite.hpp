@@ -18,8 +18,8 @@ namespace alembert {
 /// are told by their position in the order, operands by position and sign as in Postorder: both are the same
 /// in every build.
 struct LiveNodes {
-  explicit LiveNodes(std::vector<Expr> values)
-      : roots(std::move(values)), order(indexed_postorder(roots)), uses(order.ids.size(), 0) {
+  explicit LiveNodes(std::vector<Expr> values, const NodeIndex* ranks = nullptr)
+      : roots(std::move(values)), order(indexed_postorder(roots, ranks)), uses(order.ids.size(), 0) {
     const ExprGraph& graph = roots.front().graph();
     for (std::size_t i = 0; i < order.ids.size(); ++i) {
       const int arity = graph.node(order.ids[i]).arity();
@@ -65,7 +65,7 @@ class NodeRewrite {
   template <class Rewrite>
   void rewrite_nodes(Rewrite&& rewrite) {
     const BracketsKept kept(graph_);
-    for (std::uint32_t i = 0; i < size(); ++i) image_[i] = rewrite(i);
+    for (std::uint32_t i = 0; i < size(); ++i) made_.push_back((image_[i] = rewrite(i)).node());
   }
   /// The image of a node that keeps its operation.
   Ref copied(std::uint32_t position) {
@@ -73,14 +73,25 @@ class NodeRewrite {
     const Ref as_it_is(from_.order.ids[position], false);
     if (arity(position) == 0) return as_it_is;
     const Ref a = image(operands(position).a), b = n.arity() == 2 ? image(operands(position).b) : Ref();
-    return a == n.a && b == n.b ? as_it_is : graph_.make(n.op, a, b);
+    return a == n.a && b == n.b ? as_it_is : make(n.op, a, b);
   }
-  /// Images of the roots.
-  std::vector<Expr> finished() const {
+  /// Makes an image or a part of one.
+  Ref make(Operation op, Ref a, Ref b) {
+    const Ref result = graph_.make(op, a, b);
+    made_.push_back(result.node());
+    return result;
+  }
+  /// Images of the roots. Operands are visited in the order in which they came up and were made here: by
+  /// content, sums of the same form would have their terms in an arbitrary order in every round, and where
+  /// several factors gain as much, one sum would take this and the next sum that.
+  LiveNodes finished() const {
     std::vector<Expr> out;
     out.reserve(from_.roots.size());
     for (const Expr& root : from_.roots) out.emplace_back(graph_, image(from_.order.local(root.ref())));
-    return out;
+    NodeIndex ranks(graph_.size());
+    std::uint32_t rank = 0;
+    for (const std::uint32_t id : made_) ranks.add(id, rank++);
+    return LiveNodes(std::move(out), &ranks);
   }
   Ref image(std::uint32_t local) const {
     const Ref x = image_[local >> 1];
@@ -90,7 +101,8 @@ class NodeRewrite {
   const LiveNodes& from_;
   ExprGraph& graph_;
   std::span<const std::uint32_t> uses_;
-  std::vector<Ref> image_;  ///< by position
+  std::vector<Ref> image_;           ///< by position
+  std::vector<std::uint32_t> made_;  ///< ids of images and parts of them, with repetitions
 };
 
 }  // namespace alembert

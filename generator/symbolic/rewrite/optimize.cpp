@@ -24,8 +24,8 @@ constexpr int kRounds = 8;
 
 /// Roots, their nodes and what they cost.
 struct Candidate {
-  explicit Candidate(std::vector<Expr> roots)
-      : nodes(std::move(roots)), weight(count_operations(nodes.roots, nodes.order).weight) {}
+  explicit Candidate(LiveNodes values)
+      : nodes(std::move(values)), weight(count_operations(nodes.roots, nodes.order).weight) {}
   LiveNodes nodes;
   std::size_t weight;
 };
@@ -38,7 +38,7 @@ class Rewriting {
 
  private:
   Candidate rewrite(std::vector<Expr> roots);
-  std::optional<std::vector<Expr>> rewritten(const LiveNodes& nodes, int which);
+  std::optional<LiveNodes> rewritten(const LiveNodes& nodes, int which);
 
   FactorsLeft left_, met_{false, false};
 };
@@ -47,7 +47,7 @@ constexpr int kRewrites = 3;
 
 // Nothing where a rewrite finds nothing, or brings forth what expressions refuse: a division by zero, or a
 // constant outside of a function's domain.
-std::optional<std::vector<Expr>> Rewriting::rewritten(const LiveNodes& nodes, int which) {
+std::optional<LiveNodes> Rewriting::rewritten(const LiveNodes& nodes, int which) {
   try {
     if (which == 0) return factor_sums(nodes, left_, met_);
     return which == 1 ? share_divisions(nodes) : share_products(nodes);
@@ -59,12 +59,12 @@ std::optional<std::vector<Expr>> Rewriting::rewritten(const LiveNodes& nodes, in
 // The local rewrites, each kept if it gains, until none does. The first, which is nearly certain to gain, is
 // not compared: callers compare what comes out.
 Candidate Rewriting::rewrite(std::vector<Expr> roots) {
-  Candidate best(std::move(roots));
+  Candidate best(LiveNodes(std::move(roots)));
   bool compares = false;
   int failed = 0;  // since the last gain
   for (int i = 0; i < kRounds * kRewrites && failed < kRewrites; ++i) {
     ++failed;
-    std::optional<std::vector<Expr>> other = rewritten(best.nodes, i % kRewrites);
+    std::optional<LiveNodes> other = rewritten(best.nodes, i % kRewrites);
     if (!other) continue;
     Candidate next(*std::move(other));
     if (compares && next.weight >= best.weight) continue;
@@ -122,7 +122,7 @@ Candidate Rewriting::run(std::vector<Expr> roots) {
 
 std::vector<Expr> optimize(std::span<const Expr> roots) {
   if (roots.empty()) return {};
-  Candidate given(round_constants(roots));
+  Candidate given(LiveNodes(round_constants(roots)));
   // Which factors had better stay in sums shows in the end only.
   Rewriting sparing({true, false});
   Candidate best = sparing.run(given.nodes.roots);

@@ -24,7 +24,7 @@ class DivisionSharing : NodeRewrite {
       if (is_division(id)) ++divisions_by_[operands(id).b >> 1];
   }
 
-  std::optional<std::vector<Expr>> run() {
+  std::optional<LiveNodes> run() {
     if (std::none_of(divisions_by_.begin(), divisions_by_.end(), [](std::uint32_t n) { return n > 0; }))
       return std::nullopt;
     rewrite_nodes([this](std::uint32_t id) {
@@ -58,24 +58,24 @@ class DivisionSharing : NodeRewrite {
     const Ref a = image(from.a), b = image(from.b);
     if (kind == Operation::div) {
       if (divisions_by_[from.b >> 1] > 1) {
-        const Ref reciprocal = graph_.make(Operation::div, graph_.one().ref(), b);
-        return graph_.make(Operation::mul, a, reciprocal);
+        const Ref reciprocal = make(Operation::div, graph_.one().ref(), b);
+        return make(Operation::mul, a, reciprocal);
       }
       if (const auto inner = lone_quotient(from.a)) {
-        const Ref divisor = graph_.make(Operation::mul, inner->denominator, b);
-        return graph_.make(Operation::div, inner->numerator, divisor);
+        const Ref divisor = make(Operation::mul, inner->denominator, b);
+        return make(Operation::div, inner->numerator, divisor);
       }
       if (const auto inner = lone_quotient(from.b)) {
-        const Ref numerator = graph_.make(Operation::mul, a, inner->denominator);
-        return graph_.make(Operation::div, numerator, inner->numerator);
+        const Ref numerator = make(Operation::mul, a, inner->denominator);
+        return make(Operation::div, numerator, inner->numerator);
       }
       return std::nullopt;
     }
     const auto left = lone_quotient(from.a), right = lone_quotient(from.b);
     if (left && right) {
-      const Ref numerator = graph_.make(Operation::mul, left->numerator, right->numerator);
-      const Ref divisor = graph_.make(Operation::mul, left->denominator, right->denominator);
-      return graph_.make(Operation::div, numerator, divisor);
+      const Ref numerator = make(Operation::mul, left->numerator, right->numerator);
+      const Ref divisor = make(Operation::mul, left->denominator, right->denominator);
+      return make(Operation::div, numerator, divisor);
     }
     if (left && pays(*left, b)) return into_numerator(*left, b);
     if (right && pays(*right, a)) return into_numerator(*right, a);
@@ -88,8 +88,8 @@ class DivisionSharing : NodeRewrite {
     return graph_.node(x.node()).constant || std::abs(number_of(q.numerator)) == 1;
   }
   Ref into_numerator(const Quotient& q, Ref x) {
-    const Ref numerator = graph_.make(Operation::mul, q.numerator, x);
-    return graph_.make(Operation::div, numerator, q.denominator);
+    const Ref numerator = make(Operation::mul, q.numerator, x);
+    return make(Operation::div, numerator, q.denominator);
   }
 
   std::vector<std::uint32_t> divisions_by_;
@@ -98,7 +98,7 @@ class DivisionSharing : NodeRewrite {
 
 }  // namespace
 
-std::optional<std::vector<Expr>> share_divisions(const LiveNodes& nodes) {
+std::optional<LiveNodes> share_divisions(const LiveNodes& nodes) {
   return DivisionSharing(nodes).run();
 }
 

@@ -10,6 +10,6 @@ namespace alembert {
 
 /// x/d, y/d -> r = 1/d, x*r, y*r; (a/b)/c -> a/(b*c); a/(b/c) -> a*c/b; (a/b)*(c/d) -> (a*c)/(b*d); x*(c/y)
 /// -> (c*x)/y.
-std::optional<std::vector<Expr>> share_divisions(const LiveNodes& nodes);
+std::optional<LiveNodes> share_divisions(const LiveNodes& nodes);
 
 }  // namespace alembert

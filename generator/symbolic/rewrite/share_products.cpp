@@ -25,7 +25,7 @@ class ProductSharing : NodeRewrite {
  public:
   explicit ProductSharing(const LiveNodes& from) : NodeRewrite(from) {}
 
-  std::optional<std::vector<Expr>> run() {
+  std::optional<LiveNodes> run() {
     collect();
     if (!extract()) return std::nullopt;
     rewrite_nodes([this](std::uint32_t id) { return rewrite(id); });
@@ -173,7 +173,7 @@ class ProductSharing : NodeRewrite {
     if (!built_[p]) {
       const Ref a = built(pairs_[p].first);
       const Ref b = built(pairs_[p].second);
-      built_[p] = graph_.make(Operation::mul, a, b);
+      built_[p] = make(Operation::mul, a, b);
     }
     return *built_[p];
   }
@@ -186,7 +186,7 @@ class ProductSharing : NodeRewrite {
     Ref product = built(factors.back());
     for (std::size_t i = factors.size() - 1; i-- > 0;) {
       const Ref factor = built(factors[i]);
-      product = graph_.make(Operation::mul, product, factor);
+      product = make(Operation::mul, product, factor);
     }
     return product;
   }
@@ -200,7 +200,7 @@ class ProductSharing : NodeRewrite {
 
 }  // namespace
 
-std::optional<std::vector<Expr>> share_products(const LiveNodes& nodes) {
+std::optional<LiveNodes> share_products(const LiveNodes& nodes) {
   return ProductSharing(nodes).run();
 }
 

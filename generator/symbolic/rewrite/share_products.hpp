@@ -9,6 +9,6 @@
 namespace alembert {
 
 /// a*(b*c), b*(a*d) -> p = a*b, p*c, p*d: products of several factors share pairs of them.
-std::optional<std::vector<Expr>> share_products(const LiveNodes& nodes);
+std::optional<LiveNodes> share_products(const LiveNodes& nodes);
 
 }  // namespace alembert

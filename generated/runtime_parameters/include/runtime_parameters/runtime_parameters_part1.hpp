@@ -126,7 +126,7 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t10 = t4 * t2;
   const S qd1 = qd[1];  // d(q2)
   const S t11 = qd1 * (t10 * t5) - (qd0 * (qd0 * t9) + qd1 * (t6 * (t7 + t1))) * t3;
-  M[0] = t3 * t3 * t1 + t4 * t10 + S(0.09) * p1 + S(0.01376);
+  M[0] = t1 * t3 * t3 + t4 * t10 + S(0.09) * p1 + S(0.01376);
   const S p0 = in.parameters[0];  // g
   const S t13 = p0 * t3;
   c[0] = S(-0.3) * (t4 * (t8 * t0 - p1 * t13) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t11;
@@ -158,15 +158,15 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t2 = qd0 * t1;
   const S t3 = qd0 * t0;
   const S t4 = qd0 * qd0;
+  const S qd1 = qd[1];  // d(q2)
   const S p2 = in.parameters[2];  // l
   const S p1 = in.parameters[1];  // m
-  const S t5 = p2 * p1;
+  const S t5 = p1 * (S(0.045) * t4 + t3 * (p2 * (S(0.3) * qd1))) + S(0.00688) * t4;
+  const S t6 = p2 * p1;
   const S p3 = in.parameters[3];  // I
-  const S qd1 = qd[1];  // d(q2)
-  const S t6 = S(0.5) * (t3 * (t3 * (S(0.025) * p3)) + (p3 + p2 * t5) * (qd1 * qd1 + t2 * t2));
-  e[0] = p1 * (S(0.3) * (p2 * (qd1 * t3)) + S(0.045) * t4) + S(0.00688) * t4 + t6;
+  e[0] = S(0.5) * (S(0.025) * (p3 * t3 * t3) + (p3 + p2 * t6) * (qd1 * qd1 + t2 * t2)) + t5;
   const S p0 = in.parameters[0];  // g
-  e[1] = -(t0 * (p0 * t5));
+  e[1] = -(t0 * (p0 * t6));
 }
 
 // body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
