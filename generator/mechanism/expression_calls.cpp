@@ -10,6 +10,7 @@
 #include "mechanism/piecewise_linear.hpp"
 #include "mechanism/section.hpp"
 #include "support/error.hpp"
+#include "symbolic/guarded.hpp"
 
 namespace alembert {
 namespace {
@@ -152,6 +153,10 @@ void ExpressionReader::choose(std::string_view function, const std::vector<Opera
     values.push_back(argument.value.expr);
   }
   ExprGraph& graph = values.front().graph();
+  if (function == "select") {
+    values[1] = guarded(Operation::if_positive, values[0], values[1]);
+    values[2] = guarded(Operation::unless_positive, values[0], values[2]);
+  }
   result.value.initial = chosen<double>(function, 0, 1, numbers);
   result.value.expr = chosen<Expr>(function, graph.zero(), graph.integer(1), values);
 }

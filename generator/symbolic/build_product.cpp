@@ -46,35 +46,6 @@ std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
   return real(numeric_value(a) * numeric_value(b));
 }
 
-std::optional<Builder::Chosen> Builder::choice_in(Ref x, int depth) const {
-  const Node& n = node(x);
-  if (is_choice(n.op)) return Chosen{n.op, n.a};
-  if (depth == 0 || n.constant) return std::nullopt;
-  if (n.op != Operation::mul && n.op != Operation::div && n.op != Operation::add) return std::nullopt;
-  const std::optional<Chosen> first = choice_in(n.a, depth - 1);
-  if (n.op == Operation::div || (first && n.op == Operation::mul)) return first;
-  if (!first && n.op == Operation::add) return std::nullopt;
-  const std::optional<Chosen> second = choice_in(n.b, depth - 1);
-  return n.op == Operation::mul || second == first ? second : std::nullopt;
-}
-
-Ref Builder::unchosen(Ref x, int depth) {
-  const Node n = node(x);  // a copy: making nodes may move the arena
-  Ref out;
-  if (is_choice(n.op)) {
-    out = n.b;
-  } else if (n.op == Operation::add) {
-    const Ref first = unchosen(n.a, depth - 1);
-    out = sum(first, unchosen(n.b, depth - 1));
-  } else if (n.op == Operation::div) {
-    out = quotient(unchosen(n.a, depth - 1), n.b);
-  } else {
-    const bool first = choice_in(n.a, depth - 1).has_value();
-    out = product(unchosen(first ? n.a : n.b, depth - 1), first ? n.b : n.a);
-  }
-  return signed_as(out, x.negative());
-}
-
 Ref Builder::product(Ref a, Ref b) {
   if (a == kZero || b == kZero) return kZero;
   const bool negative = a.negative() != b.negative();
@@ -86,12 +57,10 @@ Ref Builder::product(Ref a, Ref b) {
   if (too_deep()) return signed_as(intern_product(a, b), negative);
   if (before(b, a)) std::swap(a, b);
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-    if (graph.keeps_brackets_ || !graph.has_choices_) break;
-    const std::optional<Chosen> chosen = choice_in(one);
-    if (chosen && ((is_choice(op(one)) && node(one).b == kOne) || may_lack_value(other))) {
-      const Ref inside = unchosen(one);
-      return signed_as(choice(chosen->op, chosen->condition, product(inside, other)), negative);
-    }
+    if (!is_choice(op(one)) || graph.keeps_brackets_) continue;
+    const Node chosen = node(one);
+    if (chosen.b == kOne || may_lack_value(other))
+      return signed_as(choice(chosen.op, chosen.a, product(chosen.b, other)), negative);
   }
 
   if (constant(a)) {
@@ -245,10 +214,8 @@ Ref Builder::quotient(Ref a, Ref b) {
       return signed_as(quotient(quotient(a, nb.a), nb.b), negative);
     return signed_as(intern(Operation::div, a, b), negative);
   }
-  if (const auto chosen = graph.has_choices_ ? choice_in(a) : std::nullopt; chosen && may_lack_value(b)) {
-    const Ref inside = unchosen(a);
-    return signed_as(choice(chosen->op, chosen->condition, quotient(inside, b)), negative);
-  }
+  if (is_choice(na.op) && may_lack_value(b))
+    return signed_as(choice(na.op, na.a, quotient(na.b, b)), negative);
   if (nb.op == Operation::mul && constant(nb.a)) {
     const Ref factor = reciprocal(nb.a);
     const Ref rest = quotient(a, nb.b);

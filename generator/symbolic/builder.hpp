@@ -1,8 +1,8 @@
 // The rules of construction. In: an operation and its operands. Out: the interned, simplified node. Private
 // to this room.
 //
-// Every rule looks at most two levels below its operands, that of choices a few more, and gives a result with no more
-// operations than it was asked for. Rules may call each other; past kMaxDepth nested calls nodes are interned as they stand, so
+// Every rule looks at most two levels below its operands and gives a result with no more operations than it
+// was asked for. Rules may call each other; past kMaxDepth nested calls nodes are interned as they stand, so
 // that neither the stack nor the time depends on how deep the operands are.
 // Where brackets are kept, rules only fold: none of them takes an operand apart that is no constant.
 #pragma once
@@ -27,18 +27,9 @@ struct Builder {
   Ref function(Operation op, Ref x);
   Ref arctangent2(Ref y, Ref x);
   Ref choice(Operation wanted, Ref condition, Ref x);
-  /// Whether it divides by what may be 0, or has a function outside of its domain. A choice in a product with
-  /// this takes it in: it must not spoil what is not chosen.
+  /// Whether it divides by what may be 0, or has a function outside of its domain. A choice whose factor this
+  /// is takes it in: it must not spoil what is not chosen.
   bool may_lack_value(Ref x) const;
-  struct Chosen {
-    Operation op;
-    Ref condition;
-    friend bool operator==(const Chosen&, const Chosen&) = default;
-  };
-  static constexpr int kNearChoices = 6;  // levels below
-  /// The choice that is a factor of x, or of all terms of x.
-  std::optional<Chosen> choice_in(Ref x, int depth = kNearChoices) const;
-  Ref unchosen(Ref x, int depth = kNearChoices);  ///< x without that choice
   Ref power(Ref x, Ref y);
   Ref integer_power(Ref x, std::int64_t n);
 

@@ -275,7 +275,6 @@ Ref ExprGraph::intern_real(double value) {
 
 Ref Builder::intern(Operation op, Ref a, Ref b) {
   ExprGraph& g = graph;
-  g.has_choices_ = g.has_choices_ || is_choice(op);
   const bool binary = operand_count(op) == 2;
   std::uint64_t hash = mix(seed(op), g.keys_[a.node()] + (a.negative() ? kGolden : 0));
   bool is_constant = g.nodes_[a.node()].constant;

@@ -184,7 +184,7 @@ class ExprGraph {
   std::unordered_map<std::string, std::uint32_t> symbol_ids_;
   mutable std::unordered_map<std::uint32_t, Interval>
       bounds_;  ///< of nodes that were asked for; looked up only
-  bool simplifies_ = true, keeps_brackets_ = false, has_choices_ = false;
+  bool simplifies_ = true, keeps_brackets_ = false;
 };
 
 /// While one lives, sums, products and quotients of its graph stay bracketed as they are made: (c*x)*y does not

@@ -7,6 +7,7 @@
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/expr.hpp"
+#include "symbolic/guarded.hpp"
 #include "symbolic/same.hpp"
 
 namespace alembert {
@@ -113,17 +114,16 @@ TEST_F(Construction, ReciprocalsStayShared) {
   EXPECT_LE(count_operations(components).div, 1u);
 }
 
-/// Factors without value where a condition does not choose them, in products and sums of any nesting.
-TEST_F(Construction, ChoicesKeepOutWhatHasNoValue) {
-  const Expr root = sqrt(x);
-  const Expr chosen = if_positive(x, y), other = if_positive(x, sin(y));
-  for (const Expr& e :
-       {(chosen * z) / root, (z * (chosen * (y + z))) * (half / root), (chosen + other) / root,
-        (root * y) * ((chosen * z - other) * three), (chosen / (z * z + one)) * (root * z)}) {
-    EXPECT_EQ(evaluate(std::vector<Expr>{e}, std::vector<double>{-4, 0.3, 0.7})[0], 0);
-    EXPECT_TRUE(std::isfinite(evaluate(std::vector<Expr>{e}, std::vector<double>{4, 0.3, 0.7})[0]));
-    EXPECT_NE(evaluate(std::vector<Expr>{e}, std::vector<double>{4, 0.3, 0.7})[0], 0);
+/// Where a condition does not choose them, expressions have a value, and so have their derivatives.
+TEST_F(Construction, WhatIsNotChosenIsGuarded) {
+  for (const Expr& e : {sqrt(x) * sin(y), log(x) / x, pow(x, y), acos(one / x + y), y / (x - sqrt(x)) + z}) {
+    const Expr safe = guarded(Operation::if_positive, x, e);
+    for (const double at : {-2.0, 0.0})
+      EXPECT_TRUE(std::isfinite(evaluate(std::vector<Expr>{safe}, std::vector<double>{at, 0.3, 0.7})[0]));
   }
+  const Expr chosen = guarded(Operation::if_positive, x, sqrt(x) / y);
+  EXPECT_DOUBLE_EQ(evaluate(std::vector<Expr>{chosen}, std::vector<double>{4, 2, 0})[0], 1);
+  EXPECT_TRUE(same(guarded(Operation::if_positive, x, y * z + sin(x)), y * z + sin(x)));
 }
 
 TEST_F(Construction, Roots) {
