@@ -170,7 +170,7 @@ std::string revolute_chain(int joints) {
 TEST(CompiledMechanism, LoopsReadTables) {
   alembert::CompileOptions options;
   options.functions = {FunctionKind("inverse_dynamics_derivatives")};
-  for (const int joints : {16, 22}) {
+  for (const int joints : {18, 22}) {  // of these the steps are factored alike
     const auto source = std::make_shared<const alembert::SourceText>(
         alembert::SourceText{"chain.yaml", revolute_chain(joints)});
     const alembert::CompiledMechanism compiled = alembert::compile_mechanism(source, options);
