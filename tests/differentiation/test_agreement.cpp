@@ -14,6 +14,7 @@
 #include "differentiation/reverse.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/evaluate_modular.hpp"
+#include "symbolic/guarded.hpp"
 #include "symbolic/modular.hpp"
 #include "symbolic/postorder.hpp"
 
@@ -143,6 +144,24 @@ TEST(Agreement, ComplexStepOnSmoothFunctions) {
             << "seed " << seed << ", method " << static_cast<int>(jacobian.method) << ", entry " << k;
     }
   }
+}
+
+/// Derivatives of what a condition does not choose are 0, though those of the functions below have no value there.
+TEST(Choices, HaveDerivativesWhereNothingIsChosen) {
+  ExprGraph g;
+  const Expr x = g.symbol("x"), y = g.symbol("y"), z = g.symbol("z");
+  const Expr depth = sin(x) * y + z;
+  const auto chosen = [&](const Expr& e) {
+    return if_positive(depth, guarded(Operation::if_positive, depth, e));
+  };
+  const std::vector<Expr> functions{tanh(y * chosen(sqrt(depth))), chosen(log(depth) * sin(x)) * z,
+                                    sqrt(g.integer(1) + chosen(pow(depth, g.rational({1, 3})) / (x - z)))};
+  const std::vector<Expr> variables{x, y, z};
+  const std::vector<Expr> first = jacobian(functions, variables).entries;
+  const std::vector<Expr> second = jacobian(first, variables).entries;
+  for (const std::vector<double>& at : {std::vector<double>{0.3, 0.7, -0.5}, {0, 0.7, 0}, {-0.4, -0.4, -0.4}})
+    for (const std::vector<Expr>* derivatives : {&first, &second})
+      for (const double value : evaluate(*derivatives, at)) EXPECT_EQ(value, 0);
 }
 
 }  // namespace
