@@ -45,8 +45,7 @@ Compiler compiler_of(const BenchOptions& options) {
   return {"CXX", variable, "C++", advice};
 }
 
-/// Times by function. `_batch` stands behind the names of those over many states, `_kept` of the same one by one with
-/// the results of all states kept.
+/// Times by function, with kBatchEnding and kKeptEnding behind names.
 using Times = std::map<std::string, double, std::less<>>;
 
 /// Machine code, by function, and times, by number of states.
@@ -141,7 +140,7 @@ class Build {
         };
         if (set.empty() && (has("<double>") || has("_block"))) out.bytes[name.substr(2)] += symbol.bytes;
         if (!set.empty() && (has("_lanes(") || has("_packs<") || has("_pack_block")))
-          out.bytes[name.substr(2) + "_batch"] += symbol.bytes;
+          out.bytes[fmt::format("{}{}", name.substr(2), kBatchEnding)] += symbol.bytes;
       }
     }
   }
@@ -179,12 +178,14 @@ nlohmann::json json_of(const CompiledMechanism& compiled, const Measured& measur
              {"memory", shares.memory}}}};
     row["median_ns"] = measured.first().at(name);
     row["code_bytes"] = bytes_of(name);
-    if (!measured.first().contains(name + "_batch")) continue;
+    const std::string as_batch = fmt::format("{}{}", name, kBatchEnding),
+                      kept = fmt::format("{}{}", name, kKeptEnding);
+    if (!measured.first().contains(as_batch)) continue;
     nlohmann::json& batch = row["batch"];
-    batch["code_bytes"] = bytes_of(name + "_batch");
+    batch["code_bytes"] = bytes_of(as_batch);
     for (const auto& [states, times] : measured.times) {
-      batch["median_ns"].push_back(times.at(name + "_batch"));
-      batch["one_by_one_ns"].push_back(times.at(name + "_kept"));
+      batch["median_ns"].push_back(times.at(as_batch));
+      batch["one_by_one_ns"].push_back(times.at(kept));
     }
   }
   return out;
@@ -215,13 +216,12 @@ void print_table(const CompiledMechanism& compiled, const Measured& measured) {
   for (const auto& [states, times] : measured.times) fmt::print(" {:>17}", states);
   fmt::print("\n");
   for (const auto& [name, nanoseconds] : measured.first()) {
-    if (!name.ends_with("_batch")) continue;
+    if (!name.ends_with(kBatchEnding)) continue;
+    const std::string kept =
+        fmt::format("{}{}", name.substr(0, name.size() - kBatchEnding.size()), kKeptEnding);
     fmt::print("{:<{}} {:>9}", name, width, bytes(name));
-    for (const auto& [states, times] : measured.times) {
-      const double batch = times.at(name);
-      const double kept = times.at(name.substr(0, name.size() - std::string_view("_batch").size()) + "_kept");
-      fmt::print(" {:>10.4g} ({:.2f})", batch, batch / kept);
-    }
+    for (const auto& [states, times] : measured.times)
+      fmt::print(" {:>10.4g} ({:.2f})", times.at(name), times.at(name) / times.at(kept));
     fmt::print("\n");
   }
 }
@@ -256,11 +256,12 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
       "gives them, not a measurement; memory: arguments read and results written\n"
       "compiled by: {} {}\n",
       states.front(),
-      measured.instructions.empty() ? ""
-                                    : fmt::format("_batch: ns of a state, by one thread, instructions {}; in "
-                                                  "brackets as a multiple of one state "
-                                                  "after\nthe other with all results kept\n",
-                                                  measured.instructions),
+      measured.instructions.empty()
+          ? ""
+          : fmt::format(
+                "_batch: ns of a state, by one thread, instructions {}; in brackets: times that of one "
+                "state after\nthe other, all results kept\n",
+                measured.instructions),
       compiler.words(), fmt::join(measured.flags, " "));
   return 0;
 }

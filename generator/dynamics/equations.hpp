@@ -26,7 +26,7 @@ std::string_view to_string(Formulation formulation);
 /// Throws InputError where a transform has no frame, or none at the initial state.
 Kinematics symbolic_kinematics(const Mechanism& mechanism, ExprGraph& graph);
 
-/// The kinematics as the description has them: nothing is simplified, which LeftAsWritten sees to, or peeled.
+/// The kinematics as the description has them: nothing is simplified, which ExprGraph::leave_as_written sees to, or peeled.
 Kinematics plain_kinematics(const Mechanism& mechanism, ExprGraph& graph);
 
 /// Stage `equations`. Q by the formulation; M by `coefficient`, or by composite bodies where that is shorter;

@@ -15,11 +15,11 @@
 namespace alembert {
 namespace {
 
-/// How a function is called at all states; what stands behind its name.
+/// How a function is called at all states.
 enum class Calls { one_by_one, kept, batch };
-constexpr const char* kEndings[] = {"", "_kept", "_batch"};
-const char* ending(Calls calls) {
-  return kEndings[static_cast<int>(calls)];
+std::string_view ending(Calls calls) {
+  if (calls == Calls::one_by_one) return "";
+  return calls == Calls::kept ? kKeptEnding : kBatchEnding;
 }
 
 /// A function that calls one of the mechanism's at all states.

@@ -53,4 +53,16 @@ Interval ExprGraph::bounds(Ref x) const {
   return known(x);
 }
 
+bool ExprGraph::may_leave_domain(const Node& n) const {
+  if (n.arity() == 0) return false;
+  const Interval a = bounds(n.a);
+  if (n.op == Operation::div) {
+    const Interval divisor = bounds(n.b);
+    return !(divisor.lower > 0 || divisor.upper < 0);
+  }
+  if (n.op == Operation::sqrt) return !(a.lower >= 0);
+  if (n.op == Operation::log || n.op == Operation::pow) return !(a.lower > 0);
+  return (n.op == Operation::asin || n.op == Operation::acos) && !(a.lower >= -1 && a.upper <= 1);
+}
+
 }  // namespace alembert

@@ -182,14 +182,7 @@ bool Builder::may_lack_value(Ref x) const {
     if (n.constant || n.arity() == 0 || is_choice(n.op)) return false;
     if (--left < 0) return true;
     if (self(self, n.a) || (n.arity() > 1 && self(self, n.b))) return true;
-    const Interval a = graph.bounds(n.a);
-    if (n.op == Operation::div) {
-      const Interval divisor = graph.bounds(n.b);
-      return !(divisor.lower > 0 || divisor.upper < 0);
-    }
-    if (n.op == Operation::sqrt) return !(a.lower >= 0);
-    if (n.op == Operation::log || n.op == Operation::pow) return !(a.lower > 0);
-    return (n.op == Operation::asin || n.op == Operation::acos) && !(a.lower >= -1 && a.upper <= 1);
+    return graph.may_leave_domain(n);
   };
   return lacks(lacks, x);
 }

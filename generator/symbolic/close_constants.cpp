@@ -9,6 +9,7 @@
 
 #include "symbolic/node_index.hpp"
 #include "symbolic/postorder.hpp"
+#include "symbolic/rebuilt.hpp"
 
 namespace alembert {
 namespace {
@@ -85,22 +86,10 @@ std::vector<Expr> merge_close_constants(std::span<const Expr> roots) {
   const std::vector<Number> numbers = numbers_of(*graph, order);
   if (!any_close(numbers)) return out;
   const NodeIndex replaced = replacements(numbers);
-  std::vector<Ref> image(order.ids.size());
-  const auto of = [&](Ref x) {
-    const std::uint32_t other = replaced.find(x.node());
-    const Ref y = other != NodeIndex::kAbsent ? Ref(other, false) : image[order.at(x.node())];
-    return x.negative() ? -y : y;
-  };
-  for (std::size_t i = 0; i < order.ids.size(); ++i) {
-    const std::uint32_t id = order.ids[i];
-    const Node node = graph->node(id);  // a copy: the graph grows
-    image[i] = Ref(id, false);
-    if (node.constant || node.arity() == 0) continue;
-    const Ref a = of(node.a), b = node.arity() == 2 ? of(node.b) : Ref();
-    if (!(a == node.a && b == node.b)) image[i] = graph->make(node.op, a, b);
-  }
-  for (Expr& root : out) root = Expr(*graph, of(root.ref()));
-  return out;
+  return rebuilt(roots, [&](std::uint32_t id, Ref a, Ref b) {
+    if (const std::uint32_t other = replaced.find(id); other != NodeIndex::kAbsent) return Ref(other, false);
+    return graph->node(id).constant ? Ref(id, false) : graph->remade(id, a, b);
+  });
 }
 
 }  // namespace alembert

@@ -3,12 +3,19 @@
 // values of the roots with theirs.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "symbolic/expr.hpp"
 
 namespace alembert {
+
+/// About the sum of the magnitudes of the terms that `value` is the sum of: |value| + error / epsilon.
+inline double terms_of(const Approximate& sum) {
+  return std::abs(sum.value) + sum.error / std::numeric_limits<double>::epsilon();
+}
 
 /// Values of the roots in double precision; symbols are exact, `symbols[i]` the one with index i.
 std::vector<Approximate> evaluate_bounded(std::span<const Expr> roots, std::span<const double> symbols);

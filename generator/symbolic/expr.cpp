@@ -325,6 +325,11 @@ double Builder::numeric_value(Ref x) const {
   return x.negative() ? -value : value;
 }
 
+Ref ExprGraph::remade(std::uint32_t id, Ref a, Ref b) {
+  const Node n = node(id);  // a copy: the graph grows
+  return n.arity() == 0 || (a == n.a && b == n.b) ? Ref(id, false) : make(n.op, a, b);
+}
+
 Ref ExprGraph::make(Operation op, Ref a, Ref b) {
   Builder builder(*this);
   if (op == Operation::add) return builder.sum(a, b);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "support/operation.hpp"
+#include "support/scoped.hpp"
 #include "symbolic/rational.hpp"
 
 namespace alembert {
@@ -132,12 +133,13 @@ class ExprGraph {
   /// Declares that a symbol stays inside an interval (a parameter's value, a coordinate's hard range); sign
   /// proofs use it.
   void assume(Expr symbol, Interval interval);
-  /// Whether `simplify` does anything (LeftAsWritten).
-  bool simplifies() const { return simplifies_; }
-  void set_simplifies(bool yes) { simplifies_ = yes; }
-  /// Whether what is made stays bracketed as it is (BracketsKept).
-  bool keeps_brackets() const { return keeps_brackets_; }
-  void set_keeps_brackets(bool yes) { keeps_brackets_ = yes; }
+  bool simplifies() const { return simplifies_; }  ///< whether `simplify` does anything
+  /// While what this returns lives, `simplify` gives roots as they are: what is written is measured against what stands
+  /// in the description.
+  [[nodiscard]] Scoped<bool> leave_as_written() { return {simplifies_, false}; }
+  /// While what this returns lives, sums, products and quotients stay bracketed as they are made: (c*x)*y does not become
+  /// c*(x*y), which costs more where c*x is there anyway. What the operands alone decide still folds.
+  [[nodiscard]] Scoped<bool> keep_brackets() { return {keeps_brackets_, true}; }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(nodes_.size()); }
   const Node& node(std::uint32_t id) const { return nodes_[id]; }
@@ -150,10 +152,14 @@ class ExprGraph {
   const std::string& symbol_name(std::uint32_t index) const { return *symbols_[index].name; }
   Expr symbol_at(std::uint32_t index) { return {*this, Ref(symbols_[index].node, false)}; }
   Interval bounds(Ref x) const;  ///< interval bound of a value, by interval arithmetic over its operands
+  /// Whether by these bounds it may divide by 0, or be a function outside of its domain.
+  bool may_leave_domain(const Node& node) const;
   std::size_t memory_bytes() const;
 
   /// Applies an operation to operands, with simplification: the one door through which nodes are made.
   Ref make(Operation op, Ref a, Ref b = Ref());
+  /// A node with other operands: itself where they are its own.
+  Ref remade(std::uint32_t id, Ref a, Ref b);
 
  private:
   friend struct Builder;
@@ -185,22 +191,6 @@ class ExprGraph {
   mutable std::unordered_map<std::uint32_t, Interval>
       bounds_;  ///< of nodes that were asked for; looked up only
   bool simplifies_ = true, keeps_brackets_ = false;
-};
-
-/// While one lives, sums, products and quotients of its graph stay bracketed as they are made: (c*x)*y does not
-/// become c*(x*y), which costs more where c*x is there anyway. What the operands alone decide still folds.
-class BracketsKept {
- public:
-  explicit BracketsKept(ExprGraph& graph) : graph_(graph), before_(graph.keeps_brackets()) {
-    graph_.set_keeps_brackets(true);
-  }
-  ~BracketsKept() { graph_.set_keeps_brackets(before_); }
-  BracketsKept(const BracketsKept&) = delete;
-  BracketsKept& operator=(const BracketsKept&) = delete;
-
- private:
-  ExprGraph& graph_;
-  bool before_;
 };
 
 }  // namespace alembert

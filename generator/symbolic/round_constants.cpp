@@ -39,7 +39,7 @@ long double quotient_of(Rational r) {
 }
 
 std::vector<Expr> over_rounded_constants(ExprGraph& graph, std::span<const Expr> roots) {
-  const BracketsKept kept(graph);
+  const auto kept = graph.keep_brackets();
   const Postorder order = indexed_postorder(roots);
   const ConstantValues constants(graph, order);
   std::vector<Ref> image(order.ids.size());
@@ -49,12 +49,11 @@ std::vector<Expr> over_rounded_constants(ExprGraph& graph, std::span<const Expr>
     return (local & 1) != 0 ? -x : x;
   };
   for (std::uint32_t i = 0; i < order.ids.size(); ++i) {
-    const Node node = graph.node(order.ids[i]);
+    const Node& node = graph.node(order.ids[i]);
+    const int arity = node.constant ? 0 : node.arity();  // a part of a constant may have no finite value
     const LocalOperands operands = order.operands[i];
-    image[i] = Ref(order.ids[i], false);
-    if (node.constant || node.arity() == 0) continue;
-    const Ref a = of(operands.a), b = node.arity() == 2 ? of(operands.b) : Ref();
-    if (a != node.a || b != node.b) image[i] = graph.make(node.op, a, b);
+    const Ref a = arity > 0 ? of(operands.a) : Ref(), b = arity > 1 ? of(operands.b) : Ref();
+    image[i] = arity > 0 ? graph.remade(order.ids[i], a, b) : Ref(order.ids[i], false);
   }
   std::vector<Expr> out;
   for (const Expr& root : roots) out.emplace_back(graph, of(order.local(root.ref())));

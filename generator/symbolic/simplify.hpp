@@ -13,20 +13,4 @@ namespace alembert {
 /// Throws std::domain_error if a divisor turns out to be zero everywhere.
 std::vector<Expr> simplify(std::span<const Expr> roots);
 
-/// While one lives, `simplify` gives the roots of its graph as they are: what is written is measured against what
-/// stands in the description.
-class LeftAsWritten {
- public:
-  explicit LeftAsWritten(ExprGraph& graph) : graph_(graph), before_(graph.simplifies()) {
-    graph_.set_simplifies(false);
-  }
-  ~LeftAsWritten() { graph_.set_simplifies(before_); }
-  LeftAsWritten(const LeftAsWritten&) = delete;
-  LeftAsWritten& operator=(const LeftAsWritten&) = delete;
-
- private:
-  ExprGraph& graph_;
-  bool before_;
-};
-
 }  // namespace alembert

@@ -6,14 +6,14 @@
 
 #include "symbolic/node_index.hpp"
 #include "symbolic/postorder.hpp"
+#include "symbolic/rebuilt.hpp"
 
 namespace alembert {
 
 std::vector<Expr> substitute(std::span<const Expr> roots,
                              std::span<const std::pair<Expr, Expr>> replacements) {
   ExprGraph* graph = graph_of(roots);
-  std::vector<Expr> out(roots.begin(), roots.end());
-  if (graph == nullptr || replacements.empty()) return out;
+  if (graph == nullptr || replacements.empty()) return {roots.begin(), roots.end()};
   NodeIndex replaced;
   for (std::size_t i = 0; i < replacements.size(); ++i) {
     const auto& [symbol, by] = replacements[i];
@@ -25,25 +25,10 @@ std::vector<Expr> substitute(std::span<const Expr> roots,
     if (!replaced.add(symbol.ref().node(), static_cast<std::uint32_t>(i)))
       throw std::logic_error("a symbol is substituted twice");
   }
-  const Postorder order = indexed_postorder(roots);
-  std::vector<Ref> image(order.ids.size());
-  const auto of = [&](Ref x) {
-    const Ref y = image[order.at(x.node())];
-    return x.negative() ? -y : y;
-  };
-  for (std::size_t i = 0; i < order.ids.size(); ++i) {
-    const std::uint32_t id = order.ids[i];
-    const Node node = graph->node(id);
-    if (node.arity() == 0) {
-      const std::uint32_t by = replaced.find(id);
-      image[i] = by == NodeIndex::kAbsent ? Ref(id, false) : replacements[by].second.ref();
-      continue;
-    }
-    const Ref a = of(node.a), b = node.arity() == 2 ? of(node.b) : Ref();
-    image[i] = a == node.a && b == node.b ? Ref(id, false) : graph->make(node.op, a, b);
-  }
-  for (Expr& root : out) root = Expr(*graph, of(root.ref()));
-  return out;
+  return rebuilt(roots, [&](std::uint32_t id, Ref a, Ref b) {
+    const std::uint32_t by = replaced.find(id);
+    return by == NodeIndex::kAbsent ? graph->remade(id, a, b) : replacements[by].second.ref();
+  });
 }
 
 }  // namespace alembert

@@ -25,7 +25,7 @@ inline std::vector<OutputExpressions> optimized(const std::vector<OutputExpressi
 /// std::domain_error where expressions refuse an operation: a division by zero, say.
 inline std::vector<OutputExpressions> expressions_of(const Program& program, const std::vector<Expr>& symbols,
                                                      ExprGraph& graph) {
-  const BracketsKept kept(graph);
+  const auto kept = graph.keep_brackets();
   std::vector<Expr> values;
   for (const Instruction& c : program.code) {
     if (c.op == Operation::constant)

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/tree/state_values.hpp"
@@ -22,11 +21,6 @@ using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 VectorXd values_of(std::span<const Expr> expressions, const std::vector<double>& state) {
   const std::vector<double> values = evaluate(expressions, state);
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/// About the sum of the terms' magnitudes, where `value` is their sum.
-double terms_of(const Approximate& sum) {
-  return std::abs(sum.value) + sum.error / std::numeric_limits<double>::epsilon();
 }
 
 /// A state that moves on: q along N u, u along ud, both as they are at the state, and time.

@@ -17,12 +17,12 @@ namespace {
 const Extended kStep = 1e-16;
 
 Kinematics as_written(const Kinematics& kinematics) {
-  const LeftAsWritten left(kinematics.graph);
+  const auto left = kinematics.graph.leave_as_written();
   return plain_kinematics(kinematics.mechanism, kinematics.graph);
 }
 
 std::vector<Expr> forces_of(const Kinematics& kinematics) {
-  const LeftAsWritten left(kinematics.graph);
+  const auto left = kinematics.graph.leave_as_written();
   return less_applied(reduced_inverse_dynamics(kinematics.mechanism, kinematics.tree, kinematics.graph),
                       kinematics.applied);
 }
@@ -76,7 +76,7 @@ VectorXe PlainEquations::mass_times(State state, const VectorXe& v) const {
 }
 
 MatrixXe PlainEquations::mass_matrix(const State& state) const {
-  const LeftAsWritten left(kinematics_.graph);
+  const auto left = kinematics_.graph.leave_as_written();
   if (!mass_matrix_)
     mass_matrix_.emplace(composite_mass_matrix(kinematics_.mechanism, kinematics_.tree, kinematics_.graph));
   const std::vector<Extended> values = (*mass_matrix_)(state);
@@ -126,7 +126,7 @@ VectorXe PlainEquations::by_speeds(const State& state, const VectorXe& v) const 
 }
 
 const std::vector<OutputExpressions>& PlainEquations::expressions(FunctionKind kind) const {
-  const LeftAsWritten left(kinematics_.graph);
+  const auto left = kinematics_.graph.leave_as_written();
   auto found = expressions_.find(kind);
   if (found == expressions_.end())
     found = expressions_.emplace(kind, plain_function_outputs(kinematics_, kind)).first;

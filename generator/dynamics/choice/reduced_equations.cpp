@@ -106,9 +106,9 @@ class Search {
     if (values == best_ || is_near(values)) return false;
     // What was tried first is what there is if all others are worse.
     if (!best_.empty() && !conditioning_.is_good(values)) return false;
-    if (best_.empty()) small_ = length_of(values).first <= kSmall;
-    const std::size_t here = measure(values).first;
     const std::size_t plain = length_of(values).first;
+    if (best_.empty()) small_ = plain <= kSmall;
+    const std::size_t here = measure(values).first;
     if (!best_.empty() && (here > least_ || (here == least_ && plain >= plain_))) {
       keep_near(here, std::move(values));
       return false;

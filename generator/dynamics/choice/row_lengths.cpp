@@ -37,8 +37,7 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
   for (Eigen::Index r = 0; r < out.size(); ++r) {
     double squares = 0;
     for (Eigen::Index k = 0; k < nv; ++k) {
-      const Approximate& entry = entries[static_cast<std::size_t>(r * nv + k)];
-      const double terms = std::abs(entry.value) + entry.error / std::numeric_limits<double>::epsilon();
+      const double terms = terms_of(entries[static_cast<std::size_t>(r * nv + k)]);
       squares += terms * terms * weights(k);
     }
     out(r) = 0.5 * std::log2(squares);

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <set>
 
+#include "import/mjcf/spelling.hpp"
+
 namespace alembert {
 namespace {
 
@@ -35,27 +37,7 @@ MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
   MjcfTendon out;
   const MjcfText& text = context.text;
   text.of(node).check_spelling(node, "a spatial tendon", {"site", "geom", "pulley", "include"},
-                               {"name",
-                                "class",
-                                "group",
-                                "limited",
-                                "range",
-                                "solreflimit",
-                                "solimplimit",
-                                "solreffriction",
-                                "solimpfriction",
-                                "actuatorfrclimited",
-                                "actuatorfrcrange",
-                                "frictionloss",
-                                "springlength",
-                                "width",
-                                "material",
-                                "margin",
-                                "stiffness",
-                                "damping",
-                                "armature",
-                                "rgba",
-                                "user"});
+                               kTendonAttributes);
   out.branches.emplace_back();
   for (const pugi::xml_node child : text.children(node)) {
     const MjcfElement of(text, {child}, fmt::format("the {} of a tendon", child.name()));

@@ -5,6 +5,29 @@
 #include "import/common/known_elements.hpp"
 
 namespace alembert {
+
+const std::initializer_list<std::string_view> kTendonAttributes = {"name",
+                                                                   "class",
+                                                                   "group",
+                                                                   "limited",
+                                                                   "actuatorfrclimited",
+                                                                   "range",
+                                                                   "actuatorfrcrange",
+                                                                   "solreflimit",
+                                                                   "solimplimit",
+                                                                   "solreffriction",
+                                                                   "solimpfriction",
+                                                                   "frictionloss",
+                                                                   "springlength",
+                                                                   "width",
+                                                                   "material",
+                                                                   "margin",
+                                                                   "stiffness",
+                                                                   "damping",
+                                                                   "armature",
+                                                                   "rgba",
+                                                                   "user"};
+
 namespace {
 
 using Attributes = std::initializer_list<std::string_view>;
@@ -83,38 +106,24 @@ const Attributes kOfMesh = {"name",    "class",       "content_type",   "file", 
                             "normal",  "texcoord",    "face",           "refpos",   "refquat",
                             "scale",   "builtin",     "params",         "material", "smoothnormal",
                             "inertia", "maxhullvert", "octree_maxdepth"};
-const Attributes kOfTendon = {"name",
-                              "class",
-                              "group",
-                              "limited",
-                              "actuatorfrclimited",
-                              "range",
-                              "actuatorfrcrange",
-                              "solreflimit",
-                              "solimplimit",
-                              "solreffriction",
-                              "solimpfriction",
-                              "frictionloss",
-                              "springlength",
-                              "width",
-                              "material",
-                              "margin",
-                              "stiffness",
-                              "damping",
-                              "armature",
-                              "rgba",
-                              "user"};
 const Attributes kOfEquality = {"class", "active", "solref", "solimp"};
 
 const Attributes kOthers = {"plugin", "flag", "include"};  // within any of them
 
-const KnownElement kElements[] = {{"joint", kOthers, kOfJoint},       {"geom", kOthers, kOfGeom},
-                                  {"site", kOthers, kOfSite},         {"general", kOthers, kOfActuator},
-                                  {"motor", kOthers, kOfActuator},    {"position", kOthers, kOfActuator},
-                                  {"velocity", kOthers, kOfActuator}, {"intvelocity", kOthers, kOfActuator},
-                                  {"damper", kOthers, kOfActuator},   {"cylinder", kOthers, kOfActuator},
-                                  {"option", kOthers, kOfOption},     {"mesh", kOthers, kOfMesh},
-                                  {"tendon", kOthers, kOfTendon},     {"equality", kOthers, kOfEquality}};
+const KnownElement kElements[] = {{"joint", kOthers, kOfJoint},
+                                  {"geom", kOthers, kOfGeom},
+                                  {"site", kOthers, kOfSite},
+                                  {"general", kOthers, kOfActuator},
+                                  {"motor", kOthers, kOfActuator},
+                                  {"position", kOthers, kOfActuator},
+                                  {"velocity", kOthers, kOfActuator},
+                                  {"intvelocity", kOthers, kOfActuator},
+                                  {"damper", kOthers, kOfActuator},
+                                  {"cylinder", kOthers, kOfActuator},
+                                  {"option", kOthers, kOfOption},
+                                  {"mesh", kOthers, kOfMesh},
+                                  {"tendon", kOthers, kTendonAttributes},
+                                  {"equality", kOthers, kOfEquality}};
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 // the roots' images.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -64,7 +63,7 @@ class NodeRewrite {
   /// Sets the image of every live node to `rewrite(position)`.
   template <class Rewrite>
   void rewrite_nodes(Rewrite&& rewrite) {
-    const BracketsKept kept(graph_);
+    const auto kept = graph_.keep_brackets();
     for (std::uint32_t i = 0; i < size(); ++i) made_.push_back((image_[i] = rewrite(i)).node());
   }
   /// The image of a node that keeps its operation.

@@ -8,6 +8,7 @@
 
 #include "support/error.hpp"
 #include "symbolic/count_operations.hpp"
+#include "symbolic/rebuilt.hpp"
 #include "symbolic/rewrite/factor_sums.hpp"
 #include "symbolic/rewrite/node_rewrite.hpp"
 #include "symbolic/rewrite/share_divisions.hpp"
@@ -75,31 +76,17 @@ Candidate Rewriting::rewrite(std::vector<Expr> roots) {
   return best;
 }
 
-// The roots built anew, with all rules of construction.
-std::vector<Expr> built_anew(std::span<const Expr> roots) {
-  ExprGraph& graph = roots.front().graph();
-  const Postorder order = indexed_postorder(roots);
-  std::vector<Ref> image(order.ids.size());
-  const auto of = [&](std::uint32_t local) {
-    const Ref x = image[local >> 1];
-    return (local & 1) != 0 ? -x : x;
-  };
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    const Node n = graph.node(order.ids[i]);
-    const LocalOperands operands = order.operands[i];
-    image[i] = n.arity() == 0 ? Ref(order.ids[i], false)
-                              : graph.make(n.op, of(operands.a), n.arity() == 2 ? of(operands.b) : Ref());
-  }
-  std::vector<Expr> out;
-  for (const Expr& root : roots) out.emplace_back(graph, of(order.local(root.ref())));
-  return out;
-}
-
 // The roots with equal values merged, as probabilistic value numbering finds them: rewriting brings forth
 // values that are there already in another form.
 std::optional<std::vector<Expr>> merge_equal_values(std::span<const Expr> roots) {
   try {
-    return value_number(built_anew(roots));
+    ExprGraph& graph = roots.front().graph();
+    // With all rules of construction.
+    const std::vector<Expr> anew = rebuilt(roots, [&](std::uint32_t id, Ref a, Ref b) {
+      const Operation op = graph.node(id).op;
+      return operand_count(op) == 0 ? Ref(id, false) : graph.make(op, a, b);
+    });
+    return value_number(anew);
   } catch (const std::domain_error&) {
     return std::nullopt;
   }
@@ -122,7 +109,7 @@ Candidate Rewriting::run(std::vector<Expr> roots) {
 
 std::vector<Expr> optimize(std::span<const Expr> roots) {
   if (roots.empty()) return {};
-  Candidate given(LiveNodes(round_constants(roots)));
+  const Candidate given(LiveNodes(round_constants(roots)));
   // Which factors had better stay in sums shows in the end only.
   Rewriting sparing({true, false});
   Candidate best = sparing.run(given.nodes.roots);
