@@ -35,23 +35,27 @@ DerivativeGraph derivative_graph(std::span<const Expr> roots, std::span<const Ex
   if (result.graph == nullptr) return result;
   ExprGraph& graph = *result.graph;
 
-  const std::uint32_t size = graph.size();
-  std::vector<std::uint32_t> vertex(size, kNone);  // of a node
-  std::vector<bool> is_variable(size, false);
-  for (const Expr& variable : variables) {
-    const std::uint32_t id = variable.ref().node();
-    if (variable.ref().negative() || graph.node(id).op != Operation::symbol)
+  const Postorder order = indexed_postorder(roots);
+  std::vector<std::uint32_t> vertex(order.ids.size(), kNone);  // by position in the order
+  const auto vertex_of = [&](Ref x) {
+    const std::uint32_t position = order.at(x.node());
+    return position == NodeIndex::kAbsent ? kNone : vertex[position];
+  };
+  NodeIndex numbers;  // of variables
+  for (std::uint32_t j = 0; j < variables.size(); ++j) {
+    const Ref variable = variables[j].ref();
+    if (variable.negative() || graph.node(variable.node()).op != Operation::symbol)
       throw std::invalid_argument("jacobian: a variable must be a symbol");
-    if (is_variable[id]) throw std::invalid_argument("jacobian: a variable is repeated");
-    is_variable[id] = true;
+    if (!numbers.add(variable.node(), j)) throw std::invalid_argument("jacobian: a variable is repeated");
   }
 
-  for (const std::uint32_t id : postorder(roots)) {
+  for (std::size_t k = 0; k < order.ids.size(); ++k) {
+    const std::uint32_t id = order.ids[k];
     const Node node = graph.node(id);
     const auto number = static_cast<std::uint32_t>(result.nodes.size());
-    bool active = is_variable[id];
+    bool active = node.op == Operation::symbol && numbers.find(id) != NodeIndex::kAbsent;
     for (int slot = 0; slot < node.arity(); ++slot) {
-      const std::uint32_t bottom = vertex[(slot == 0 ? node.a : node.b).node()];
+      const std::uint32_t bottom = vertex[(slot == 0 ? order.operands[k].a : order.operands[k].b) >> 1];
       if (bottom == kNone) continue;
       const Ref value = local_partial(graph, id, slot);
       if (result.expr(value).is_zero()) continue;
@@ -59,14 +63,14 @@ DerivativeGraph derivative_graph(std::span<const Expr> roots, std::span<const Ex
       active = true;
     }
     if (!active) continue;
-    vertex[id] = number;
+    vertex[k] = number;
     result.nodes.push_back(id);
   }
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    result.roots[i] = vertex[roots[i].ref().node()];
+    result.roots[i] = vertex_of(roots[i].ref());
     result.negative[i] = roots[i].ref().negative();
   }
-  for (std::size_t j = 0; j < variables.size(); ++j) result.variables[j] = vertex[variables[j].ref().node()];
+  for (std::size_t j = 0; j < variables.size(); ++j) result.variables[j] = vertex_of(variables[j].ref());
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "symbolic/rewrite/share_divisions.hpp"
 #include "symbolic/rewrite/share_products.hpp"
 #include "symbolic/round_constants.hpp"
+#include "symbolic/transferred.hpp"
 #include "symbolic/value_number.hpp"
 
 namespace alembert {
@@ -105,10 +106,8 @@ Candidate Rewriting::run(std::vector<Expr> roots) {
   return best;
 }
 
-}  // namespace
-
-std::vector<Expr> optimize(std::span<const Expr> roots) {
-  if (roots.empty()) return {};
+/// In a graph that holds little else: most nodes that rewriting makes are of no use in the end.
+std::vector<Expr> optimize_alone(std::span<const Expr> roots) {
   const Candidate given(LiveNodes(round_constants(roots)));
   // Which factors had better stay in sums shows in the end only.
   Rewriting sparing({true, false});
@@ -127,6 +126,14 @@ std::vector<Expr> optimize(std::span<const Expr> roots) {
   } catch (const InternalError&) {  // of a constant that rewriting brought forth: log(x - x - 1), say
     return given.nodes.roots;
   }
+}
+
+}  // namespace
+
+std::vector<Expr> optimize(std::span<const Expr> roots) {
+  if (roots.empty()) return {};
+  ExprGraph alone;
+  return transferred(optimize_alone(transferred(roots, alone)), roots.front().graph());
 }
 
 }  // namespace alembert
