@@ -18,7 +18,10 @@ void Candidates::add(const std::vector<Expr>& values) {
 void Candidates::add_recursions(
     const EquationsOfMotion& equations,
     const std::function<std::vector<Expr>(const WrittenTree&, FarPairs)>& values) {
+  std::vector<WrittenTree> tried;
   const auto add_those_of = [&](const WrittenTree& tree) {
+    if (std::find(tried.begin(), tried.end(), tree) != tried.end()) return;
+    tried.push_back(tree);
     for (const FarPairs far : {FarPairs::meet, FarPairs::meet_sooner, FarPairs::carry}) {
       add(values(tree, far));
       if (found_.back().first > kLong) break;

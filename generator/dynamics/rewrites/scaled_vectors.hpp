@@ -45,12 +45,14 @@ class Scaling {
   /// The same of angular velocities and their rates, whose squares and products are wanted: only the rotations
   /// that scale for a turn ahead begin one, and the turn ends it.
   const Scale& of_angular(std::size_t node) const { return of(node).angular; }
+  friend bool operator==(const Scaling&, const Scaling&) = default;
 
  private:
   struct Node {
     bool scaled = false;
     int ahead = -1;  ///< the scaled turn that this rotation scales for
     Scale vectors = kUnscaled, angular = kUnscaled;
+    friend bool operator==(const Node&, const Node&) = default;
   };
   const Node& of(std::size_t node) const {
     static constexpr Node kNotScaled;

@@ -26,6 +26,7 @@ struct WrittenTree {
   MotionTree tree;
   std::vector<MomentForms> moments;  ///< of the mass of each node
   Scaling scaling;
+  friend bool operator==(const WrittenTree&, const WrittenTree&) = default;
 };
 
 }  // namespace alembert

@@ -26,6 +26,7 @@ struct Motion {
   Vec3 to_parent(const Vec3& v) const;  ///< E v: axes of the next frame to axes of the previous one
   Vec3 to_child(const Vec3& v) const;   ///< E^T v
   Motion inverse() const;
+  friend bool operator==(const Motion&, const Motion&) = default;
 };
 
 /// Whether an axis rotation is by a multiple of a right angle in all states.

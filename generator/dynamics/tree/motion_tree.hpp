@@ -24,6 +24,7 @@ namespace alembert {
 struct TwistPartial {
   int speed;  ///< Mechanism::nv for time
   Vec3 direction;
+  friend bool operator==(const TwistPartial&, const TwistPartial&) = default;
 };
 
 /// A frame of the tree.
@@ -34,6 +35,7 @@ struct MotionNode {
   Vec3 velocity;      ///< angular velocity (rotations) or dt/dt (translations) relative to the parent frame
   Vec3 acceleration;  ///< its componentwise rate
   std::vector<int> bodies;
+  friend bool operator==(const MotionNode&, const MotionNode&) = default;
 };
 
 /// Mass properties about a node's origin, in its axes: mass, first moment h = m c, inertia J.
@@ -42,6 +44,7 @@ struct NodeMass {
   Vec3 moment;
   Mat3 inertia;
   bool is_zero() const;
+  friend bool operator==(const NodeMass&, const NodeMass&) = default;
 };
 
 /// Where a body is: the node its mass is fixed to and the constant motions from that node to the body's own
@@ -49,12 +52,14 @@ struct NodeMass {
 struct BodyPlace {
   int node = -1;  ///< -1: fixed to the world
   std::vector<Motion> tail;
+  friend bool operator==(const BodyPlace&, const BodyPlace&) = default;
 };
 
 struct MotionTree {
   std::vector<MotionNode> nodes;  ///< parents first
   std::vector<BodyPlace> places;  ///< one for each body
   std::vector<NodeMass> masses;   ///< one for each node: of all that is fixed to it
+  friend bool operator==(const MotionTree&, const MotionTree&) = default;
 };
 
 /// The twist of a motion along each speed it depends on (and along time): three values each, as in
