@@ -30,6 +30,13 @@ def test_what_is_in_the_cache_is_not_compiled_again(tmp_path, monkeypatch):
     assert os.stat(first.__file__).st_mtime_ns == stamp and len(folders(tmp_path)) == 1
     assert alembert.load(pendulum, "inverse_dynamics", cache=tmp_path) is not first
     assert len(folders(tmp_path)) == 2
+    monkeypatch.setenv("CFLAGS", "-O1 -DNDEBUG")
+    assert alembert.load(pendulum, "inverse_dynamics", cache=tmp_path) is not first
+    assert len(folders(tmp_path)) == 3
+    monkeypatch.setenv("CFLAGS", "--no-such-flag")
+    with pytest.raises(alembert.Error, match="no-such-flag"):
+        alembert.load(pendulum, "bias", cache=tmp_path)
+    monkeypatch.delenv("CFLAGS")
     other = tmp_path / "p.yaml"
     other.write_text(pendulum.read_text() + "\n# another text\n")
     alembert.load(other, cache=tmp_path / "c")
@@ -64,6 +71,36 @@ def test_urdf(tmp_path):
     assert np.allclose(alembert.load(robot, cache=tmp_path / "cache").mass_matrix([0.3]), 0.1 + 3 * 0.25)
 
 
+MJCF = """<mujoco model="stick"><compiler angle="radian"/><worldbody><include file="rod.xml"/></worldbody></mujoco>"""
+ROD = """<mujocoinclude><body name="rod"><joint name="hinge" axis="0 1 0"/><inertial pos="0 0 -0.5" mass="{mass}" diaginertia="0.1 0.1 0.01"/>
+</body></mujocoinclude>"""
+SDF = """<sdf version="1.9"><model name="stick"><joint name="hinge" type="revolute"><parent>world</parent><child>rod</child>
+<axis><xyz>0 1 0</xyz></axis></joint><link name="rod"><inertial><pose>0 0 -0.5 0 0 0</pose><mass>{mass}</mass>
+<inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.01</izz></inertia></inertial></link></model></sdf>"""
+
+
+@pytest.mark.parametrize("name, files", [
+    ("stick.xml", {"stick.xml": MJCF, "rod.xml": ROD}),
+    ("stick.sdf", {"stick.sdf": SDF}),
+    ("stick", {"stick": "\ufeff" + URDF}),
+])
+def test_robots_of_all_formats_and_the_files_they_include(tmp_path, name, files):
+    for mass in (2, 3):
+        for file, text in files.items():
+            (tmp_path / file).write_text(text.replace("{mass}", str(mass)))
+        m = alembert.load(tmp_path / name, "default", cache=tmp_path / "cache")
+        assert m.name == "stick" and np.allclose(m.mass_matrix([0.3]), 0.1 + mass * 0.25)
+    assert alembert.load(tmp_path / name, "default", cache=tmp_path / "cache") is m
+    assert alembert.load(tmp_path / name, "default", cache=tmp_path / "cache", importing=["--no-friction"]).nv == 1
+    states = alembert.rollout(m, [0.3], [0.0], step=0.01, steps=2)
+    assert np.all(np.isfinite(states.q))
+
+
+def test_bodies_of_opensim(tmp_path):
+    m = alembert.load(ROOT / "tests/osim/models/muscles.osim", "default", cache=tmp_path)
+    assert m.nv > 0
+
+
 def test_errors_have_the_text_of_the_generator(tmp_path, monkeypatch):
     wrong = tmp_path / "wrong.yaml"
     wrong.write_text((ROOT / "mechanisms" / "pendulum.yaml").read_text().replace("    mass:", "    maas:", 1))
@@ -74,7 +111,7 @@ def test_errors_have_the_text_of_the_generator(tmp_path, monkeypatch):
         alembert.load(ROOT / "mechanisms" / "pendulum.yaml", "inverse_dynamix", cache=tmp_path / "cache")
     with pytest.raises(FileNotFoundError):
         alembert.load(tmp_path / "none.yaml")
-    with pytest.raises(ValueError, match="for URDF"):
+    with pytest.raises(ValueError, match="for robots"):
         alembert.load(ROOT / "mechanisms" / "pendulum.yaml", root="floating")
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.raises(alembert.Error, match="no-such-compiler: .*Set CC to a C compiler"):

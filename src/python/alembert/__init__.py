@@ -1,24 +1,24 @@
-"""alembert.load("robot.urdf") or load("arm.yaml"): the equations of motion as a Python module.
+"""alembert.load("robot.urdf"), load("body.osim") or load("arm.yaml"): the equations of motion as a Python module.
 
 The command `alembert` writes them as C and Python, the C compiler compiles them, and a folder keeps both for the next time.
 alembert.simulate moves them in time, alembert.rollout many of them at once, on a cluster too.
-Needs numpy. The command is $ALEMBERT_EXECUTABLE, or what is installed with this package, or what PATH has; the compiler is $CC or
-cc; the folder is `alembert` in $XDG_CACHE_HOME or ~/.cache. alembert.torch has gradients for PyTorch.
+Needs numpy. The command is $ALEMBERT_EXECUTABLE, or what is installed with this package, or what PATH has; the compiler is
+$CC or cc, with $CFLAGS; the folder is `alembert` in $XDG_CACHE_HOME or ~/.cache. alembert.torch has gradients for PyTorch.
 """
 import hashlib
 import importlib.util
 import os
 import pathlib
 import shlex
-import shutil
 import subprocess
 import sys
+import tempfile
 import threading
 import warnings
 from types import ModuleType
 from typing import Iterable, List, Optional, Tuple, Union
 
-from .building import Error, executable, identity, library_ending, once, run, store
+from .building import Error, executable, flags_of, identity, library_ending, once, run, store
 from .rollouts import STATUSES, Rollouts, rollout
 from .shards import open_rollouts
 from .simulation import Motion, simulate
@@ -29,22 +29,23 @@ _FLAGS = ["-std=c99", "-O2", "-fno-math-errno", "-shared", "-fPIC"]
 _importing = threading.Lock()
 
 
-def _build(folder: pathlib.Path, description: pathlib.Path, importing: Optional[List[str]], generating: List[str],
-           compiler: List[str]) -> None:
-    """The files of C and Python, the library and what the generator warned of, all in `folder`."""
-    generator, said = executable(), ""
+def _is_robot(content: bytes) -> bool:
+    """Whether it is XML, of any encoding, and not a description."""
+    return content.startswith((b"\xff\xfe", b"\xfe\xff")) or content.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<")
+
+
+def _build(folder: pathlib.Path, content: bytes, description: Optional[pathlib.Path], generating: List[str],
+           compiling: List[str]) -> None:
+    """The description, the files of C and Python, the library and what the generator warned of, all in `folder`."""
     kept = folder / "description.yaml"
-    if importing is not None:
-        said += run([generator, "import", str(description), "--out", str(kept), *importing], "")[1]
-        description = kept
-    elif description.suffix.lower() in (".yaml", ".yml"):
-        shutil.copyfile(description, kept)
-    said += run([generator, "generate", str(description), "--language", "python", "--out-dir", str(folder), *generating], "")[1]
+    kept.write_bytes(content)
+    said = run([executable(), "generate", str(description or kept), "--language", "python", "--out-dir", str(folder), *generating],
+               "")[1]
     name = next((folder / "python").glob("*.py")).stem
     sources = [str(folder / "src" / f"{name}{ending}.c") for ending in ("", "_states")]
     library = folder / "python" / f"libalembert_{name}{library_ending()}"
-    run([*compiler, *_FLAGS, f"-I{folder / 'include'}", *sources, "-lm", "-o", str(library)], "Set CC to a C compiler.")
-    (folder / "warnings.txt").write_text(said)
+    run([*compiling, f"-I{folder / 'include'}", *sources, "-lm", "-o", str(library)], "Set CC to a C compiler.")
+    (folder / "warnings.txt").write_text(said, encoding="utf-8")
 
 
 def _import(folder: pathlib.Path, key: str) -> ModuleType:
@@ -62,40 +63,48 @@ def _import(folder: pathlib.Path, key: str) -> ModuleType:
 
 def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iterable[str]] = "all", *,
          root: str = "fixed", massless: str = "keep", scalar: str = "double", options: Iterable[str] = (),
-         cache: Union[str, "os.PathLike[str]", None] = None) -> ModuleType:
-    """The module of a mechanism described by YAML or, with a name in .urdf or .xml, by URDF.
+         importing: Iterable[str] = (), cache: Union[str, "os.PathLike[str]", None] = None) -> ModuleType:
+    """The module of a mechanism: a description, or a robot or body as URDF, xacro, MJCF, SDF or OpenSim.
 
     functions  "all", "default", or names of functions
-    root       of URDF: "fixed" or "floating"
-    massless   of URDF, for joints that move no mass: "keep", "armature=VALUE", "freeze", "drop"
+    root       of a robot: "fixed" or "floating"
+    massless   of a robot, for joints that move no mass: "keep", "armature=VALUE", "freeze", "drop"
     scalar     "double" or "float"
     options    more options of `alembert generate`
+    importing  more options of `alembert import`, for a robot: ("--include", folder), for example
     cache      folder to keep what is compiled in
 
-    The same description, options, generator and compiler give the same module without compiling again. Raises Error with the
-    text of the generator or compiler; what they only warn of is a warning.
+    The same description, options, generator and compiler give the same module without compiling again; a robot is imported each
+    time, because its files may include others. Raises Error with the text of the generator or compiler; what they only warn of is a
+    warning.
     """
     path = pathlib.Path(description)
     content = path.read_bytes()
-    importing = None
-    if path.suffix.lower() in (".urdf", ".xml"):
-        importing = ["--root", root, "--massless", massless]
-    elif root != "fixed" or massless != "keep":
-        raise ValueError("root and massless are for URDF")
+    read: Optional[pathlib.Path] = path
+    said = ""
+    if _is_robot(content):
+        with tempfile.TemporaryDirectory() as work:
+            kept = pathlib.Path(work, "description.yaml")
+            said = run([executable(), "import", str(path), "--out", str(kept), "--root", root, "--massless", massless, *importing],
+                       "")[1]
+            content = kept.read_bytes()
+        read = None
+    elif root != "fixed" or massless != "keep" or [*importing]:
+        raise ValueError("root, massless and importing are for robots, and this is a description")
     names = [functions] if isinstance(functions, str) else list(functions)
     generating = ["--scalars", scalar, *options]
     if names != ["default"]:
         generating += ["--functions", ",".join(names)]
     compiler = shlex.split(os.environ.get("CC") or "cc")
-    building = [*identity(compiler, "Set CC to a C compiler."), *_FLAGS, *(importing or ["yaml"]), *generating]
+    compiling = [*compiler, *_FLAGS, *flags_of("CFLAGS")]
+    building = [*identity(compiler, "Set CC to a C compiler."), *compiling, *generating]
     key = hashlib.sha256(repr(building).encode() + content).hexdigest()[:32]
-    folder = once(store(cache), key, lambda work: _build(work, path, importing, generating, compiler))
-    said = (folder / "warnings.txt").read_text()
-    if said:
+    folder = once(store(cache), key, lambda work: _build(work, content, read, generating, compiling))
+    said += (folder / "warnings.txt").read_text(encoding="utf-8")
+    if "warning:" in said:  # and not only notes
         warnings.warn(said.strip(), stacklevel=2)
     module = _import(folder, key)
-    kept = folder / "description.yaml"
-    if kept.exists():  # what rollout() compiles from, and where
-        module._alembert_description = (kept.read_text(), tuple(options))  # type: ignore[attr-defined]
-        module._alembert_cache = cache  # type: ignore[attr-defined]
+    # What rollout() compiles from, and where.
+    module._alembert_description = ((folder / "description.yaml").read_text(encoding="utf-8"), tuple(options))  # type: ignore[attr-defined]
+    module._alembert_cache = cache  # type: ignore[attr-defined]
     return module

@@ -3,6 +3,7 @@ import contextlib
 import hashlib
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -36,7 +37,7 @@ def executable() -> str:
 def run(command: List[str], missing: str) -> Tuple[str, str]:
     """What a command writes to its outputs."""
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", errors="replace")
     except OSError as error:
         raise Error(f"{command[0]}: {error.strerror}. {missing}") from None
     if done.returncode != 0:
@@ -50,6 +51,11 @@ def identity(compiler: List[str], missing: str) -> List[str]:
     stat = os.stat(shutil.which(generator) or generator)
     return [run([generator, "--version"], "")[0], str(stat.st_size), str(stat.st_mtime_ns),
             run([*compiler, "--version"], missing)[0], *compiler]
+
+
+def flags_of(variable: str) -> List[str]:
+    """Flags of the compiler that the environment gives, CFLAGS or CXXFLAGS: they follow the package's own."""
+    return shlex.split(os.environ.get(variable, ""))
 
 
 def folder_state(folder: str) -> str:

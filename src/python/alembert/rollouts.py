@@ -128,7 +128,7 @@ def _headers() -> List[str]:
 
 def _compile(folder: pathlib.Path, source: Source, compiler: List[str], headers: List[str]) -> None:
     description = folder / "description.yaml"
-    description.write_text(source.text)
+    description.write_text(source.text, encoding="utf-8")
     command = [building.executable(), "generate", str(description), "--out-dir", str(folder), "--scalars", "double",
                "--functions", ",".join(source.functions), *source.options]
     if source.batch:
@@ -144,7 +144,7 @@ def _compile(folder: pathlib.Path, source: Source, compiler: List[str], headers:
     objects = []
 
     def compile_one(path: pathlib.Path) -> None:
-        flags = list(_FLAGS)
+        flags = [*_FLAGS, *building.flags_of("CXXFLAGS")]
         if "_batch" in path.stem:
             flags.append("-ffp-contract=off")
             instructions = path.stem.rsplit("_", 1)[1]
@@ -171,7 +171,8 @@ def engine(source: Source, cache: Union[str, "os.PathLike[str]", None] = None) -
     if place not in _engines:
         compiler = shlex.split(os.environ.get("CXX") or "c++")
         headers = _headers()
-        identity = [*building.identity(compiler, "Set CXX to a C++ compiler."), *_FLAGS, building.folder_state(headers[0][2:]), *source]
+        identity = [*building.identity(compiler, "Set CXX to a C++ compiler."), *_FLAGS, *building.flags_of("CXXFLAGS"),
+                    building.folder_state(headers[0][2:]), *source]
         key = "rollout-" + hashlib.sha256(repr(identity).encode()).hexdigest()[:32]
         folder = building.once(building.store(cache), key, lambda work: _compile(work, source, compiler, headers))
         entry = ctypes.CDLL(str(folder / "rollout.so")).alembert_rollout
