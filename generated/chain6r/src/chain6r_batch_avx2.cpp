@@ -41,7 +41,7 @@ using pack::Pack;
   Pack tau[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack kept[45];
+  Pack kept[47];
   const double* const streamed = pack::is_streamed(last - first, 6) ? call.results[0] : nullptr;
   return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);

@@ -41,7 +41,7 @@ using pack::Pack;
   Pack tau[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack kept[23];
+  Pack kept[26];
   const double* const streamed = pack::is_streamed(last - first, 6) ? call.results[0] : nullptr;
   return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
@@ -67,7 +67,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack kept[23];
+  Pack kept[24];
   const double* const streamed = pack::is_streamed(last - first, 42) ? call.results[0] : nullptr;
   return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {
     window.load(6, call.arguments[0], call.stride, q);
@@ -95,7 +95,7 @@ using pack::Pack;
   Pack c[kPacks * 6];
   Inputs<Pack> inputs[kPacks];
   for (Inputs<Pack>& in : inputs) take_common(call, in);
-  Pack kept[23];
+  Pack kept[24];
   Pack square[36];
   const double* const streamed = pack::is_streamed(last - first, 6) ? call.results[0] : nullptr;
   return pack::for_each_window<kPacks>(first, last, streamed, [&](const pack::Window& window) {

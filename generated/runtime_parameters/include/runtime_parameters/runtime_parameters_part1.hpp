@@ -53,7 +53,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = S(0.01376) * qdd0 - t14;
 }
 
-// mass_matrix: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
+// mass_matrix: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;
@@ -67,13 +67,13 @@ void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& 
   const S p3 = in.parameters[3];  // I
   const S t3 = p3 + p2 * t2;
   M[3] = t3;
-  M[0] = t1 * t1 * t3 + p3 * (S(0.025) * (t0 * t0)) + S(0.09) * p1 + S(0.01376);
-  const S t5 = t0 * (S(0.3) * t2);
+  M[0] = S(0.025) * (p3 * (t0 * t0)) + t1 * t1 * t3 + S(0.09) * p1 + S(0.01376);
+  const S t5 = S(0.3) * (t0 * t2);
   M[1] = t5;
   M[2] = t5;
 }
 
-// bias: 28 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
+// bias: 28 multiplications, 11 additions, 2 sin/cos/tan (reduced formulation; relative error 2e-16 where it was measured).
 template <class S>
 void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unused]] const Inputs<S>& in,
           [[maybe_unused]] S* c) {
@@ -92,16 +92,16 @@ void bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_unu
   const S t5 = qd0 * t3;
   const S t6 = qd0 * t4;
   const S t7 = t1 - t2;
-  const S qd1 = qd[1];  // d(q2)
-  const S t8 = qd1 * (t4 * (t5 * t2)) - (S(0.3) * (t0 * (qd0 * qd0)) + qd1 * (t6 * (t7 + t1))) * t3;
-  const S t9 = t6 * t5;
+  const S t8 = t6 * t5;
   const S p0 = in.parameters[0];  // g
-  const S t10 = p0 * t3;
-  c[0] = S(-0.3) * (t4 * (t9 * t0 - p1 * t10) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t8;
-  c[1] = t0 * t10 - t7 * t9;
+  const S t9 = p0 * t3;
+  const S qd1 = qd[1];  // d(q2)
+  const S t10 = S(0.3) * (t4 * (t8 * t0 - p1 * t9) + (t0 * (qd1 * qd1 + t5 * t5) + t4 * (p0 * p1)) * t3);
+  c[0] = (S(0.3) * (qd0 * (qd0 * t0)) + t6 * (qd1 * (t7 + t1))) * t3 - t4 * (qd1 * t2 * t5) - t10;
+  c[1] = t0 * t9 - t7 * t8;
 }
 
-// mass_matrix_and_bias: 33 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation; relative error 2.6e-16 where it was measured).
+// mass_matrix_and_bias: 33 multiplications, 14 additions, 2 sin/cos/tan (reduced formulation; relative error 3.4e-16 where it was measured).
 template <class S>
 void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
                           [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M, [[maybe_unused]] S* c) {
@@ -122,16 +122,16 @@ void mass_matrix_and_bias([[maybe_unused]] const S* q, [[maybe_unused]] const S*
   const S t6 = qd0 * t4;
   const S t7 = t1 - t2;
   const S t8 = t6 * t5;
-  const S t9 = S(0.3) * t0;
-  const S t10 = t4 * t2;
-  const S qd1 = qd[1];  // d(q2)
-  const S t11 = qd1 * (t10 * t5) - (qd0 * (qd0 * t9) + qd1 * (t6 * (t7 + t1))) * t3;
-  M[0] = t1 * t3 * t3 + t4 * t10 + S(0.09) * p1 + S(0.01376);
+  const S t9 = t4 * t2;
   const S p0 = in.parameters[0];  // g
-  const S t13 = p0 * t3;
-  c[0] = S(-0.3) * (t4 * (t8 * t0 - p1 * t13) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t11;
-  c[1] = t0 * t13 - t7 * t8;
-  const S t16 = t4 * t9;
+  const S t10 = p0 * t3;
+  const S t11 = S(0.3) * t0;
+  const S qd1 = qd[1];  // d(q2)
+  const S t12 = qd1 * t5 * t9 - t3 * (t11 * (qd0 * qd0) + t6 * (qd1 * (t7 + t1)));
+  c[0] = S(-0.3) * (t4 * (t8 * t0 - p1 * t10) + (t0 * (qd1 * qd1 + t5 * t5) + p1 * (p0 * t4)) * t3) - t12;
+  M[0] = t1 * t3 * t3 + t4 * t9 + S(0.09) * p1 + S(0.01376);
+  c[1] = t0 * t10 - t7 * t8;
+  const S t16 = t4 * t11;
   M[1] = t16;
   M[2] = t16;
 }
@@ -158,15 +158,15 @@ void energy([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd, [[maybe_u
   const S t2 = qd0 * t1;
   const S t3 = qd0 * t0;
   const S t4 = qd0 * qd0;
-  const S qd1 = qd[1];  // d(q2)
   const S p2 = in.parameters[2];  // l
   const S p1 = in.parameters[1];  // m
-  const S t5 = p1 * (S(0.045) * t4 + t3 * (p2 * (S(0.3) * qd1))) + S(0.00688) * t4;
-  const S t6 = p2 * p1;
+  const S t5 = p2 * p1;
   const S p3 = in.parameters[3];  // I
-  e[0] = S(0.5) * (S(0.025) * (p3 * t3 * t3) + (p3 + p2 * t6) * (qd1 * qd1 + t2 * t2)) + t5;
+  const S qd1 = qd[1];  // d(q2)
+  const S t6 = S(0.5) * (S(0.025) * (p3 * t3 * t3) + (p3 + p2 * t5) * (qd1 * qd1 + t2 * t2));
+  e[0] = p1 * (S(0.045) * t4 + S(0.3) * (t3 * (p2 * qd1))) + S(0.00688) * t4 + t6;
   const S p0 = in.parameters[0];  // g
-  e[1] = -(t0 * (p0 * t6));
+  e[1] = -(t0 * (p0 * t5));
 }
 
 // body_poses: 6 multiplications, 0 additions, 4 sin/cos/tan (reduced formulation; relative error 1e-16 where it was measured).
