@@ -83,7 +83,8 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     read: Optional[pathlib.Path] = path
     said = ""
     if _is_robot(content):
-        with tempfile.TemporaryDirectory() as work:
+        # Beside the folders that keep descriptions: meshes are named from there.
+        with tempfile.TemporaryDirectory(prefix="importing-", dir=store(cache)) as work:
             kept = pathlib.Path(work, "description.yaml")
             said = run([executable(), "import", str(path), "--out", str(kept), "--root", root, "--massless", massless, *importing],
                        "")[1]
