@@ -162,10 +162,13 @@ Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, 
       }
       return std::pair(rows[0], R((rows[0] - before).cwiseAbs().maxCoeff()));
     };
-    // A length may be far shorter than those of the mechanism, which have a say in how forces change with it.
+    // A length may be far shorter than those of the mechanism, which have a say in how forces change with it; and a force may
+    // jump nearby.
     auto best = extrapolated(value == 0 ? 1e-3 : 1e-2 * std::abs(value));
-    if (value != 0 && best.second > R(1e-12) * best.first.cwiseAbs().maxCoeff())
-      if (const auto other = extrapolated(1e-3); other.second < best.second) best = other;
+    for (const double scale : {1e-3, 1e-5, 1e-6}) {
+      if (best.second <= R(1e-12) * best.first.cwiseAbs().maxCoeff()) break;
+      if (const auto other = extrapolated(scale); other.second < best.second) best = other;
+    }
     result.col(column++) = best.first.template cast<double>();
   }
   return result;
