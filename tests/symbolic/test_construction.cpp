@@ -3,12 +3,16 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate.hpp"
 #include "symbolic/expr.hpp"
 #include "symbolic/guarded.hpp"
+#include "symbolic/postorder.hpp"
 #include "symbolic/same.hpp"
+#include "symbolic/to_string.hpp"
+#include "symbolic/transferred.hpp"
 
 namespace alembert {
 namespace {
@@ -239,6 +243,30 @@ TEST_F(Construction, KeepsBracketsWhereTold) {
   EXPECT_TRUE(same(tenth * scaled, g.real(0.01) * x));
   EXPECT_TRUE(same(scaled - scaled, zero));
   EXPECT_TRUE(same(one / scaled, g.real(10) / x));
+}
+
+TEST_F(Construction, IsTransferredNodeForNode) {
+  g.assume(x, {0, 2});
+  const Expr scaled = g.real(0.1) * x;
+  std::vector<Expr> roots{-sin(scaled) / sqrt(x), atan2(y, g.pi(Rational(1, 3)) + z), g.integer(-3), y};
+  {
+    const auto kept = g.keep_brackets();
+    roots.push_back(scaled * y);  // bracketed: rules of construction would take it apart
+  }
+  ExprGraph other;
+  const std::vector<Expr> there = transferred(roots, other);
+  ASSERT_EQ(there.size(), roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    EXPECT_EQ(&there[i].graph(), &other);
+    EXPECT_EQ(to_string(there[i]), to_string(roots[i]));
+  }
+  EXPECT_EQ(postorder(there).size(), postorder(roots).size());
+  const Interval there_x = other.bounds(other.symbol("x").ref());
+  EXPECT_EQ(there_x.lower, 0);
+  EXPECT_EQ(there_x.upper, 2);
+  // And back: the very same nodes.
+  EXPECT_EQ(transferred(there, g), roots);
+  EXPECT_TRUE(transferred({}, other).empty());
 }
 
 TEST_F(Construction, FlagsConstants) {
