@@ -18,7 +18,8 @@ inline constexpr std::string_view kBatchEnding = "_batch", kKeptEnding = "_kept"
 std::vector<ArgumentKind> bench_arguments();
 
 /// src/bench.cpp and include/alembert/*.hpp. The program takes the number of states and the file of their arguments. It
-/// prints a line `NAME ns` for each of `programs`; for each of options.batch `NAME_batch ns` and `NAME_kept ns`; then, if there are any, `instructions SET`: which the batches are of.
+/// prints a line `NAME ns` for each of `programs`; for each of options.batch `NAME_batch ns` and `NAME_kept ns`; then, if
+/// there are any, `instructions SET`: which the batches are of.
 std::vector<EmittedFile> bench_files(const Mechanism& mechanism, std::span<const Program> programs,
                                      const EmitOptions& options);
 

@@ -30,8 +30,9 @@ _importing = threading.Lock()
 
 
 def _is_robot(content: bytes) -> bool:
-    """Whether it is XML, of any encoding, and not a description."""
-    return content.startswith((b"\xff\xfe", b"\xfe\xff")) or content.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<")
+    """Whether it is XML and not a description."""
+    encoding = "utf-16" if content.startswith((b"\xff\xfe", b"\xfe\xff")) else "utf-8-sig"
+    return content.decode(encoding, errors="replace").lstrip().startswith("<")
 
 
 def _build(folder: pathlib.Path, content: bytes, description: Optional[pathlib.Path], generating: List[str],
@@ -80,11 +81,12 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     """
     path = pathlib.Path(description)
     content = path.read_bytes()
+    keep = store(cache)
     read: Optional[pathlib.Path] = path
     said = ""
     if _is_robot(content):
         # Beside the folders that keep descriptions: meshes are named from there.
-        with tempfile.TemporaryDirectory(prefix="importing-", dir=store(cache)) as work:
+        with tempfile.TemporaryDirectory(prefix="importing-", dir=keep) as work:
             kept = pathlib.Path(work, "description.yaml")
             said = run([executable(), "import", str(path), "--out", str(kept), "--root", root, "--massless", massless, *importing],
                        "")[1]
@@ -100,7 +102,7 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     compiling = [*compiler, *_FLAGS, *flags_of("CFLAGS")]
     building = [*identity(compiler, "Set CC to a C compiler."), *compiling, *generating]
     key = hashlib.sha256(repr(building).encode() + content).hexdigest()[:32]
-    folder = once(store(cache), key, lambda work: _build(work, content, read, generating, compiling))
+    folder = once(keep, key, lambda work: _build(work, content, read, generating, compiling))
     said += (folder / "warnings.txt").read_text(encoding="utf-8")
     if "warning:" in said:  # and not only notes
         warnings.warn(said.strip(), stacklevel=2)
