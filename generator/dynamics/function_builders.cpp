@@ -82,7 +82,8 @@ Results build_constrained_forward_dynamics_derivatives(const Ingredients& given)
 Results build_gravity(const Ingredients& given) {
   std::vector<WrittenTree> trees;
   for (const MotionTree* tree : given.trees) trees.emplace_back(*tree);
-  if (given.equations->tree) trees.push_back(*given.equations->tree);
+  if (given.equations->tree && std::ranges::find(trees, *given.equations->tree) == trees.end())
+    trees.push_back(*given.equations->tree);
   return shortest_of(given.kinematics, trees.size(), [&](std::size_t i) {
     return gravity_forces(given.mechanism(), trees[i], given.graph());
   });

@@ -12,24 +12,24 @@ OperationCount count_operations(std::span<const Expr> roots, const Postorder& or
   // An offset angle is free if nothing but trigonometric calls uses it.
   std::vector<bool> used_otherwise(order.ids.size(), false);
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
-    const Node& node = graph->node(order.ids[i]);
-    if (node.arity() == 0 || is_trigonometric(node.op)) continue;
+    const NodeKind kind = order.kinds[i];
+    if (kind.arity() == 0 || is_trigonometric(kind.op)) continue;
     used_otherwise[order.operands[i].a >> 1] = true;
-    if (node.arity() == 2) used_otherwise[order.operands[i].b >> 1] = true;
+    if (kind.arity() == 2) used_otherwise[order.operands[i].b >> 1] = true;
   }
   for (const Expr& root : roots) used_otherwise[order.at(root.ref().node())] = true;
   OperationCount count;
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
-    const std::uint32_t id = order.ids[i];
-    const Node& node = graph->node(id);
-    if (node.constant) continue;
+    const NodeKind kind = order.kinds[i];
+    if (kind.constant) continue;
+    const std::uint32_t a = order.operands[i].a >> 1, b = order.operands[i].b >> 1;
     // An offset of an angle belongs to the call.
-    if (node.op == Operation::add && !used_otherwise[i] &&
-        (graph->node(node.a.node()).constant || graph->node(node.b.node()).constant))
+    if (kind.op == Operation::add && !used_otherwise[i] &&
+        (order.kinds[a].constant || order.kinds[b].constant))
       continue;
-    const bool doubles = node.op == Operation::mul && graph->node(node.a.node()).op == Operation::rational &&
-                         graph->rational_value(node.a.node()) == Rational(2);
-    count.include(node.op, doubles);
+    const bool doubles = kind.op == Operation::mul && order.kinds[a].op == Operation::rational &&
+                         graph->rational_value(order.ids[a]) == Rational(2);
+    count.include(kind.op, doubles);
   }
   return count;
 }

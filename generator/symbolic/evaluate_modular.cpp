@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "symbolic/modular.hpp"
 
@@ -91,32 +92,40 @@ Modular apply(Operation op, Modular a, Modular b) {
   return {hash(op, a, b), 0};
 }
 
-std::vector<Modular> values(const ExprGraph& graph, const Postorder& order,
-                            std::span<const Modular> symbols) {
-  std::vector<Modular> out(order.ids.size());
-  const auto of = [&](std::uint32_t local) {
-    const Modular value = out[local >> 1];
-    return (local & 1) != 0 ? negate(value) : value;
+std::vector<std::vector<Modular>> values(const ExprGraph& graph, const Postorder& order,
+                                         std::span<const std::vector<Modular>> points) {
+  std::vector<std::vector<Modular>> out(points.size(), std::vector<Modular>(order.ids.size()));
+  const auto leaf = [&](std::uint32_t id, Operation op, const std::vector<Modular>& symbols) -> Modular {
+    if (op == Operation::rational) return from_rational(graph.rational_value(id));
+    if (op == Operation::pi_multiple) return multiply(from_rational(graph.rational_value(id)), {kPi, 0});
+    if (op == Operation::real) return from_double(graph.real_value(id));
+    const std::uint32_t index = graph.symbol_index(id);
+    if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
+    return symbols[index];
   };
   for (std::size_t i = 0; i < order.ids.size(); ++i) {
-    const std::uint32_t id = order.ids[i];
-    const Node& node = graph.node(id);
-    const int arity = node.arity();
+    const NodeKind kind = order.kinds[i];
+    const int arity = kind.arity();
     const LocalOperands operands = order.operands[i];
-    const Modular a = arity >= 1 ? of(operands.a) : Modular{}, b = arity == 2 ? of(operands.b) : Modular{};
-    Modular& value = out[i];
-    if (node.op == Operation::rational) {
-      value = from_rational(graph.rational_value(id));
-    } else if (node.op == Operation::pi_multiple) {
-      value = multiply(from_rational(graph.rational_value(id)), {kPi, 0});
-    } else if (node.op == Operation::real) {
-      value = from_double(graph.real_value(id));
-    } else if (node.op == Operation::symbol) {
-      const std::uint32_t index = graph.symbol_index(id);
-      if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
-      value = symbols[index];
-    } else {
-      value = apply(node.op, a, b);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      std::vector<Modular>& at = out[k];
+      if (arity == 0) {
+        at[i] = leaf(order.ids[i], kind.op, points[k]);
+        continue;
+      }
+      const auto of = [&](std::uint32_t local) {
+        const Modular value = at[local >> 1];
+        return (local & 1) != 0 ? negate(value) : value;
+      };
+      const Modular a = of(operands.a), b = arity == 2 ? of(operands.b) : Modular{};
+      // Most nodes are sums and products.
+      if (kind.op == Operation::mul) {
+        at[i] = multiply(a, b);
+      } else if (kind.op == Operation::add) {
+        at[i] = add(a, b);
+      } else {
+        at[i] = apply(kind.op, a, b);
+      }
     }
   }
   return out;
@@ -129,7 +138,8 @@ std::vector<Modular> evaluate_modular(std::span<const Expr> roots, std::span<con
   const ExprGraph* graph = graph_of(roots);
   if (graph == nullptr) return out;
   const Postorder order = indexed_postorder(roots);
-  const std::vector<Modular> all = modular::values(*graph, order, symbols);
+  const std::vector<Modular> point(symbols.begin(), symbols.end());
+  const std::vector<Modular> all = std::move(modular::values(*graph, order, {&point, 1}).front());
   out.reserve(roots.size());
   for (const Expr& root : roots) {
     const Modular value = all[order.at(root.ref().node())];

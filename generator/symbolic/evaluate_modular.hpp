@@ -18,8 +18,9 @@ std::vector<Modular> evaluate_modular(std::span<const Expr> roots, std::span<con
 namespace modular {
 /// Value of an operation that is no leaf; b is for those of two operands.
 Modular apply(Operation op, Modular a, Modular b);
-/// Values of all nodes of an order at one point; symbols[i] belongs to the symbol with index i.
-std::vector<Modular> values(const ExprGraph& graph, const Postorder& order, std::span<const Modular> symbols);
+/// Values of all nodes of an order at each of some points; of a point, entry i belongs to the symbol with index i.
+std::vector<std::vector<Modular>> values(const ExprGraph& graph, const Postorder& order,
+                                         std::span<const std::vector<Modular>> points);
 }  // namespace modular
 
 /// A reproducible random point for evaluate_modular.

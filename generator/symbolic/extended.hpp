@@ -36,6 +36,7 @@ class ExtendedFunction {
   ExtendedFunction(ExtendedFunction&&) noexcept;
   std::vector<Extended> operator()(std::span<const Extended> symbols) const;
   std::size_t nodes() const;
+  const std::vector<Expr>& roots() const { return roots_; }
 
  private:
   struct Order;

@@ -43,6 +43,7 @@ Postorder indexed_postorder(std::span<const Expr> roots, const NodeIndex* ranks)
       open.pop_back();
       if (!out.index.add(id, static_cast<std::uint32_t>(out.ids.size()))) continue;
       out.ids.push_back(id);
+      out.kinds.push_back({node.op, node.constant});
       out.operands.push_back(
           {arity >= 1 ? Postorder::local(a, node.a) : 0, arity == 2 ? Postorder::local(b, node.b) : 0});
     }

@@ -20,9 +20,17 @@ struct LocalOperands {
   std::uint32_t a = 0, b = 0;
 };
 
+/// What most passes ask of a node; it stands beside the position, the node anywhere in memory.
+struct NodeKind {
+  Operation op;
+  bool constant;
+  constexpr int arity() const { return operand_count(op); }
+};
+
 /// Nodes reachable from roots, operands first, and the position of each.
 struct Postorder {
   std::vector<std::uint32_t> ids;
+  std::vector<NodeKind> kinds;
   std::vector<LocalOperands> operands;  ///< as many of them are meant as the operation has
   NodeIndex index;
   std::uint32_t at(std::uint32_t id) const { return index.find(id); }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "symbolic/close_constants.hpp"
 #include "symbolic/count_operations.hpp"
@@ -109,7 +110,7 @@ class Numbering {
     bool negative = false;  // relative to the first member, or to the number
   };
 
-  const Node& node(std::uint32_t position) const { return graph_.node(order_.ids[position]); }
+  NodeKind kind(std::uint32_t position) const { return order_.kinds[position]; }
   Ref ref(std::uint32_t position) const { return {order_.ids[position], false}; }
   bool upper(std::uint32_t i) {
     for (std::size_t k = 0; k < kFirstPoints; ++k) {
@@ -129,8 +130,10 @@ class Numbering {
   }
 
   void evaluate_points(std::size_t begin, std::size_t end) {
+    std::vector<std::vector<Modular>> points;
     for (std::size_t k = begin; k < end; ++k)
-      values_[k] = modular::values(graph_, order_, random_modular_point(graph_.symbol_count(), 0x5eed + k));
+      points.push_back(random_modular_point(graph_.symbol_count(), 0x5eed + k));
+    std::ranges::move(modular::values(graph_, order_, points), values_.begin() + begin);
   }
   // At the points that only confirm: often nothing is to be confirmed.
   Values& all_values() {
@@ -166,7 +169,7 @@ class Numbering {
     while (slots < 2 * static_cast<std::size_t>(count)) slots *= 2;
     std::vector<std::uint32_t> table(slots, kNone);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Node n = node(i);  // a copy: number_class makes nodes
+      const NodeKind n = kind(i);
       const LocalOperands operands = order_.operands[i];
       rooted_[i] = n.op == Operation::sqrt || (n.arity() >= 1 && rooted_[operands.a >> 1]) ||
                    (n.arity() == 2 && rooted_[operands.b >> 1]);
@@ -214,7 +217,7 @@ class Numbering {
 
   // A constant has one value at all points.
   bool equal_everywhere(std::uint32_t i) {
-    if (node(i).constant) return true;
+    if (kind(i).constant) return true;
     return std::all_of(all_values().begin(), values_.end(),
                        [&](const auto& at) { return at[i] == values_[0][i]; });
   }
@@ -236,8 +239,8 @@ class Numbering {
     const bool constant =
         std::all_of(pairs.begin(), pairs.end(), [](const Expr& x) { return x.is_constant(); });
     for (std::size_t k = 0; k < (constant ? 1 : kRootPoints); ++k) {
-      const std::vector<Modular> values =
-          modular::values(graph_, order, random_modular_point(graph_.symbol_count(), 0xc0ffee + k));
+      const std::vector<Modular> point = random_modular_point(graph_.symbol_count(), 0xc0ffee + k);
+      const std::vector<Modular> values = std::move(modular::values(graph_, order, {&point, 1}).front());
       const auto of = [&](const Expr& x) {
         const Modular value = values[order.at(x.ref().node())];
         return x.ref().negative() ? modular::negate(value) : value;
@@ -270,7 +273,7 @@ class Numbering {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 60;
     std::vector<std::uint64_t> cost(order_.ids.size(), 0);
     for (std::uint32_t i = 0; i < order_.ids.size(); ++i) {
-      const Node& n = node(i);
+      const NodeKind n = kind(i);
       const LocalOperands operands = order_.operands[i];
       if (!n.constant) {
         cost[i] = facts(n.op).weight;
@@ -301,7 +304,7 @@ class Numbering {
         open.pop_back();
         continue;
       }
-      const Node n = node(in.representative);
+      const Node n = graph_.node(order_.ids[in.representative]);
       const LocalOperands operands = order_.operands[in.representative];
       const int arity = n.arity();
       const std::size_t before = open.size();

@@ -35,6 +35,7 @@ struct Wanted {
   VectorXe values;
   std::optional<VectorXe> times = {};
   Extended noise = 0;  ///< of the values: so much is left of what cancels
+  bool rows = false;   ///< `times` are weights of rows, not of columns
 };
 
 Extended largest_entry(const VectorXe& v) {
@@ -73,7 +74,28 @@ const std::array kByForces{
     ByForces{FunctionKind("inverse_dynamics_derivatives"), [] { return kDifferenceNoise; },
              [](const PlainEquations& plain, const PlainEquations::State& state,
                 const VectorXe& signs) -> std::vector<Wanted> {
-               return {{plain.along_speeds(state, signs), signs}, {plain.by_speeds(state, signs), signs}};
+               return {{plain.along_speeds(&PlainEquations::forces, state, signs), signs},
+                       {plain.by_speeds(&PlainEquations::forces, state, signs), signs}};
+             }},
+    ByForces{FunctionKind("inverse_dynamics_second_derivatives"), [] { return Extended(0); },
+             [](const PlainEquations& plain, const PlainEquations::State& state, const VectorXe& signs) {
+               const Extended noise =
+                   kDifferenceNoise * largest_entry(plain.weighted_gradient(state));
+               const VectorXe along = plain.along_speeds(&PlainEquations::weighted_gradient, state, signs);
+               const VectorXe by_speeds = plain.by_speeds(&PlainEquations::weighted_gradient, state, signs);
+               const Eigen::Index nv = signs.size();
+               return std::vector<Wanted>{{along.head(nv), signs, noise},
+                                          {along.segment(nv, nv), signs, noise, true},
+                                          {by_speeds.segment(nv, nv), signs, noise},
+                                          {along.tail(nv), signs, noise, true}};
+             }},
+    ByForces{FunctionKind("forward_dynamics_derivatives"), [] { return Extended(0); },
+             [](const PlainEquations& plain, const PlainEquations::State& state, const VectorXe& signs) {
+               const Extended noise = kDifferenceNoise * largest_entry(plain.accelerations(state));
+               return std::vector<Wanted>{
+                   {plain.along_speeds(&PlainEquations::accelerations, state, signs), signs, noise},
+                   {plain.by_speeds(&PlainEquations::accelerations, state, signs), signs, noise},
+                   {plain.accelerations_by(state, signs), signs}};
              }},
 };
 
@@ -111,8 +133,9 @@ class ArrayErrors {
       const Extended x = found[i];
       largest = std::max(largest, Extended(abs(x)));
       if (wanted.times) {
-        here[static_cast<Eigen::Index>(i / columns)] +=
-            x * (*wanted.times)[static_cast<Eigen::Index>(i % columns)];
+        const std::size_t entry = wanted.rows ? i % columns : i / columns;
+        const std::size_t weight = wanted.rows ? i / columns : i % columns;
+        here[static_cast<Eigen::Index>(entry)] += x * (*wanted.times)[static_cast<Eigen::Index>(weight)];
       } else {
         here[static_cast<Eigen::Index>(i)] = x;
       }

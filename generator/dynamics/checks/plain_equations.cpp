@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "dynamics/choice/second_derivatives.hpp"
 #include "dynamics/function_builders.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/reduced.hpp"
@@ -95,7 +96,17 @@ VectorXe PlainEquations::accelerations(const State& state) const {
   return mass_matrix(state).partialPivLu().solve(tau(state) - bias(state));
 }
 
-VectorXe PlainEquations::along_speeds(const State& state, const VectorXe& v) const {
+VectorXe PlainEquations::accelerations_by(const State& state, const VectorXe& v) const {
+  return mass_matrix(state).partialPivLu().solve(v);
+}
+
+VectorXe PlainEquations::weighted_gradient(const State& state) const {
+  const auto left = kinematics_.graph.leave_as_written();
+  if (!weighted_gradient_) weighted_gradient_.emplace(alembert::weighted_gradient(kinematics_, forces_.roots()).all());
+  return vector((*weighted_gradient_)(state));
+}
+
+VectorXe PlainEquations::along_speeds(Function of, const State& state, const VectorXe& v) const {
   const Mechanism& mechanism = kinematics_.mechanism;
   const std::vector<Extended> N = coordinate_rates_(state);
   const auto moved = [&](const Extended& step) {
@@ -110,17 +121,17 @@ VectorXe PlainEquations::along_speeds(const State& state, const VectorXe& v) con
         there[kinematics_.graph.symbol_index(symbol.ref().node())] += step * rate;
       }
     }
-    return forces(there);
+    return (this->*of)(there);
   };
   return (moved(kStep) - moved(-kStep)) / Extended(2 * kStep);
 }
 
-VectorXe PlainEquations::by_speeds(const State& state, const VectorXe& v) const {
+VectorXe PlainEquations::by_speeds(Function of, const State& state, const VectorXe& v) const {
   const auto moved = [&](const Extended& step) {
     State there = state;
     for (int k = 0; k < kinematics_.mechanism.nv; ++k)
       there[kinematics_.graph.symbol_index(kinematics_.derivatives.speed(k).ref().node())] += step * v[k];
-    return forces(there);
+    return (this->*of)(there);
   };
   return (moved(kStep) - moved(-kStep)) / Extended(2 * kStep);
 }

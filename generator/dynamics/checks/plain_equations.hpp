@@ -41,11 +41,17 @@ class PlainEquations {
   VectorXe bias(State state) const;
   /// M by composite bodies over the given tree, which is cheaper than by columns.
   MatrixXe mass_matrix(const State& state) const;
-  /// M^-1 (tau - c).
+  /// M^-1 (tau - c), and M^-1 v.
   VectorXe accelerations(const State& state) const;
-  /// The forces' derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
-  VectorXe along_speeds(const State& state, const VectorXe& v) const;
-  VectorXe by_speeds(const State& state, const VectorXe& v) const;
+  VectorXe accelerations_by(const State& state, const VectorXe& v) const;
+  /// Of f = mu . Q: its derivatives along each speed, by the speeds and by their rates, 3 nv.
+  VectorXe weighted_gradient(const State& state) const;
+
+  /// One of those above.
+  using Function = VectorXe (PlainEquations::*)(const State& state) const;
+  /// A function's derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
+  VectorXe along_speeds(Function of, const State& state, const VectorXe& v) const;
+  VectorXe by_speeds(Function of, const State& state, const VectorXe& v) const;
   /// A function as its builder makes it of the plain equations.
   const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;
   /// Its results, all arrays one after another.
@@ -61,7 +67,7 @@ class PlainEquations {
   Kinematics kinematics_;  ///< without simplification
   ExtendedFunction forces_;
   ExtendedFunction coordinate_rates_;  ///< N, nq x nv
-  mutable std::optional<ExtendedFunction> mass_matrix_;
+  mutable std::optional<ExtendedFunction> mass_matrix_, weighted_gradient_;
   mutable std::map<FunctionKind, std::vector<OutputExpressions>> expressions_;
   mutable std::map<FunctionKind, ExtendedFunction> others_;
 };

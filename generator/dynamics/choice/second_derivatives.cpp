@@ -28,44 +28,58 @@ void complete(const Mechanism& mechanism, const std::vector<Expr>& along, std::v
   }
 }
 
+std::vector<Expr> coordinate_symbols(const Mechanism& mechanism) {
+  std::vector<Expr> q;
+  for (const Coordinate& coordinate : mechanism.coordinates)
+    q.insert(q.end(), coordinate.symbols.begin(), coordinate.symbols.end());
+  return q;
+}
+
 }  // namespace
+
+std::vector<Expr> WeightedGradient::all() const {
+  std::vector<Expr> out = along_speeds;
+  out.insert(out.end(), by_speeds.begin(), by_speeds.end());
+  out.insert(out.end(), by_rates.begin(), by_rates.end());
+  return out;
+}
+
+WeightedGradient weighted_gradient(const Kinematics& kinematics, const std::vector<Expr>& Q) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  Expr f = graph.zero();
+  for (std::size_t k = 0; k < Q.size(); ++k) f += mu_symbol(mechanism, static_cast<int>(k), graph) * Q[k];
+  std::vector<Expr> variables = coordinate_symbols(mechanism);
+  const std::ptrdiff_t nq = std::ssize(variables), nv = mechanism.nv;
+  for (int k = 0; k < mechanism.nv; ++k) variables.push_back(kinematics.derivatives.speed(k));
+  for (int k = 0; k < mechanism.nv; ++k) variables.push_back(kinematics.derivatives.rate(k));
+  std::vector<Expr> gradient = jacobian(std::vector<Expr>{f}, variables).entries;
+  if (graph.simplifies()) gradient = value_number(gradient);
+  const auto speeds = gradient.begin() + nq;
+  return {kinematics.derivatives.along_speeds({gradient.begin(), speeds}),
+          {speeds, speeds + nv},
+          {speeds + nv, gradient.end()}};
+}
 
 SecondForceDerivatives second_force_derivatives(const Kinematics& kinematics,
                                                 const EquationsOfMotion& equations) {
   const Mechanism& mechanism = kinematics.mechanism;
-  ExprGraph& graph = kinematics.graph;
   const std::size_t nv = equations.Q.size();
-  Expr f = graph.zero();
-  for (std::size_t k = 0; k < nv; ++k) f += mu_symbol(mechanism, static_cast<int>(k), graph) * equations.Q[k];
-  std::vector<Expr> q, u, ud;
-  for (const Coordinate& coordinate : mechanism.coordinates)
-    q.insert(q.end(), coordinate.symbols.begin(), coordinate.symbols.end());
-  for (int k = 0; k < mechanism.nv; ++k) {
-    u.push_back(kinematics.derivatives.speed(k));
-    ud.push_back(kinematics.derivatives.rate(k));
-  }
-  std::vector<Expr> variables = q;
-  variables.insert(variables.end(), u.begin(), u.end());
-  variables.insert(variables.end(), ud.begin(), ud.end());
-  const std::vector<Expr> gradient = value_number(jacobian(std::vector<Expr>{f}, variables).entries);
-
-  // D f, then df/du and df/dud.
-  const auto behind = gradient.begin() + static_cast<std::ptrdiff_t>(q.size());
-  const std::vector<Expr> along = kinematics.derivatives.along_speeds({gradient.begin(), behind});
-  std::vector<Expr> first = along;
-  first.insert(first.end(), behind, gradient.end());
-  const std::vector<Expr> moved = kinematics.derivatives.along_speeds(jacobian(first, q).entries);
+  const WeightedGradient gradient = weighted_gradient(kinematics, equations.Q);
+  const std::vector<Expr> moved = kinematics.derivatives.along_speeds(
+      jacobian(gradient.all(), coordinate_symbols(mechanism)).entries);
   SecondForceDerivatives out;
   out.along_speeds_twice.assign(moved.begin(), moved.begin() + static_cast<std::ptrdiff_t>(nv * nv));
-  complete(mechanism, along, out.along_speeds_twice);
+  complete(mechanism, gradient.along_speeds, out.along_speeds_twice);
   for (std::size_t j = 0; j < nv; ++j) {
     for (std::size_t k = 0; k < nv; ++k) {
       out.along_speeds_by_speeds.push_back(moved[(nv + k) * nv + j]);
       out.along_speeds_by_rates.push_back(moved[(2 * nv + k) * nv + j]);
     }
   }
-  out.by_speeds_twice =
-      jacobian(std::vector<Expr>(behind, behind + static_cast<std::ptrdiff_t>(nv)), u).entries;
+  std::vector<Expr> u;
+  for (int k = 0; k < mechanism.nv; ++k) u.push_back(kinematics.derivatives.speed(k));
+  out.by_speeds_twice = jacobian(gradient.by_speeds, u).entries;
   for (std::size_t j = 0; j < nv; ++j)
     for (std::size_t k = 0; k < j; ++k) out.by_speeds_twice[j * nv + k] = out.by_speeds_twice[k * nv + j];
   value_number_all({&out.along_speeds_twice, &out.along_speeds_by_speeds, &out.by_speeds_twice,

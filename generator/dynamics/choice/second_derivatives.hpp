@@ -16,6 +16,13 @@ struct SecondForceDerivatives {
   std::vector<Expr> along_speeds_by_rates;   ///< [j][k]: D_j df/dud_k
 };
 
+/// The first derivatives of f, nv each.
+struct WeightedGradient {
+  std::vector<Expr> along_speeds, by_speeds, by_rates;
+  std::vector<Expr> all() const;  ///< one after another
+};
+
+WeightedGradient weighted_gradient(const Kinematics& kinematics, const std::vector<Expr>& Q);
 SecondForceDerivatives second_force_derivatives(const Kinematics& kinematics,
                                                 const EquationsOfMotion& equations);
 

@@ -137,11 +137,15 @@ class SumFactoring : NodeRewrite {
   Term read_term(std::uint32_t leaf, bool open) {
     const std::uint32_t top = leaf >> 1;
     Term term{leaf, (leaf & 1) != 0, static_cast<std::uint32_t>(factors_.size()), 0, is_constant(top)};
-    stack_.assign(1, {top, false});
+    if (open && is_product(top)) {
+      stack_.assign(1, {top, false});
+    } else {
+      factors_.push_back(Factor(top, false));
+    }
     while (!stack_.empty()) {
       const auto [id, divides] = stack_.back();
       stack_.pop_back();
-      if (is_product(id) && (id == top ? open : inner_[id] != 0)) {
+      if (id == top || (inner_[id] != 0 && is_product(id))) {
         const bool quotient = op(id) == Operation::div;
         const LocalOperands n = quotient ? operands(id) : in_order(id);
         stack_.push_back({n.b >> 1, divides != quotient});

@@ -19,9 +19,8 @@ namespace alembert {
 struct LiveNodes {
   explicit LiveNodes(std::vector<Expr> values, const NodeIndex* ranks = nullptr)
       : roots(std::move(values)), order(indexed_postorder(roots, ranks)), uses(order.ids.size(), 0) {
-    const ExprGraph& graph = roots.front().graph();
     for (std::size_t i = 0; i < order.ids.size(); ++i) {
-      const int arity = graph.node(order.ids[i]).arity();
+      const int arity = order.kinds[i].arity();
       if (arity > 0) ++uses[order.operands[i].a >> 1];
       if (arity > 1) ++uses[order.operands[i].b >> 1];
     }
@@ -41,9 +40,11 @@ class NodeRewrite {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(image_.size()); }
   const Node& node(std::uint32_t position) const { return graph_.node(from_.order.ids[position]); }
-  Operation op(std::uint32_t position) const { return node(position).op; }
-  bool is_constant(std::uint32_t position) const { return node(position).constant; }
-  int arity(std::uint32_t position) const { return is_constant(position) ? 0 : node(position).arity(); }
+  Operation op(std::uint32_t position) const { return from_.order.kinds[position].op; }
+  bool is_constant(std::uint32_t position) const { return from_.order.kinds[position].constant; }
+  int arity(std::uint32_t position) const {
+    return is_constant(position) ? 0 : from_.order.kinds[position].arity();
+  }
   LocalOperands operands(std::uint32_t position) const { return from_.order.operands[position]; }
   /// Those of a sum or a product, the one that comes up first in front.
   LocalOperands in_order(std::uint32_t position) const {
@@ -68,9 +69,9 @@ class NodeRewrite {
   }
   /// The image of a node that keeps its operation.
   Ref copied(std::uint32_t position) {
-    const Node n = node(position);
     const Ref as_it_is(from_.order.ids[position], false);
     if (arity(position) == 0) return as_it_is;
+    const Node n = node(position);
     const Ref a = image(operands(position).a), b = n.arity() == 2 ? image(operands(position).b) : Ref();
     return a == n.a && b == n.b ? as_it_is : make(n.op, a, b);
   }
