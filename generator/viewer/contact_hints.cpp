@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "support/shortest_turn.hpp"
 #include "viewer/contacts.hpp"
 
 namespace alembert {
@@ -64,7 +65,7 @@ class ContactHints {
     const Vector3d normal = values_(contact.plane_normal);
     const Isometry3d placement = placement_of(contact.other) *
                                  Eigen::Translation3d(values_(contact.plane_point)) *
-                                 Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal);
+                                 shortest_turn(Vector3d::UnitZ(), normal);
     Eigen::AlignedBox2d reached;
     for (std::size_t k = 0; k < points.size(); ++k) {
       Isometry3d pose = Isometry3d::Identity();

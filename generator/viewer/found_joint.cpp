@@ -1,6 +1,7 @@
 // Joints as the motion shows them (looks.hpp).
 #include "viewer/found_joint.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,8 @@ FoundJoint find_slide(std::span<const Eigen::Isometry3d> poses, double size) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const auto& pose : poses)
     covariance += (pose.translation() - mean) * (pose.translation() - mean).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU);
-  const Vector3d direction = svd.matrixU().col(0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Vector3d direction = solver.eigenvectors().col(2);
   double from = 0, to = 0;
   for (const auto& pose : poses) {
     const Vector3d d = pose.translation() - mean;

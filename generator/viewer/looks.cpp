@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/shortest_turn.hpp"
 #include "viewer/contacts.hpp"
 #include "viewer/file_mesh.hpp"
 #include "viewer/found_joint.hpp"
@@ -31,7 +32,7 @@ Isometry3d at(const Vector3d& position) {
 
 /// Frame whose z axis points along a direction.
 Isometry3d along(const Vector3d& position, const Vector3d& direction) {
-  return at(position) * Isometry3d(Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction));
+  return at(position) * Isometry3d(shortest_turn(Vector3d::UnitZ(), direction));
 }
 
 /// Mass, centre and principal inertia of a body as numbers.

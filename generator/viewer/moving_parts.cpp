@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/shortest_turn.hpp"
+
 namespace alembert {
 
 namespace {
@@ -47,7 +49,7 @@ class PartsOfForces {
       MovingPart part{tension.name, scene_.mesh_index(cylinder_mesh(1, 1, 12)), kLineColor, {}, {}, {}};
       for (std::size_t k = 0; k < mechanism_.times.size(); ++k) {
         const Vector3d from = line.points[i][k], along = line.points[i + 1][k] - from;
-        Eigen::Quaterniond turned = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along).normalized();
+        Eigen::Quaterniond turned = shortest_turn(Vector3d::UnitZ(), along).normalized();
         if (k > 0 && turned.dot(part.rotations.back()) < 0) turned.coeffs() = -turned.coeffs();
         const double share = most > 0 ? std::abs(tension.values[k]) / most : 0;
         const double radius =

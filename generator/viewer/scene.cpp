@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/shortest_turn.hpp"
 #include "viewer/contact_hints.hpp"
 #include "viewer/coordinate_unit.hpp"
 #include "viewer/looks.hpp"
@@ -32,7 +33,7 @@ Eigen::Quaterniond upright(const Vector3d& gravity) {
   if (!(size > 0)) return Eigen::Quaterniond::Identity();
   if (gravity[2] > (1 - 1e-9) * size)
     return Eigen::Quaterniond(0, 1, 0, 0);  // upside down: half a turn about x
-  return Eigen::Quaterniond::FromTwoVectors(-gravity, Vector3d::UnitZ());
+  return shortest_turn(-gravity, Vector3d::UnitZ());
 }
 
 std::string unused_name(const Scene& scene, const std::string& name) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "meshes/mesh_file.hpp"
+#include "support/shortest_turn.hpp"
 #include "viewer/mesh.hpp"
 
 namespace alembert {
@@ -165,7 +166,7 @@ Mesh tube_mesh(const std::function<Vector3d(double)>& curve, Range range, double
   // A direction across, carried along by the smallest turn from tangent to tangent.
   std::vector<Vector3d> across{tangents[0].unitOrthogonal()};
   for (std::size_t i = 1; i <= last; ++i) {
-    const Vector3d carried = Eigen::Quaterniond::FromTwoVectors(tangents[i - 1], tangents[i]) * across[i - 1];
+    const Vector3d carried = shortest_turn(tangents[i - 1], tangents[i]) * across[i - 1];
     across.push_back((carried - carried.dot(tangents[i]) * tangents[i]).normalized());
   }
   double twist = 0;  // by which a closed curve comes back turned, spread over its length

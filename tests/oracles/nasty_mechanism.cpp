@@ -41,7 +41,7 @@ class NastyWriter : private NastyJoints {
     for (int i = 0; i < bodies; ++i) write_body(i, i + 1 == bodies);
     ConstraintSections sections;
     if (draw_.chance(0.5)) {
-      Constrainable of{{}, angles(), speeds(), rolling_, bodies, result_.length};
+      Constrainable of{{}, angles(), speeds(), rolling_, bodies, last_moves_, result_.length};
       of.coordinates = angles();
       for (const auto& [name, unit] : result_.lengths) of.coordinates.push_back(name);
       sections = nasty_constraints(draw_, *this, late(), kind_.late, of);
@@ -178,6 +178,7 @@ class NastyWriter : private NastyJoints {
     if (!(kind_.trees && !last && index > 0 && draw_.chance(0.2))) mass_properties(last);
     if (draw_.chance(0.2)) bodies_ += "    external_wrench: true\n";
     if (!last) return;
+    last_moves_ = depends_on_speeds();
     begin_transform();
     const std::string at = shift(), moved = draw_.chance(0.2) ? follower() : turn('x');
     frames_ = "frames:\n  - {name: tip, body: " + name + ", transform: [" + at + ", " + moved + "]}\n";
@@ -219,6 +220,7 @@ class NastyWriter : private NastyJoints {
   const NastyKind& kind_;
   NastyMechanism& result_;
   int definition_count_ = 0;
+  bool last_moves_ = true;
   std::vector<RollingBody> rolling_;
   std::string definitions_, bodies_, frames_;
 };

@@ -79,8 +79,7 @@ const std::array kByForces{
              }},
     ByForces{FunctionKind("inverse_dynamics_second_derivatives"), [] { return Extended(0); },
              [](const PlainEquations& plain, const PlainEquations::State& state, const VectorXe& signs) {
-               const Extended noise =
-                   kDifferenceNoise * largest_entry(plain.weighted_gradient(state));
+               const Extended noise = kDifferenceNoise * largest_entry(plain.weighted_gradient(state));
                const VectorXe along = plain.along_speeds(&PlainEquations::weighted_gradient, state, signs);
                const VectorXe by_speeds = plain.by_speeds(&PlainEquations::weighted_gradient, state, signs);
                const Eigen::Index nv = signs.size();

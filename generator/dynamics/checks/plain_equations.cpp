@@ -102,7 +102,8 @@ VectorXe PlainEquations::accelerations_by(const State& state, const VectorXe& v)
 
 VectorXe PlainEquations::weighted_gradient(const State& state) const {
   const auto left = kinematics_.graph.leave_as_written();
-  if (!weighted_gradient_) weighted_gradient_.emplace(alembert::weighted_gradient(kinematics_, forces_.roots()).all());
+  if (!weighted_gradient_)
+    weighted_gradient_.emplace(alembert::weighted_gradient(kinematics_, forces_.roots()).all());
   return vector((*weighted_gradient_)(state));
 }
 

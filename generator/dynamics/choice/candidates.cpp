@@ -36,7 +36,8 @@ void Candidates::add_recursions(
 }
 
 std::vector<Expr> Candidates::shortest() const {
-  if (!kinematics_.graph.simplifies()) return found_.front().second;  // what is left as written is not chosen by length
+  if (!kinematics_.graph.simplifies())
+    return found_.front().second;  // what is left as written is not chosen by length
   std::size_t best = 0;
   std::optional<Length> shortest;
   for (std::size_t i = 0; i < found_.size(); ++i) {

@@ -66,8 +66,8 @@ SecondForceDerivatives second_force_derivatives(const Kinematics& kinematics,
   const Mechanism& mechanism = kinematics.mechanism;
   const std::size_t nv = equations.Q.size();
   const WeightedGradient gradient = weighted_gradient(kinematics, equations.Q);
-  const std::vector<Expr> moved = kinematics.derivatives.along_speeds(
-      jacobian(gradient.all(), coordinate_symbols(mechanism)).entries);
+  const std::vector<Expr> moved =
+      kinematics.derivatives.along_speeds(jacobian(gradient.all(), coordinate_symbols(mechanism)).entries);
   SecondForceDerivatives out;
   out.along_speeds_twice.assign(moved.begin(), moved.begin() + static_cast<std::ptrdiff_t>(nv * nv));
   complete(mechanism, gradient.along_speeds, out.along_speeds_twice);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "support/shortest_turn.hpp"
+
 namespace alembert {
 namespace {
 
@@ -36,7 +38,7 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
     if (!(length > 0))
       throw element.error("fromto", fmt::format("the ends of {} are one point", element.what()));
     pose.shift = (from + to) / 2;
-    pose.turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), (from - to) / length);
+    pose.turn = shortest_turn(Eigen::Vector3d::UnitZ(), (from - to) / length);
     if (shape_.kind != SolidKind::none) read_sizes(1);
     half_[1] = length / 2;
     if (count == 3) half_ = {half_[0], half_[0], length / 2};

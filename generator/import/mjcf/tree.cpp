@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "import/mjcf/inertial.hpp"
+#include "support/shortest_turn.hpp"
 
 namespace alembert {
 namespace {
@@ -317,7 +318,7 @@ void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vecto
   if (const std::vector<double> ends = of.list("fromto", 6, 6); !ends.empty()) {
     const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
     if (from == to) throw of.error("fromto", fmt::format("the ends of {} are one point", of.what()));
-    pose = {(from + to) / 2, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to)};
+    pose = {(from + to) / 2, shortest_turn(Eigen::Vector3d::UnitZ(), from - to)};
   }
   place.pose = scope.frame * pose;
   place.name = add_name(element, scope, names, places.size());
