@@ -10,6 +10,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "dynamics/checks/certificate.hpp"
 #include "dynamics/checks/state_checks.hpp"
 #include "dynamics/choice/base_parameters.hpp"
 #include "dynamics/choice/row_lengths.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/checks/certificate.hpp"
+#include "dynamics/checks/measured_error.hpp"
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "functions/function_table.hpp"

@@ -10,22 +10,13 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "dynamics/checks/measured_error.hpp"
 #include "dynamics/checks/plain_equations.hpp"
 #include "program/lower.hpp"
 
 namespace alembert {
-
-/// What was measured of one function.
-struct MeasuredError {
-  double relative = 0;  ///< the largest of all arrays and states
-  std::string array;    ///< where it is
-  int states = 0;       ///< at which there were values to compare; 0: nothing is known
-  std::vector<std::size_t> without_value =
-      {};  ///< states at which the plain equations have values, the program none
-};
 
 /// Errors above it are too large, unless those of the plain equations in double precision are as large.
 inline constexpr double kLargestError = 1e-10;
