@@ -289,6 +289,11 @@ void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
   if (options.inapplicable == Inapplicable::leave_out) {
     std::erase_if(kinds, [&](FunctionKind kind) { return !has_results(kind.row(), kinematics.mechanism); });
   }
+  for (const FunctionKind kind : kinds) {
+    if (kind.row().needs != Needs::mass || has_results(kind.row(), kinematics.mechanism)) continue;
+    throw InputError(kinematics.mechanism.bodies.front().where,
+                     fmt::format("{} has no value: no body has a mass", to_string(kind)));
+  }
   try {
     check_mass_matrix(kinematics, plain);
   } catch (const SingularMassMatrix& error) {

@@ -210,6 +210,22 @@ INSTANTIATE_TEST_SUITE_P(
                     BadState{"deep", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[", 45, "JSON"}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(Evaluate, WithoutAMassThereIsNoMomentum) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("stick.yaml", R"(alembert: 1
+name: stick
+coordinates: [a]
+bodies:
+  - {name: rod, transform: [{rotate: {axis: y, angle: a}}], inertia: {xx: 1, yy: 1, zz: 1}}
+)");
+  const CommandResult result =
+      alembert(folder, "evaluate --functions centroidal_momentum " + file, "{\"q\": [0]}");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("stick.yaml:5:"));
+  EXPECT_THAT(result.err, HasSubstr("centroidal_momentum has no value: no body has a mass"));
+  EXPECT_EQ(alembert(folder, "evaluate --functions all " + file, "{\"q\": [0]}").exit_code, 0);
+}
+
 TEST(Evaluate, RejectsBracketsWithoutEnd) {
   const TemporaryFolder folder;
   const std::string deep(1'000'000, '[');

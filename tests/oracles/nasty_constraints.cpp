@@ -91,8 +91,7 @@ class NastyConstraintWriter {
     return "position(" + name + ").";
   }
   int loop(int room) {
-    // What moves with time alone no force can keep in place.
-    const int from = of_.bodies - 1, to = of_.last_moves ? draw_.below(of_.bodies) - 1 : -1;
+    const int from = of_.bodies - 1, to = draw_.below(of_.bodies) - 1;
     const std::string a = frame(from), b = frame(to);
     const auto difference = [&](char axis) { return a + axis + " - " + b + axis; };
     std::vector<std::string> equations;

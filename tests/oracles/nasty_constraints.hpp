@@ -16,9 +16,8 @@ struct Constrainable {
   std::vector<std::string> angles;       ///< those of them that are angles
   std::vector<std::string> speeds;       ///< of all coordinates: d(q0), d(r0).x
   std::vector<RollingBody> rolling;
-  int bodies = 0;          ///< body0, body1, ...
-  bool last_moves = true;  ///< the last of them, against its parent, as coordinates change
-  double length = 1;       ///< unit
+  int bodies = 0;     ///< body0, body1, ...
+  double length = 1;  ///< unit
 };
 
 /// Entries of the section `frames` and the section `constraints`.

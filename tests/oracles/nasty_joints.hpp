@@ -15,8 +15,6 @@ class NastyJoints : public NastyNumbers {
 
   /// Begins a transform, which may depend on six speeds at most.
   void begin_transform();
-  /// Whether it does so far.
-  bool depends_on_speeds() const { return used_speeds_ > 0; }
   /// Whether there is room for so many new speeds.
   bool has_room(int speeds) const;
   /// Late functions change within the limits of an angle, far from where it begins.

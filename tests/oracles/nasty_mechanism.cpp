@@ -17,6 +17,7 @@ namespace alembert::oracles {
 namespace {
 
 constexpr double kNastyCondition = 1e9;
+constexpr long double kRowDigits = 1e-3L;
 
 constexpr std::array<NastyKind, 10> kKinds{{
     {"tilts", true, false, false, false, false, false, false, false, false},
@@ -41,7 +42,7 @@ class NastyWriter : private NastyJoints {
     for (int i = 0; i < bodies; ++i) write_body(i, i + 1 == bodies);
     ConstraintSections sections;
     if (draw_.chance(0.5)) {
-      Constrainable of{{}, angles(), speeds(), rolling_, bodies, last_moves_, result_.length};
+      Constrainable of{{}, angles(), speeds(), rolling_, bodies, result_.length};
       of.coordinates = angles();
       for (const auto& [name, unit] : result_.lengths) of.coordinates.push_back(name);
       sections = nasty_constraints(draw_, *this, late(), kind_.late, of);
@@ -178,7 +179,6 @@ class NastyWriter : private NastyJoints {
     if (!(kind_.trees && !last && index > 0 && draw_.chance(0.2))) mass_properties(last);
     if (draw_.chance(0.2)) bodies_ += "    external_wrench: true\n";
     if (!last) return;
-    last_moves_ = depends_on_speeds();
     begin_transform();
     const std::string at = shift(), moved = draw_.chance(0.2) ? follower() : turn('x');
     frames_ = "frames:\n  - {name: tip, body: " + name + ", transform: [" + at + ", " + moved + "]}\n";
@@ -220,7 +220,6 @@ class NastyWriter : private NastyJoints {
   const NastyKind& kind_;
   NastyMechanism& result_;
   int definition_count_ = 0;
-  bool last_moves_ = true;
   std::vector<RollingBody> rolling_;
   std::string definitions_, bodies_, frames_;
 };
@@ -230,9 +229,13 @@ bool is_regular(const Description& description, const State& state) {
   if (!(scaled_condition(numeric_lagrangian<long double>(description, state).mass_matrix) < kNastyCondition))
     return false;
   if (description.constraints.empty()) return true;
-  return constrained_motion(numeric_lagrangian<double>(description, state),
-                            numeric_constraints<double>(description, state))
-             .condition < kNastyCondition;
+  const ConstraintRowsOf<double> rows = numeric_constraints<double>(description, state);
+  const ConstraintRowsOf<long double> exact = numeric_constraints<long double>(description, state);
+  // A row that no speed enters, but for the rounding of pi/2, constrains nothing.
+  for (Eigen::Index i = 0; i < exact.P.rows(); ++i)
+    if (!((rows.P.row(i).cast<long double>() - exact.P.row(i)).norm() < kRowDigits * exact.P.row(i).norm()))
+      return false;
+  return constrained_motion(numeric_lagrangian<double>(description, state), rows).condition < kNastyCondition;
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Reference {
   std::map<std::string, Arrays> exact, plain;
   DynamicsOf<long double> dynamics;
   std::optional<ConstraintRowsOf<long double>> rows = {};  ///< if they are asked for
+  std::optional<ConstraintRowsOf<double>> plain_rows = {};
 };
 std::vector<Reference> taylor_references(const Description& description, const std::vector<State>& states,
                                          const std::set<std::string>& functions);
