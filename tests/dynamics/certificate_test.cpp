@@ -45,8 +45,44 @@ INSTANTIATE_TEST_SUITE_P(Functions, Certified,
                          testing::Values(FunctionKind("inverse_dynamics"), FunctionKind("mass_matrix"),
                                          FunctionKind("bias"), FunctionKind("forward_dynamics"),
                                          FunctionKind("energy"), FunctionKind("body_poses"),
-                                         FunctionKind("inverse_dynamics_derivatives")),
+                                         FunctionKind("inverse_dynamics_derivatives"),
+                                         FunctionKind("forward_dynamics_derivatives"),
+                                         FunctionKind("inverse_dynamics_second_derivatives")),
                          [](const auto& test) { return std::string(to_string(test.param)); });
+
+/// Matrices are measured by their products with random signs: every entry counts, in its row and column.
+TEST(Certificate, SeesAWrongEntryOfAnyMatrix) {
+  const auto loaded = LoadedMechanism::text(R"(alembert: 1
+name: thrown
+coordinates: [{name: turn, type: quaternion}, arm]
+bodies:
+  - {name: base, transform: [{joint: {type: spherical, coordinates: [turn]}}], mass: 2, com: [0.1, 0.2, 0.05],
+     inertia: {xx: 0.3, yy: 0.4, zz: 0.5, xy: 0.02}}
+  - {name: rod, parent: base, transform: [{translate: [0.3, 0, 0.1]}, {rotate: {axis: [1, 2, 3], angle: arm}}], mass: 0.7,
+     com: [0.2, -0.1, 0.3], inertia: {xx: 0.03, yy: 0.02, zz: 0.01}}
+)");
+  const Kinematics kinematics = loaded.kinematics();
+  const EquationsOfMotion equations = equations_of_motion(kinematics, Formulation::reduced);
+  const std::vector<SymbolBinding> bindings = symbol_bindings(*loaded.mechanism, *loaded.graph);
+  const Certificate certificate(kinematics, bindings, 1);
+  for (const FunctionKind kind :
+       {FunctionKind("mass_matrix"), FunctionKind("inverse_dynamics_derivatives"),
+        FunctionKind("forward_dynamics_derivatives"), FunctionKind("inverse_dynamics_second_derivatives")}) {
+    Program program = lower("function", optimized(function_outputs(kinematics, equations, kind)), bindings);
+    EXPECT_LT(certificate.measure(program, kind).relative, 1e-12) << to_string(kind);
+    for (OutputArray& output : program.outputs) {
+      for (std::size_t i = 0; i < output.values.size(); ++i) {
+        const auto given = output.values[i];
+        const auto other = output.values[(i + output.columns + 1) % output.values.size()];
+        if (other == given) continue;
+        output.values[i] = other;
+        EXPECT_GT(certificate.measure(program, kind).relative, kLargestError)
+            << to_string(kind) << output.name << i;
+        output.values[i] = given;
+      }
+    }
+  }
+}
 
 /// It goes by the description, not by what was made of it first.
 TEST(Certificate, SeesAWrongTreeOfMotions) {
