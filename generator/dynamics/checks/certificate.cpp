@@ -42,73 +42,79 @@ Extended largest_entry(const VectorXe& v) {
   return v.size() == 0 ? Extended(0) : v.lpNorm<Eigen::Infinity>();
 }
 
+using State = PlainEquations::State;
+
 /// The arrays of a function that is compared with the forces themselves, or with differences of them.
 struct ByForces {
   FunctionKind kind;
-  Extended (*noise)();  ///< of the values, relative to the forces
-  std::vector<Wanted> (*arrays)(const PlainEquations&, const PlainEquations::State&, const VectorXe& signs);
+  std::vector<Wanted> (*arrays)(const PlainEquations&, const State&, const VectorXe& signs);
 };
+
+std::vector<Wanted> with_noise(const Extended& noise, std::vector<Wanted> arrays) {
+  for (Wanted& array : arrays) array.noise = noise;
+  return arrays;
+}
+Extended rounding_of_forces(const PlainEquations& plain, const State& state) {
+  return kExtendedRounding * largest_entry(plain.forces(state));
+}
 
 /// These need no expressions of their own: what is written is compared with the forces, evaluated more often.
 /// Every other function is compared with what its builder makes of the plain equations.
 const std::array kByForces{
-    ByForces{FunctionKind("inverse_dynamics"), [] { return kExtendedRounding; },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe&) -> std::vector<Wanted> { return {{plain.forces(state)}}; }},
-    ByForces{FunctionKind("mass_matrix"), [] { return kExtendedRounding; },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe& signs) -> std::vector<Wanted> {
-               return {{plain.mass_times(state, signs), signs}};
+    ByForces{FunctionKind("inverse_dynamics"),
+             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+               return with_noise(rounding_of_forces(plain, state), {{plain.forces(state)}});
              }},
-    ByForces{FunctionKind("bias"), [] { return kExtendedRounding; },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe&) -> std::vector<Wanted> { return {{plain.bias(state)}}; }},
-    ByForces{FunctionKind("mass_matrix_and_bias"), [] { return kExtendedRounding; },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe& signs) -> std::vector<Wanted> {
-               return {{plain.mass_times(state, signs), signs}, {plain.bias(state)}};
+    ByForces{FunctionKind("mass_matrix"),
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+               return with_noise(rounding_of_forces(plain, state), {{plain.mass_times(state, signs), signs}});
              }},
-    ByForces{FunctionKind("forward_dynamics"), [] { return Extended(0); },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe&) -> std::vector<Wanted> { return {{plain.accelerations(state)}}; }},
-    ByForces{FunctionKind("inverse_dynamics_derivatives"), [] { return kDifferenceNoise; },
-             [](const PlainEquations& plain, const PlainEquations::State& state,
-                const VectorXe& signs) -> std::vector<Wanted> {
-               return {{plain.along_speeds(&PlainEquations::forces, state, signs), signs},
-                       {plain.by_speeds(&PlainEquations::forces, state, signs), signs}};
+    ByForces{FunctionKind("bias"),
+             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+               return with_noise(rounding_of_forces(plain, state), {{plain.bias(state)}});
              }},
-    ByForces{FunctionKind("inverse_dynamics_second_derivatives"), [] { return Extended(0); },
-             [](const PlainEquations& plain, const PlainEquations::State& state, const VectorXe& signs) {
-               const Extended noise = kDifferenceNoise * largest_entry(plain.weighted_gradient(state));
+    ByForces{FunctionKind("mass_matrix_and_bias"),
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+               return with_noise(rounding_of_forces(plain, state),
+                                 {{plain.mass_times(state, signs), signs}, {plain.bias(state)}});
+             }},
+    ByForces{FunctionKind("forward_dynamics"),
+             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+               return std::vector<Wanted>{{plain.accelerations(state)}};
+             }},
+    ByForces{FunctionKind("inverse_dynamics_derivatives"),
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+               return with_noise(kDifferenceNoise * largest_entry(plain.forces(state)),
+                                 {{plain.along_speeds(&PlainEquations::forces, state, signs), signs},
+                                  {plain.by_speeds(&PlainEquations::forces, state, signs), signs}});
+             }},
+    ByForces{FunctionKind("inverse_dynamics_second_derivatives"),
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
                const VectorXe along = plain.along_speeds(&PlainEquations::weighted_gradient, state, signs);
                const VectorXe by_speeds = plain.by_speeds(&PlainEquations::weighted_gradient, state, signs);
                const Eigen::Index nv = signs.size();
-               return std::vector<Wanted>{{along.head(nv), signs, noise},
-                                          {along.segment(nv, nv), signs, noise, true},
-                                          {by_speeds.segment(nv, nv), signs, noise},
-                                          {along.tail(nv), signs, noise, true}};
+               return with_noise(kDifferenceNoise * largest_entry(plain.weighted_gradient(state)),
+                                 {{along.head(nv), signs},
+                                  {along.segment(nv, nv), signs, 0, true},
+                                  {by_speeds.segment(nv, nv), signs},
+                                  {along.tail(nv), signs, 0, true}});
              }},
-    ByForces{FunctionKind("forward_dynamics_derivatives"), [] { return Extended(0); },
-             [](const PlainEquations& plain, const PlainEquations::State& state, const VectorXe& signs) {
-               const Extended noise = kDifferenceNoise * largest_entry(plain.accelerations(state));
-               return std::vector<Wanted>{
-                   {plain.along_speeds(&PlainEquations::accelerations, state, signs), signs, noise},
-                   {plain.by_speeds(&PlainEquations::accelerations, state, signs), signs, noise},
-                   {plain.accelerations_by(state, signs), signs}};
+    ByForces{FunctionKind("forward_dynamics_derivatives"),
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+               std::vector<Wanted> arrays =
+                   with_noise(kDifferenceNoise * largest_entry(plain.accelerations(state)),
+                              {{plain.along_speeds(&PlainEquations::accelerations, state, signs), signs},
+                               {plain.by_speeds(&PlainEquations::accelerations, state, signs), signs}});
+               arrays.push_back({plain.accelerations_by(state, signs), signs});
+               return arrays;
              }},
 };
 
 /// What the arrays of a function should be.
 std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
-                                  const PlainEquations::State& state, const VectorXe& signs) {
-  if (const auto* row = std::ranges::find(kByForces, kind, &ByForces::kind); row != kByForces.end()) {
-    std::vector<Wanted> arrays = row->arrays(plain, state, signs);
-    if (const Extended noise = row->noise(); noise > 0) {
-      const Extended size = largest_entry(plain.forces(state));
-      for (Wanted& array : arrays) array.noise = noise * size;
-    }
-    return arrays;
-  }
+                                  const State& state, const VectorXe& signs) {
+  if (const auto* row = std::ranges::find(kByForces, kind, &ByForces::kind); row != kByForces.end())
+    return row->arrays(plain, state, signs);
   const std::vector<Extended> all = plain.outputs(kind, state);
   const Extended noise = kExtendedRounding * largest_entry(Eigen::Map<const VectorXe>(
                                                  all.data(), static_cast<Eigen::Index>(all.size())));
@@ -218,7 +224,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   std::vector<double> inputs, found(entries), scratch;
   for (const std::vector<double>& values : states_) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
-    const PlainEquations::State state = plain_.state(values);
+    const State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());

@@ -3,9 +3,9 @@
 // runtime parameters about their defaults, relative to the largest entry of the array.
 //
 // The program is run in double precision, its functions of the C library rounded correctly, so that the
-// figures are the same on every machine; the plain equations have 50 digits. M and derivatives of the forces
-// are compared by their products with vectors of random signs, to which every entry contributes: one
-// evaluation instead of nv.
+// figures are the same on every machine; the plain equations have 50 digits. M and derivatives are compared by
+// their products with vectors of random signs, to which every entry contributes: one evaluation, or the difference of
+// two, instead of nv.
 #pragma once
 
 #include <optional>

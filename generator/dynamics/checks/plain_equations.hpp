@@ -19,7 +19,7 @@ namespace alembert {
 using VectorXe = Eigen::Matrix<Extended, Eigen::Dynamic, 1>;
 using MatrixXe = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What central differences leave of the digits, relative to the forces.
+/// What central differences leave of the digits, relative to what is differentiated.
 inline const Extended kDifferenceNoise = 1e-20;
 
 class PlainEquations {
