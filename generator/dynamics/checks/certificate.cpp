@@ -101,11 +101,10 @@ const std::array kByForces{
              }},
     ByForces{FunctionKind("forward_dynamics_derivatives"),
              [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
-               std::vector<Wanted> arrays =
-                   with_noise(kDifferenceNoise * largest_entry(plain.accelerations(state)),
-                              {{plain.along_speeds(&PlainEquations::accelerations, state, signs), signs},
-                               {plain.by_speeds(&PlainEquations::accelerations, state, signs), signs}});
-               arrays.push_back({plain.accelerations_by(state, signs), signs});
+               const auto qdd = plain.accelerations_along(state, signs);
+               std::vector<Wanted> arrays = with_noise(kDifferenceNoise * largest_entry(qdd.values),
+                                                       {{qdd.along_speeds, signs}, {qdd.by_speeds, signs}});
+               arrays.push_back({qdd.by_forces, signs});
                return arrays;
              }},
 };

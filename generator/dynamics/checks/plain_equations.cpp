@@ -96,10 +96,6 @@ VectorXe PlainEquations::accelerations(const State& state) const {
   return mass_matrix(state).partialPivLu().solve(tau(state) - bias(state));
 }
 
-VectorXe PlainEquations::accelerations_by(const State& state, const VectorXe& v) const {
-  return mass_matrix(state).partialPivLu().solve(v);
-}
-
 VectorXe PlainEquations::weighted_gradient(const State& state) const {
   const auto left = kinematics_.graph.leave_as_written();
   if (!weighted_gradient_)
@@ -135,6 +131,19 @@ VectorXe PlainEquations::by_speeds(Function of, const State& state, const Vector
     return (this->*of)(there);
   };
   return (moved(kStep) - moved(-kStep)) / Extended(2 * kStep);
+}
+
+PlainEquations::Accelerations PlainEquations::accelerations_along(const State& state,
+                                                                  const VectorXe& v) const {
+  const Eigen::PartialPivLU<MatrixXe> M(mass_matrix(state));
+  Accelerations out;
+  out.values = M.solve(tau(state) - bias(state));
+  State moving = state;
+  set_rates(moving, &out.values);
+  out.along_speeds = M.solve(-along_speeds(&PlainEquations::forces, moving, v));
+  out.by_speeds = M.solve(-by_speeds(&PlainEquations::forces, moving, v));
+  out.by_forces = M.solve(v);
+  return out;
 }
 
 const std::vector<OutputExpressions>& PlainEquations::expressions(FunctionKind kind) const {

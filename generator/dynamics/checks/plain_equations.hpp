@@ -41,9 +41,8 @@ class PlainEquations {
   VectorXe bias(State state) const;
   /// M by composite bodies over the given tree, which is cheaper than by columns.
   MatrixXe mass_matrix(const State& state) const;
-  /// M^-1 (tau - c), and M^-1 v.
+  /// M^-1 (tau - c).
   VectorXe accelerations(const State& state) const;
-  VectorXe accelerations_by(const State& state, const VectorXe& v) const;
   /// Of f = mu . Q: its derivatives along each speed, by the speeds and by their rates, 3 nv.
   VectorXe weighted_gradient(const State& state) const;
 
@@ -52,6 +51,12 @@ class PlainEquations {
   /// A function's derivative along speeds in the ratio v, at constant speeds and rates; and by the speeds.
   VectorXe along_speeds(Function of, const State& state, const VectorXe& v) const;
   VectorXe by_speeds(Function of, const State& state, const VectorXe& v) const;
+  /// Those of the accelerations, from the forces that hold them: -M^-1 times the forces' derivatives at constant
+  /// accelerations, and M^-1 v.
+  struct Accelerations {
+    VectorXe values, along_speeds, by_speeds, by_forces;
+  };
+  Accelerations accelerations_along(const State& state, const VectorXe& v) const;
   /// A function as its builder makes it of the plain equations.
   const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;
   /// Its results, all arrays one after another.
