@@ -5,8 +5,8 @@
 
 namespace alembert {
 
-/// About from x to, by the angle between them. Vectors of any length that can be squared, but zero; of opposite ones half a turn about the
-/// part across `from` of the coordinate axis that is least along it, the first of several.
+/// Takes the direction of `from` to that of `to`, to rounding. The vectors may have any length but zero. Opposite directions
+/// have many shortest turns: then it is about the coordinate axis that is least along `from`, made orthogonal to it.
 Eigen::Quaterniond shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace alembert

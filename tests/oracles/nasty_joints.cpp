@@ -8,7 +8,7 @@ namespace alembert::oracles {
 
 namespace {
 
-// Few speeds meet as many traps as many do, and take a tenth of the time: most mechanisms have few.
+// One for each mechanism: traps are met with few speeds as well, in less time.
 constexpr std::array<std::size_t, 4> kMostSpeeds{3, 4, 6, 8};
 constexpr int kMostSpeedsOfTransform = 6;
 
