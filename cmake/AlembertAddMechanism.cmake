@@ -1,7 +1,8 @@
 # alembert_add_mechanism(): a mechanism's description becomes a library.
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
-#                          [NAME name]             the mechanism's name, if it cannot be read off the line `name: ...` of the file
+#                          [IMPORT option ...]     of a robot in another format: options of `alembert import`, such as --root floating
+#                          [NAME name]             the mechanism's name, if it cannot be read off the file: its line `name: ...`, or a robot's name
 #                          [LANGUAGE CXX|C|PYTHON|JAVASCRIPT|CUDA] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
 #                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH. PYTHON: the same as a
 #                                                  shared library, and the module over it beside it, in the folder that the target's
@@ -64,7 +65,18 @@ function(_alembert_optimise target)
 endfunction()
 
 # The name of the mechanism in a description, read without knowing YAML: the file names follow from it.
+# The line `name: ...` of a description, or the name of a robot in another format.
 function(_alembert_mechanism_name file variable)
+  file(READ "${file}" text LIMIT 1048576)
+  if(text MATCHES "^[ \t\r\n]*<")
+    string(REGEX REPLACE "<!--([^-]|-[^-])*-->" "" text "${text}")
+    if(NOT text MATCHES "<(robot|model|Model|mujoco)[ \t\r\n][^>]*(name|model)[ \t\r\n]*=[ \t\r\n]*[\"']([^\"']+)")
+      message(FATAL_ERROR "alembert_add_mechanism: ${file} does not name its robot. Give it with NAME.")
+    endif()
+    string(MAKE_C_IDENTIFIER "${CMAKE_MATCH_3}" name)
+    set(${variable} "${name}" PARENT_SCOPE)
+    return()
+  endif()
   file(STRINGS "${file}" lines REGEX "^name[ \t]*:" LIMIT_COUNT 1)
   if(NOT lines MATCHES "^name[ \t]*:[ \t]*[\"']?([A-Za-z_][A-Za-z0-9_]*)[\"']?[ \t]*(#.*)?$")
     message(FATAL_ERROR "alembert_add_mechanism: ${file} has no line `name: ...` with the mechanism's name. Give it with NAME.")
@@ -98,7 +110,7 @@ endfunction()
 
 function(alembert_add_mechanism)
   cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;SHARED;OBJECT"
-                        "TARGET;MECHANISM;NAME;LANGUAGE;NAMESPACE;FORMULATION;LOOP_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS")
+                        "TARGET;MECHANISM;NAME;LANGUAGE;NAMESPACE;FORMULATION;LOOP_OPERATIONS;LOOP_RESULTS;PARTS;FP_CONTRACT;TRIG" "FUNCTIONS;SCALARS;BATCH;BATCH_INSTRUCTIONS;IMPORT")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "alembert_add_mechanism: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -216,7 +228,7 @@ function(alembert_add_mechanism)
     message(FATAL_ERROR "alembert_add_mechanism: BATCH_INSTRUCTIONS without BATCH")
   endif()
 
-  set(options --expected-name ${name})
+  set(options --expected-name ${name} ${arg_IMPORT})
   if(arg_LANGUAGE STREQUAL "C")
     if(python)
       list(APPEND options --language python)

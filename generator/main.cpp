@@ -68,28 +68,80 @@ CLI::Validator above_zero() {
   return finite_number("a finite number above 0", [](double x) { return x > 0; });
 }
 
-/// Folders for what a file of another format names.
-void add_include(CLI::App* command, CommonOptions& common) {
+/// Groups of options in `--help`, in the order in which commands add them: what most users want comes first.
+constexpr const char* kRobotGroup = "For a robot in another format";
+constexpr const char* kBuildGroup = "For build systems and scripts";
+constexpr const char* kOptimiserGroup = "For those who look into the optimiser";
+
+/// The value of --massless.
+void read_massless(const std::string& value, DescribeOptions& options) {
+  constexpr std::string_view kArmature = "armature=";
+  double armature = 0;
+  if (value == "keep") {
+    options.massless = Massless::keep;
+  } else if (value == "freeze") {
+    options.massless = Massless::freeze;
+  } else if (value == "drop") {
+    options.massless = Massless::drop;
+  } else if (value.starts_with(kArmature) &&
+             CLI::detail::lexical_cast(value.substr(kArmature.size()), armature) && armature > 0 &&
+             std::isfinite(armature)) {
+    options.massless = Massless::armature;
+    options.armature = armature;
+  } else {
+    throw CLI::ValidationError(
+        "--massless", "expected armature=VALUE with a positive value, freeze, drop or keep, found '" +
+                          printable(value) + "'");
+  }
+}
+
+/// How a file of another format becomes a description.
+void add_importing(CLI::App* command, DescribeOptions& describe, const std::string& group) {
   command
-      ->add_option("--include", common.include_folders,
+      ->add_option("--include", describe.include_folders,
                    "folder in which models and packages are that an SDF or URDF names (model://NAME, "
                    "package://NAME); may be "
                    "repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--root", [&describe](const std::string& value) { describe.floating = value == "floating"; },
+          "does the root link stand still or move freely?")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->default_str("fixed")
+      ->group(group);
+  command
+      ->add_option("--snap-angles", describe.snap_angles,
+                   "take angles of origins this near to a multiple of pi/12 for that multiple, rad")
+      ->check(from_zero())
+      ->capture_default_str()
+      ->group(group);
+  command
+      ->add_option_function<std::string>(
+          "--massless", [&describe](const std::string& value) { read_massless(value, describe); },
+          "what to do with joints that move no mass: armature=VALUE gives each a rotor's inertia (kg m^2, or "
+          "kg), "
+          "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
+      ->default_str("keep")
+      ->group(group);
+  command
+      ->add_flag("!--no-friction", describe.resistance,
+                 "leave damping and friction of joints out of the description")
+      ->group(group);
 }
 
 /// A command that reads a description.
 CLI::App* add_reader(CLI::App& app, const std::string& name, const std::string& description,
                      CommonOptions& common) {
   CLI::App* command = app.add_subcommand(name, description);
-  command->add_option("file", common.file, "mechanism description (YAML); - is standard input")->required();
-  add_include(command, common);
+  command
+      ->add_option("file", common.file,
+                   "mechanism description (YAML), " + importable_formats() + "; - is standard input")
+      ->required();
+  add_importing(command, common.describe, kRobotGroup);
   return command;
 }
-
-/// Groups of options in `--help`, in the order in which commands add them: what most users want comes first.
-constexpr const char* kBuildGroup = "For build systems and scripts";
-constexpr const char* kOptimiserGroup = "For those who look into the optimiser";
 
 /// The passes that look for fewer operations.
 void add_passes(CLI::App* command, CommonOptions& common) {
@@ -148,28 +200,6 @@ void add_compiler_options(CLI::App* command, CommonOptions& common) {
   command->add_option("--dump", common.dump_stage, "print what a stage makes")
       ->check(CLI::IsMember(dump_stages()))
       ->group(kOptimiserGroup);
-}
-
-/// The value of --massless.
-void read_massless(const std::string& value, DescribeOptions& options) {
-  constexpr std::string_view kArmature = "armature=";
-  double armature = 0;
-  if (value == "keep") {
-    options.massless = Massless::keep;
-  } else if (value == "freeze") {
-    options.massless = Massless::freeze;
-  } else if (value == "drop") {
-    options.massless = Massless::drop;
-  } else if (value.starts_with(kArmature) &&
-             CLI::detail::lexical_cast(value.substr(kArmature.size()), armature) && armature > 0 &&
-             std::isfinite(armature)) {
-    options.massless = Massless::armature;
-    options.armature = armature;
-  } else {
-    throw CLI::ValidationError(
-        "--massless", "expected armature=VALUE with a positive value, freeze, drop or keep, found '" +
-                          printable(value) + "'");
-  }
 }
 
 /// What `--help` ends with.
@@ -368,34 +398,13 @@ int run(int argc, char** argv) {
                       "folder for a program in Python that identifies a simulated mechanism");
   command->callback([&] { result = run_identify(common, identify); });
 
-  ImportOptions import;
+  std::string out = "-";
   command =
       app.add_subcommand("import", "make a description of a robot that is given as " + importable_formats());
   command->add_option("file", common.file, importable_formats() + "; - is standard input")->required();
-  command->add_option("--out", import.out, "description to write; - is standard output")
-      ->capture_default_str();
-  command
-      ->add_option_function<std::string>(
-          "--root", [&import](const std::string& value) { import.describe.floating = value == "floating"; },
-          "does the root link stand still or move freely?")
-      ->check(CLI::IsMember({"fixed", "floating"}))
-      ->default_str("fixed");
-  command
-      ->add_option("--snap-angles", import.describe.snap_angles,
-                   "take angles of origins this near to a multiple of pi/12 for that multiple, rad")
-      ->check(from_zero())
-      ->capture_default_str();
-  command
-      ->add_option_function<std::string>(
-          "--massless", [&import](const std::string& value) { read_massless(value, import.describe); },
-          "what to do with joints that move no mass: armature=VALUE gives each a rotor's inertia (kg m^2, or "
-          "kg), "
-          "freeze fixes them at zero, drop leaves them and what they move out, keep warns")
-      ->default_str("keep");
-  add_include(command, common);
-  command->add_flag("!--no-friction", import.describe.resistance,
-                    "leave damping and friction of joints out of the description");
-  command->callback([&] { result = run_import(common, import); });
+  command->add_option("--out", out, "description to write; - is standard output")->capture_default_str();
+  add_importing(command, common.describe, "Options");
+  command->callback([&] { result = run_import(common, out); });
   for (CLI::App* each : app.get_subcommands({}))
     each->add_flag("--strict", common.strict, "make warnings errors");
   add_examples(app);

@@ -11,6 +11,7 @@
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
 #include "emit/emit.hpp"
+#include "import/common/described.hpp"
 #include "pipeline.hpp"
 
 namespace alembert {
@@ -23,8 +24,8 @@ struct CommonOptions {
   std::size_t loop_results = kLoopResults;        ///< --loop-results
   Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
-  bool strict = false;                       ///< warnings are errors
-  std::vector<std::string> include_folders;  ///< --include: where models and packages are that a file names
+  bool strict = false;       ///< warnings are errors
+  DescribeOptions describe;  ///< how a file of another format becomes a description
   std::string dump_stage;
   std::vector<std::string> inputs;  ///< --input: NAME=EXPRESSION
 };

@@ -47,36 +47,33 @@ std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
                                                  std::vector<std::string>* files) {
   std::shared_ptr<const SourceText> source = read_expanded(common.file);
   if (importer_unless_description(*source) == nullptr) {
-    if (!common.include_folders.empty())
-      report_warnings({{{source, 1, 1}, "--include has no meaning for a description"}}, common.strict);
+    Warnings unused;
+    warn_of_unused(source, "a description", 0, common.describe, unused);
+    report_warnings(unused, common.strict);
     return source;
   }
-  DescribeOptions options;
-  options.include_folders = common.include_folders;
   Warnings warnings;
-  const DescribedRobot described = describe(source, options, warnings);
+  const DescribedRobot described = describe(source, common.describe, warnings);
   check(described, std::move(warnings), common.strict);
   if (files != nullptr) *files = described.files;
   return std::make_shared<const SourceText>(
       SourceText{source->name + ", imported", yaml_text(described.document.root())});
 }
 
-int run_import(const CommonOptions& common, const ImportOptions& options) {
-  DescribeOptions describe_options = options.describe;
-  describe_options.include_folders = common.include_folders;
+int run_import(const CommonOptions& common, const std::string& out) {
+  DescribeOptions options = common.describe;
   // What goes to standard output is likely to become a file here.
-  describe_options.folder = options.out == "-"
-                                ? std::filesystem::current_path().string()
-                                : std::filesystem::absolute(options.out).parent_path().string();
+  options.folder = out == "-" ? std::filesystem::current_path().string()
+                              : std::filesystem::absolute(out).parent_path().string();
   Warnings warnings;
-  const DescribedRobot described = describe(read_expanded(common.file), describe_options, warnings);
+  const DescribedRobot described = describe(read_expanded(common.file), options, warnings);
   check(described, std::move(warnings), common.strict);
   if (!described.summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, described.summary));
   const std::string text = yaml_text(described.document.root());
-  if (options.out == "-") {
+  if (out == "-") {
     fmt::print("{}", text);
   } else {
-    write_file(options.out, text);
+    write_file(out, text);
   }
   return 0;
 }

@@ -6,20 +6,15 @@
 #include <vector>
 
 #include "commands/common_options.hpp"
-#include "import/common/described.hpp"
 
 namespace alembert {
-
-struct ImportOptions {
-  std::string out = "-";  ///< file to be written; `-` is standard output
-  DescribeOptions describe;
-};
 
 /// The text of a description, or that which is imported from a robot's file in another format.
 /// \param files  gets what was read besides that file, if given
 std::shared_ptr<const SourceText> description_of(const CommonOptions& common,
                                                  std::vector<std::string>* files = nullptr);
 
-int run_import(const CommonOptions& common, const ImportOptions& options);
+/// \param out  file to be written; `-` is standard output
+int run_import(const CommonOptions& common, const std::string& out);
 
 }  // namespace alembert

@@ -12,6 +12,7 @@
 #include "commands/common_options.hpp"
 #include "commands/csv_writer.hpp"
 #include "commands/live_mechanism.hpp"
+#include "commands/run_import.hpp"
 #include "commands/warnings.hpp"
 #include "emit/files/waiting_file.hpp"
 #include "emit/files/write_files.hpp"
@@ -117,7 +118,7 @@ class Simulation {
     std::vector<FunctionKind> functions = trajectory_functions(method());
     if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
       functions.push_back(FunctionKind("body_poses"));
-    const std::shared_ptr<const SourceText> source = read_source(file);
+    const std::shared_ptr<const SourceText> source = description_of(common);
     if (!options_.html.empty()) add_live_functions(source, functions);
     const CompiledMechanism compiled = compile(common, source, functions, Inapplicable::refuse_singular);
     const Mechanism& mechanism = *compiled.mechanism;

@@ -74,22 +74,6 @@ constexpr OptionName kOptionNames[] = {
      [](const DescribeOptions& options) { return !options.include_folders.empty(); }},
 };
 
-/// A warning of options without use.
-void warn_of_unused(const std::shared_ptr<const SourceText>& source, const Importer& importer,
-                    const DescribeOptions& options, Warnings& warnings) {
-  std::string names;
-  int count = 0;
-  for (const OptionName& each : kOptionNames) {
-    if ((importer.options & static_cast<unsigned>(each.option)) != 0 || !each.is_given(options)) continue;
-    names += (names.empty() ? "" : ", ") + std::string(each.name);
-    ++count;
-  }
-  if (count > 0)
-    warnings.push_back(
-        {{source, 1, 1},
-         fmt::format("{} {} no meaning for {}", names, count == 1 ? "has" : "have", importer.format)});
-}
-
 const Importer* importer_by_name(const SourceText& source) {
   const auto found = std::ranges::find_if(
       kImporters, [&](const Importer& importer) { return source.name.ends_with(importer.extension); });
@@ -115,10 +99,24 @@ const Importer* importer_unless_description(const SourceText& source) {
   return first != std::string::npos && source.text[first] == '<' ? &importer_of(source) : nullptr;
 }
 
+void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string_view format, unsigned taken,
+                    const DescribeOptions& options, Warnings& warnings) {
+  std::string names;
+  int count = 0;
+  for (const OptionName& each : kOptionNames) {
+    if ((taken & static_cast<unsigned>(each.option)) != 0 || !each.is_given(options)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(each.name);
+    ++count;
+  }
+  if (count > 0)
+    warnings.push_back(
+        {{source, 1, 1}, fmt::format("{} {} no meaning for {}", names, count == 1 ? "has" : "have", format)});
+}
+
 DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
                                const DescribeOptions& options, Warnings& warnings) {
   const Importer& importer = importer_of(*source);
-  warn_of_unused(source, importer, options, warnings);
+  warn_of_unused(source, importer.format, importer.options, options, warnings);
   DescribeOptions all = options;
   if (all.folder.empty() && source->name != "<stdin>")
     all.folder = std::filesystem::absolute(source->name).parent_path().string();

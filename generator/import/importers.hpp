@@ -36,6 +36,10 @@ const Importer& importer_of(const SourceText& source);
 /// The importer of a source that is no description: whose name says so, or that is XML. Null for a description.
 const Importer* importer_unless_description(const SourceText& source);
 
+/// A warning where options are given that a format, with these ImportOption, has no use for.
+void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string_view format, unsigned taken,
+                    const DescribeOptions& options, Warnings& warnings);
+
 /// Describes a source by its importer. Options that are given and that its format has no use for are a warning.
 /// Throws InputError.
 DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,

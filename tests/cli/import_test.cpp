@@ -266,5 +266,23 @@ TEST(Import, TakesSdfInEveryCommand) {
   EXPECT_THAT(result.err, testing::HasSubstr("warning: --root, --massless have no meaning for SDF"));
 }
 
+TEST(Import, HasItsOptionsInEveryCommand) {
+  const TemporaryFolder folder;
+  const std::string robot = ALEMBERT_SOURCE_DIR "/tests/urdf/robots/drives.urdf";
+  const std::string file = folder / "robot.yaml";
+  const std::string options = " --root floating --massless armature=1e-3";
+  ASSERT_EQ(alembert(folder, "import " + robot + options + " --out " + file).exit_code, 0);
+  for (const std::string command : {"report --formulation reduced ", "simulate --duration 0.002 "}) {
+    const CommandResult described = alembert(folder, command + file);
+    const CommandResult direct = alembert(folder, command + robot + options);
+    EXPECT_EQ(described.exit_code, 0) << described.err;
+    EXPECT_EQ(direct.out, described.out) << command;
+    EXPECT_NE(direct.out, alembert(folder, command + robot).out) << command;
+  }
+  const CommandResult unused = alembert(folder, "report " + file + " --functions energy --root floating");
+  EXPECT_EQ(unused.exit_code, 0);
+  EXPECT_THAT(unused.err, testing::HasSubstr("warning: --root has no meaning for a description"));
+}
+
 }  // namespace
 }  // namespace alembert::test

@@ -68,7 +68,7 @@ expect_nothing_to_do()
 
 # The same in C, without a compiler for C++, without its library and without Eigen.
 run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
-    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
+    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" "-DROBOT=${CMAKE_CURRENT_LIST_DIR}/../../mechanisms/examples/controller/arm.urdf" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
     -Werror=dev)
 run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
 foreach(library arm m)
@@ -79,6 +79,8 @@ foreach(library arm m)
 endforeach()
 run(torque_in_float "${WORK}/c build/torque_float")
 expect_count("${torque_in_float}" "torque [-0-9.]+ [-0-9.]+" 1)
+run(weight "${WORK}/c build/flying")
+expect_count("${weight}" "weight 51.993" 1)
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${WORK}/c build/torque_m" RESOLVED_DEPENDENCIES_VAR libraries)
 if("${libraries}" MATCHES "stdc|c\\+\\+")
   message(FATAL_ERROR "C needs a library of C++: ${libraries}")
