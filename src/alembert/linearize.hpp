@@ -53,23 +53,28 @@ template <class M>
     M::forward_dynamics_derivatives(q, qd, tau, in, result.qdd_q, result.qdd_qd, result.qdd_tau);
   } else {
     if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
-    SpeedMatrix<M> mass;
+    SpeedMatrix<M>& mass = result.qdd_tau;
     M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);
     if (!detail::all_finite(mass)) return Status::not_finite;
     detail::BranchSolver<typename M::Scalar, M::kNv> solver;
     if (const Status status = solver.factor(mass); status != Status::ok) return status;
     result.qdd = tau - result.qdd;
-    solver.solve({&result.qdd});
+    solver.solve(result.qdd);
     if (!detail::all_finite(result.qdd)) return Status::not_finite;
     M::inverse_dynamics_derivatives(q, qd, result.qdd, in, result.qdd_q, result.qdd_qd);
-    result.qdd_q = -result.qdd_q;
-    result.qdd_qd = -result.qdd_qd;
     result.qdd_tau.setIdentity();
     solver.solve({&result.qdd_q, &result.qdd_qd, &result.qdd_tau});
   }
   for (const SpeedMatrix<M>* X : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau})
     if (!detail::all_finite(*X)) return Status::not_finite;
-  out = result;
+  if constexpr (detail::kLinearizesByWriting<M>) {
+    out = result;
+  } else {
+    out.qdd = result.qdd;
+    out.qdd_q = -result.qdd_q;
+    out.qdd_qd = -result.qdd_qd;
+    out.qdd_tau = result.qdd_tau;
+  }
   return Status::ok;
 }
 
