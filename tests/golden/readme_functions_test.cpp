@@ -46,10 +46,10 @@ TEST(Readme, ListsTheDefaultFunctions) {
   std::string rows;
   for (const OutputFunction& row : kOutputFunctions) {
     if (!row.by_default) continue;
-    rows += fmt::format("| `{}` | {} | {} | {} |\n", row.name, fmt::join(argument_names(row), ", "),
+    rows += fmt::format("| `{}({}) -> {}` | {} |\n", row.name, fmt::join(argument_names(row), ", "),
                         fmt::join(result_names(row), ", "), row.summary);
   }
-  expect_table(kReadme, "| name | arguments | results | meaning |\n| --- | --- | --- | --- |\n", rows);
+  expect_table(kReadme, "| function | meaning |\n| --- | --- |\n", rows);
 }
 
 /// As Eigen's interface has it: one result is returned, several are arguments.
