@@ -113,7 +113,7 @@ template <class M>
                                  [[maybe_unused]] const SpeedVector<M>& tau,
                                  [[maybe_unused]] const typename M::Inputs& in,
                                  [[maybe_unused]] SpeedVector<M>& x) {
-  if constexpr (HasForwardDynamics<M>::value && ParameterCount<typename M::Inputs>::value == 0) {
+  if constexpr (HasForwardDynamics<M>::value && RuntimeParameterCount<M>::value == 0) {
     x = M::forward_dynamics(q, qd, tau, in);
     return all_finite(x) && is_ordinary_rate(x.cwiseAbs().maxCoeff());
   } else {
@@ -123,9 +123,10 @@ template <class M>
 
 }  // namespace detail
 
-/// Rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), as if there were no constraints
-/// (constrained_dynamics.hpp has those): by the generated M::forward_dynamics where M has it and its masses
-/// are not arguments. Otherwise, and where that finds rates that are not finite, large or all zero, M is factored
+/// Checked forward dynamics: rates of the speeds under given forces, qdd = M(q)^-1 (tau - c(q, qd)), or why there
+/// are none; as if there were no constraints (constrained_dynamics.hpp has those). The generated
+/// M::forward_dynamics, which has no checks, is used where M has it and no runtime parameters, which may be
+/// masses. Otherwise, and where that finds rates that are not finite, large or all zero, M is factored
 /// and tells whether it is singular.
 ///
 /// The generated function keeps its digits closer to a singular state than M does. There, where forces move some

@@ -138,13 +138,21 @@ struct HasForwardDerivatives<
         std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
     : std::true_type {};
 
-/// Runtime parameters, states among them.
+/// Runtime parameters, inputs and states.
 template <class Inputs, class = void>
 struct ParameterCount : std::integral_constant<std::size_t, 0> {};
 
 template <class Inputs>
 struct ParameterCount<Inputs, std::void_t<decltype(std::declval<Inputs&>().parameters)>>
     : std::tuple_size<decltype(Inputs::parameters)> {};
+
+/// Runtime parameters alone, on which masses may depend: no inputs, no states.
+template <class M, class = void>
+struct RuntimeParameterCount : ParameterCount<typename M::Inputs> {};
+
+template <class M>
+struct RuntimeParameterCount<M, std::void_t<decltype(M::kNparameters)>>
+    : std::integral_constant<std::size_t, static_cast<std::size_t>(M::kNparameters)> {};
 
 template <class M, class = void>
 struct ConstraintCount : std::integral_constant<int, 0> {};

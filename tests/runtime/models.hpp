@@ -99,8 +99,10 @@ struct Dense {
 };
 
 /// What the pendulum's generated functions give, counted and, at will, as they are at a singular state.
-template <std::size_t Parameters>
+template <std::size_t Parameters, std::size_t OfInputs = 0>
 struct WrittenPendulum : Pendulum<> {
+  static constexpr int kNparameters =
+      static_cast<int>(Parameters - OfInputs);  // as generated classes count them
   struct Inputs : models::Inputs<double> {
     std::array<double, Parameters> parameters{};
   };

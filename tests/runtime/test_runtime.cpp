@@ -150,6 +150,10 @@ TEST(ForwardDynamics, IsTheGeneratedOneWhereMIsSurelyPositive) {
   using Changed = models::WrittenPendulum<1>;
   ASSERT_EQ(alembert::forward_dynamics<Changed>(q, qd, tau, {}, qdd), Status::ok);
   EXPECT_EQ(Changed::rates_asked, 0);
+  // Inputs, for what a controller sets, are no masses.
+  using Driven = models::WrittenPendulum<2, 2>;
+  ASSERT_EQ(alembert::forward_dynamics<Driven>(q, qd, tau, {}, qdd), Status::ok);
+  EXPECT_EQ(Driven::rates_asked, 1);
   EXPECT_NEAR(qdd(0), expected, 1e-14);
 }
 
