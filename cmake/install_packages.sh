@@ -5,17 +5,17 @@
 set -eu
 
 packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev libassimp-dev libmeshoptimizer-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
+# The page of `simulate --html` is bundled by npm, which may have come with a node that is no Debian package.
+command -v npm >/dev/null || packages="$packages npm"
 if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
   packages="$packages python3 python3-numpy python3-matplotlib python3-yaml"
 fi
 if [ "${1:-}" = tests ]; then
-  packages="$packages git python3 python3-pytest python3-distributed clang lld clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
+  packages="$packages git python3 python3-pytest python3-distributed python3-torch clang lld clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
             liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsdformat-dev libsimbody-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
 fi
 if [ "${1:-}" = gallery ] || [ "${1:-}" = tests ]; then
   packages="$packages chromium"
-  # npm, unless it came with a node that is no Debian package.
-  command -v npm >/dev/null || packages="$packages npm"
 fi
 
 missing=""
