@@ -10,8 +10,7 @@
 #                                                  module that the target's property ALEMBERT_JAVASCRIPT_MODULE names; no SCALARS.
 #                                                  CUDA: <cuda/NAME.cuh>, a header for any scalar type, and no library
 #                          [NAMESPACE a::b]        outer namespace; default alembert::mechanisms
-#                          [FUNCTIONS f g ...]     functions to write; default: all but forward_dynamics, body_jacobians, body_inertias,
-#                                                  inverse_dynamics_derivatives
+#                          [FUNCTIONS f g ...]     functions to write; default: those that `alembert generate --functions help` marks
 #                          [SCALARS double float]  types to compile for; default both
 #                          [FORMULATION auto|factored|reduced] [LOOP_OPERATIONS n] [LOOP_RESULTS n]
 #                          [PARTS n]               source files to spread large functions over; default 4

@@ -236,7 +236,8 @@ int run(int argc, char** argv) {
   int result = 0;
 
   GenerateOptions generate;
-  CLI::App* command = add_reader(app, "generate", "write the C++ of a mechanism", common);
+  CLI::App* command = add_reader(
+      app, "generate", "write the functions of a mechanism as C++, C99, Python, JavaScript or CUDA", common);
   command->add_option("--out-dir", generate.out_dir, "folder to write into")->required();
   add_functions(command, generate.functions, "functions to write (default: those marked in the list)");
   command

@@ -1,4 +1,4 @@
-// The stages, in order: load, kinematics, equations, lower, optimise, schedule, verify. In: the text of a
+// The stages, in order: load, kinematics, equations, optimise, lower, schedule, verify. In: the text of a
 // description. Out: the checked mechanism and one straight-line program for each function asked for.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What else can be asked for: energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
+// Energies, poses of bodies and frames, Jacobians of both, inertias of bodies.
 #pragma once
 
 #include <span>
