@@ -10,6 +10,7 @@
 #include "differentiation/products.hpp"
 #include "differentiation/reverse.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 
@@ -59,9 +60,9 @@ Jacobian jacobian_d_star(std::span<const Expr> roots, std::span<const Expr> vari
     for (std::size_t j = 0; j < variables.size(); ++j) {
       const std::size_t k = i * variables.size() + j;
       Expr entry = graph.graph->zero();
-      if (labelled->pair_of[k] != DerivativeGraph::kNone) {
+      if (labelled->pair_of[k] != kNoIndex) {
         entry = products[labelled->pair_of[k]];
-      } else if (graph.roots[i] != DerivativeGraph::kNone && graph.roots[i] == graph.variables[j]) {
+      } else if (graph.roots[i] != kNoIndex && graph.roots[i] == graph.variables[j]) {
         entry = graph.graph->one();
       }
       result.entries[k] = graph.signed_as_root(i, entry);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "differentiation/partials.hpp"
+#include "support/no_index.hpp"
 #include "symbolic/postorder.hpp"
 
 namespace alembert {
@@ -26,20 +27,19 @@ ExprGraph* common_graph(std::span<const Expr> roots, std::span<const Expr> varia
 }  // namespace
 
 DerivativeGraph derivative_graph(std::span<const Expr> roots, std::span<const Expr> variables) {
-  constexpr std::uint32_t kNone = DerivativeGraph::kNone;
   DerivativeGraph result;
   result.graph = common_graph(roots, variables);
-  result.roots.assign(roots.size(), kNone);
+  result.roots.assign(roots.size(), kNoIndex);
   result.negative.assign(roots.size(), false);
-  result.variables.assign(variables.size(), kNone);
+  result.variables.assign(variables.size(), kNoIndex);
   if (result.graph == nullptr) return result;
   ExprGraph& graph = *result.graph;
 
   const Postorder order = indexed_postorder(roots);
-  std::vector<std::uint32_t> vertex(order.ids.size(), kNone);  // by position in the order
+  std::vector<std::uint32_t> vertex(order.ids.size(), kNoIndex);  // by position in the order
   const auto vertex_of = [&](Ref x) {
     const std::uint32_t position = order.at(x.node());
-    return position == NodeIndex::kAbsent ? kNone : vertex[position];
+    return position == kNoIndex ? kNoIndex : vertex[position];
   };
   NodeIndex numbers;  // of variables
   for (std::uint32_t j = 0; j < variables.size(); ++j) {
@@ -53,10 +53,10 @@ DerivativeGraph derivative_graph(std::span<const Expr> roots, std::span<const Ex
     const std::uint32_t id = order.ids[k];
     const Node node = graph.node(id);
     const auto number = static_cast<std::uint32_t>(result.nodes.size());
-    bool active = node.op == Operation::symbol && numbers.find(id) != NodeIndex::kAbsent;
+    bool active = node.op == Operation::symbol && numbers.find(id) != kNoIndex;
     for (int slot = 0; slot < node.arity(); ++slot) {
       const std::uint32_t bottom = vertex[(slot == 0 ? order.operands[k].a : order.operands[k].b) >> 1];
-      if (bottom == kNone) continue;
+      if (bottom == kNoIndex) continue;
       const Ref value = local_partial(graph, id, slot);
       if (result.expr(value).is_zero()) continue;
       result.edges.push_back({number, bottom, value});

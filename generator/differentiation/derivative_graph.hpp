@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "differentiation/jacobian.hpp"
+#include "support/no_index.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
@@ -20,16 +21,14 @@ struct DerivativeEdge {
 };
 
 struct DerivativeGraph {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   ExprGraph* graph = nullptr;
   /// Node ids of the vertices that depend on a variable, children before parents, in the depth-first order of
   /// the roots: vertex numbers, unlike node ids, do not depend on the order in which the nodes were made.
   std::vector<std::uint32_t> nodes;
   std::vector<DerivativeEdge> edges;     ///< ascending by top, then by operand slot; none of them is zero
-  std::vector<std::uint32_t> roots;      ///< vertex of each root, kNone if its derivatives are all zero
+  std::vector<std::uint32_t> roots;      ///< vertex of each root, kNoIndex if its derivatives are all zero
   std::vector<bool> negative;            ///< the root is the negative of its vertex
-  std::vector<std::uint32_t> variables;  ///< vertex of each variable, kNone if no root depends on it
+  std::vector<std::uint32_t> variables;  ///< vertex of each variable, kNoIndex if no root depends on it
 
   Expr expr(Ref ref) const { return {*graph, ref}; }
   /// The derivative of root i, given that of its vertex.

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 
 Dominators::Dominators(std::size_t vertex_count) : entries_(vertex_count) {}
@@ -18,7 +20,7 @@ void Dominators::sweep(std::span<const Arc> arcs, std::uint32_t source, std::uin
     ++entries_[arc.top].down;
     ++entries_[arc.bottom].up;
     std::uint32_t& idom = entries_[arc.bottom].idom;
-    if (idom == kNone) {
+    if (idom == kNoIndex) {
       idom = arc.top;
       continue;
     }
@@ -32,7 +34,7 @@ void Dominators::sweep(std::span<const Arc> arcs, std::uint32_t source, std::uin
   for (std::size_t k = arcs.size(); k-- > 0;) {
     const Arc& arc = arcs[k];
     std::uint32_t& ipdom = entries_[arc.top].ipdom;
-    if (ipdom == kNone) {
+    if (ipdom == kNoIndex) {
       ipdom = arc.bottom;
       continue;
     }

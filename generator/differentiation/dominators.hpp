@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 
 /// An edge as seen by one pair (root, variable). Vertices are numbered so that top > bottom.
@@ -45,9 +47,8 @@ class Dominators {
   std::uint64_t work() const { return work_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   struct Entry {
-    std::uint32_t idom = kNone, ipdom = kNone, up = 0, down = 0;
+    std::uint32_t idom = kNoIndex, ipdom = kNoIndex, up = 0, down = 0;
   };
   std::vector<Entry> entries_;
   std::uint64_t work_ = 0;

@@ -4,6 +4,7 @@
 
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/jacobian.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 
@@ -13,7 +14,7 @@ Jacobian jacobian_forward(std::span<const Expr> roots, std::span<const Expr> var
   std::vector<Expr> tangent(graph.nodes.size());  // without a graph: zero
   for (std::size_t j = 0; j < variables.size(); ++j) {
     const std::uint32_t variable = graph.variables[j];
-    if (variable == DerivativeGraph::kNone) continue;
+    if (variable == kNoIndex) continue;
     tangent.assign(graph.nodes.size(), Expr());
     tangent[variable] = graph.graph->one();
     for (const DerivativeEdge& edge : graph.edges) {
@@ -24,7 +25,7 @@ Jacobian jacobian_forward(std::span<const Expr> roots, std::span<const Expr> var
     }
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const std::uint32_t root = graph.roots[i];
-      if (root == DerivativeGraph::kNone || !tangent[root].valid()) continue;
+      if (root == kNoIndex || !tangent[root].valid()) continue;
       result.entries[i * variables.size() + j] = graph.signed_as_root(i, tangent[root]);
     }
   }

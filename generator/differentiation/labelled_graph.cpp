@@ -6,13 +6,12 @@
 #include <unordered_map>
 
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {
 
 namespace {
-
-constexpr std::uint32_t kNone = DerivativeGraph::kNone;
 
 /// Rows of bits, one row a vertex.
 class BitRows {
@@ -64,7 +63,7 @@ std::optional<LabelledGraph> label_edges(const DerivativeGraph& graph, std::uint
   std::vector<std::uint32_t> distinct;          // vertices
   std::map<std::uint32_t, std::size_t> row_of;  // vertex -> index in `distinct`
   for (const std::uint32_t root : graph.roots)
-    if (root != kNone && row_of.emplace(root, distinct.size()).second) distinct.push_back(root);
+    if (root != kNoIndex && row_of.emplace(root, distinct.size()).second) distinct.push_back(root);
 
   const std::size_t vertex_count = graph.nodes.size();
   const std::size_t columns = graph.variables.size();
@@ -72,12 +71,12 @@ std::optional<LabelledGraph> label_edges(const DerivativeGraph& graph, std::uint
   BitRows above(vertex_count, distinct.size()), below(vertex_count, columns);
   for (std::size_t i = 0; i < distinct.size(); ++i) above.insert(distinct[i], i);
   for (std::size_t j = 0; j < columns; ++j)
-    if (graph.variables[j] != kNone) below.insert(graph.variables[j], j);
+    if (graph.variables[j] != kNoIndex) below.insert(graph.variables[j], j);
   for (const DerivativeEdge& edge : graph.edges) below.merge(edge.top, edge.bottom);
   for (std::size_t k = graph.edges.size(); k-- > 0;) above.merge(graph.edges[k].bottom, graph.edges[k].top);
 
   LabelledGraph result;
-  std::vector<std::uint32_t> pair_at(distinct.size() * columns, kNone);
+  std::vector<std::uint32_t> pair_at(distinct.size() * columns, kNoIndex);
   for (std::size_t i = 0; i < distinct.size(); ++i) {
     below.for_each(distinct[i], [&](std::size_t j) {
       if (graph.variables[j] == distinct[i]) return;
@@ -85,9 +84,9 @@ std::optional<LabelledGraph> label_edges(const DerivativeGraph& graph, std::uint
       result.pairs.push_back({distinct[i], graph.variables[j], {}});
     });
   }
-  result.pair_of.assign(graph.roots.size() * columns, kNone);
+  result.pair_of.assign(graph.roots.size() * columns, kNoIndex);
   for (std::size_t i = 0; i < graph.roots.size(); ++i) {
-    if (graph.roots[i] == kNone) continue;
+    if (graph.roots[i] == kNoIndex) continue;
     const std::size_t row = row_of.at(graph.roots[i]);
     for (std::size_t j = 0; j < columns; ++j) result.pair_of[i * columns + j] = pair_at[row * columns + j];
   }

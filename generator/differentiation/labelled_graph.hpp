@@ -12,6 +12,7 @@
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/dominators.hpp"
 #include "differentiation/pair_set.hpp"
+#include "support/no_index.hpp"
 #include "symbolic/modular.hpp"
 
 namespace alembert {
@@ -26,7 +27,7 @@ struct LabelledGraph {
   std::vector<DerivativeEdge> edges;  ///< grows by one in each factoring; numbers are never used again
   std::vector<PairSet> labels;        ///< of each edge
   std::vector<Pair> pairs;
-  /// Pair of (root i, variable j) at [i * columns + j], or kNone where the derivative is trivial. Equal roots
+  /// Pair of (root i, variable j) at [i * columns + j], or kNoIndex where the derivative is trivial. Equal roots
   /// share their pairs.
   std::vector<std::uint32_t> pair_of;
 };

@@ -4,6 +4,7 @@
 
 #include "differentiation/derivative_graph.hpp"
 #include "differentiation/jacobian.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 
@@ -13,7 +14,7 @@ Jacobian jacobian_reverse(std::span<const Expr> roots, std::span<const Expr> var
   std::vector<Expr> adjoint(graph.nodes.size());  // without a graph: zero
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const std::uint32_t root = graph.roots[i];
-    if (root == DerivativeGraph::kNone) continue;
+    if (root == kNoIndex) continue;
     adjoint.assign(graph.nodes.size(), Expr());
     adjoint[root] = graph.graph->one();
     for (std::size_t k = graph.edges.size(); k-- > 0;) {
@@ -25,7 +26,7 @@ Jacobian jacobian_reverse(std::span<const Expr> roots, std::span<const Expr> var
     }
     for (std::size_t j = 0; j < variables.size(); ++j) {
       const std::uint32_t variable = graph.variables[j];
-      if (variable == DerivativeGraph::kNone || !adjoint[variable].valid()) continue;
+      if (variable == kNoIndex || !adjoint[variable].valid()) continue;
       result.entries[i * variables.size() + j] = graph.signed_as_root(i, adjoint[variable]);
     }
   }

@@ -12,6 +12,7 @@
 
 #include "program/sign_placement.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 #include "symbolic/postorder.hpp"
 #include "symbolic/round_constants.hpp"
@@ -27,7 +28,7 @@ class Writer {
         constants_(graph_, order),
         negative_(place_signs(roots, order)),
         to_(to),
-        at_(2 * order.ids.size(), kNone) {}
+        at_(2 * order.ids.size(), kNoIndex) {}
 
   /// `slot`: of the symbol, where the node is one.
   void write(std::uint32_t id, std::uint32_t slot) {
@@ -59,13 +60,13 @@ class Writer {
   std::uint32_t get(std::uint32_t v) {
     if (is_constant(v)) return constant(constants_.rounded(v));
     std::uint32_t& index = at_[v];
-    if (index == kNone) index = append(Operation::neg, at_[v ^ 1]);
+    if (index == kNoIndex) index = append(Operation::neg, at_[v ^ 1]);
     return index;
   }
 
  private:
   bool is_constant(std::uint32_t v) const { return graph_.node(order_.ids[v >> 1]).constant; }
-  bool has(std::uint32_t v) const { return is_constant(v) || at_[v] != kNone; }
+  bool has(std::uint32_t v) const { return is_constant(v) || at_[v] != kNoIndex; }
   // The sign in which to take v: the preferred one unless only the other exists.
   std::uint32_t pick(std::uint32_t v, std::uint32_t preferred) const {
     return has(v ^ preferred) ? preferred : preferred ^ 1;
@@ -140,7 +141,7 @@ class Writer {
   ConstantValues constants_;
   std::vector<std::uint8_t> negative_;
   Program& to_;
-  std::vector<std::uint32_t> at_;  ///< by position and sign: the instruction, or kNone
+  std::vector<std::uint32_t> at_;  ///< by position and sign: the instruction, or kNoIndex
   std::unordered_map<std::uint64_t, std::uint32_t> constant_at_;
 };
 
@@ -177,7 +178,7 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
   const std::vector<Expr> roots = round_constants(elements(outputs));
   if (roots.empty()) return program;
   const ExprGraph& graph = roots.front().graph();
-  std::vector<std::uint32_t> slot_of(graph.symbol_count(), kNone);
+  std::vector<std::uint32_t> slot_of(graph.symbol_count(), kNoIndex);
   for (std::uint32_t i = 0; i < bindings.size(); ++i)
     slot_of[graph.symbol_index(bindings[i].symbol.ref().node())] = i;
 
@@ -185,11 +186,11 @@ Program lower(std::string function, std::span<const OutputExpressions> outputs,
   program.code.reserve(order.ids.size());
   Writer writer(roots, order, program);
   for (std::uint32_t i = 0; i < order.ids.size(); ++i) {
-    std::uint32_t slot = kNone;
+    std::uint32_t slot = kNoIndex;
     if (graph.node(order.ids[i]).op == Operation::symbol) {
       const std::uint32_t index = graph.symbol_index(order.ids[i]);
       slot = slot_of[index];
-      if (slot == kNone)
+      if (slot == kNoIndex)
         throw InternalError("lower: " + program.function + " depends on the symbol '" +
                             graph.symbol_name(index) + "', which no argument stands for");
     }

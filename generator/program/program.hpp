@@ -13,9 +13,6 @@
 
 namespace alembert {
 
-/// No instruction, no node.
-inline constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 struct Instruction {
   Operation op;
   std::uint32_t a = 0, b = 0;

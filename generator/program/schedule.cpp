@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -18,14 +19,14 @@ namespace {
 
 // For each sin the cos of the same value and the other way round.
 std::vector<std::uint32_t> sine_partners(const Program& program) {
-  std::vector<std::uint32_t> sine(program.code.size(), kNone), cosine(sine), partner(sine);
+  std::vector<std::uint32_t> sine(program.code.size(), kNoIndex), cosine(sine), partner(sine);
   for (std::uint32_t i = 0; i < program.code.size(); ++i) {
     const Instruction& c = program.code[i];
-    if (c.op == Operation::sin && sine[c.a] == kNone) sine[c.a] = i;
-    if (c.op == Operation::cos && cosine[c.a] == kNone) cosine[c.a] = i;
+    if (c.op == Operation::sin && sine[c.a] == kNoIndex) sine[c.a] = i;
+    if (c.op == Operation::cos && cosine[c.a] == kNoIndex) cosine[c.a] = i;
   }
   for (std::uint32_t i = 0; i < program.code.size(); ++i)
-    if (sine[i] != kNone && cosine[i] != kNone) {
+    if (sine[i] != kNoIndex && cosine[i] != kNoIndex) {
       partner[sine[i]] = cosine[i];
       partner[cosine[i]] = sine[i];
     }
@@ -78,7 +79,7 @@ Program schedule(Program program) {
   const std::vector<std::uint8_t> needed = live(program);
   std::vector<Instruction> code;
   std::vector<double> constants;
-  std::vector<std::uint32_t> place(program.code.size(), kNone);
+  std::vector<std::uint32_t> place(program.code.size(), kNoIndex);
   const auto emit = [&](std::uint32_t i) {
     Instruction c = program.code[i];
     const int operands = operand_count(c.op);
@@ -93,21 +94,21 @@ Program schedule(Program program) {
   };
   std::vector<std::pair<std::uint32_t, int>> stack;  // instruction and the operand to visit next
   const auto emit_with_operands = [&](std::uint32_t value) {
-    if (place[value] == kNone) stack.push_back({value, 0});
+    if (place[value] == kNoIndex) stack.push_back({value, 0});
     while (!stack.empty()) {
       auto& [i, next] = stack.back();
       const Instruction& c = program.code[i];
-      if (place[i] == kNone && next < operand_count(c.op)) {
+      if (place[i] == kNoIndex && next < operand_count(c.op)) {
         const std::uint32_t operand = next++ == 0 ? c.a : c.b;
-        if (place[operand] == kNone) stack.push_back({operand, 0});
+        if (place[operand] == kNoIndex) stack.push_back({operand, 0});
         continue;
       }
       const std::uint32_t done = i;
       stack.pop_back();
-      if (place[done] != kNone) continue;
+      if (place[done] != kNoIndex) continue;
       emit(done);
       const std::uint32_t other = partner[done];
-      if (other != kNone && needed[other] != 0 && place[other] == kNone) emit(other);
+      if (other != kNoIndex && needed[other] != 0 && place[other] == kNoIndex) emit(other);
     }
   };
 

@@ -7,6 +7,7 @@
 
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 namespace {
@@ -23,7 +24,7 @@ class ListScheduler {
         weights_(weights),
         look_ahead_(look_ahead),
         left_(std::move(left)),
-        used_at_(left_.size(), kNoPlace),
+        used_at_(left_.size(), kNoIndex),
         written_(statements.size(), false) {
     for (std::uint32_t s = 0; s < statements.size(); ++s) {
       unknown_.push_back(statements[s].before);
@@ -42,7 +43,7 @@ class ListScheduler {
   }
 
  private:
-  bool in_register(std::uint32_t v) const { return used_at_[v] != kNoPlace; }
+  bool in_register(std::uint32_t v) const { return used_at_[v] != kNoIndex; }
 
   int score(const ScheduledStatement& s) const {
     int score = weights_.height * s.height, age = kLongAgo;
@@ -93,7 +94,7 @@ class ListScheduler {
 
   void give_up(std::uint32_t v) {
     registers_.erase(std::ranges::find(registers_, v));
-    used_at_[v] = kNoPlace;
+    used_at_[v] = kNoIndex;
   }
 
   const std::vector<ScheduledStatement>& statements_;

@@ -5,6 +5,7 @@
 
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -24,7 +25,7 @@ std::optional<Element> linear(const Numbers& numbers) {
 }  // namespace
 
 std::vector<std::uint32_t> loop_numbers(const Program& program) {
-  std::vector<std::uint32_t> numbers(program.code.size(), kNoPlace);
+  std::vector<std::uint32_t> numbers(program.code.size(), kNoIndex);
   for (std::uint32_t l = 0; l < program.loops.size(); ++l)
     std::fill_n(numbers.begin() + program.loops[l].first, program.loops[l].length * program.loops[l].count,
                 l);
@@ -66,7 +67,7 @@ void LoopLayout::add_fixed(std::vector<Fixed> fixed) {
   for (Fixed& values : fixed) {
     const auto track = static_cast<std::uint32_t>(tracks_.size());
     for (std::size_t i = 0; i < values.values.size(); ++i)
-      if (values.values[i] != kNoPlace) where_[values.values[i]].push_back({track, static_cast<int>(i)});
+      if (values.values[i] != kNoIndex) where_[values.values[i]].push_back({track, static_cast<int>(i)});
     tracks_.push_back({std::move(values.values), 0, values.first, values.step, true});
   }
 }
@@ -108,7 +109,7 @@ void LoopLayout::add_rows() {
   for (std::uint32_t v = 0; v < program_.code.size(); ++v)
     for (int k = 0; k < operands(v); ++k) {
       const std::uint32_t x = operand(v, static_cast<std::size_t>(k));
-      if (loop_[x] != kNoPlace && (loop_[v] != loop_[x] || iteration(v) != iteration(x))) read[x] = true;
+      if (loop_[x] != kNoIndex && (loop_[v] != loop_[x] || iteration(v) != iteration(x))) read[x] = true;
     }
   for (std::uint32_t l = 0; l < program_.loops.size(); ++l)
     for (std::uint32_t i = 0; i < program_.loops[l].length; ++i) {
@@ -190,7 +191,7 @@ std::optional<LoopOperand> LoopLayout::input_of(const std::vector<std::uint32_t>
 
 std::uint32_t LoopLayout::at(const Track& track, int position) const {
   const int i = position - track.low;
-  return i < 0 || i >= static_cast<int>(track.values.size()) ? kNoPlace
+  return i < 0 || i >= static_cast<int>(track.values.size()) ? kNoIndex
                                                              : track.values[static_cast<std::size_t>(i)];
 }
 
@@ -198,11 +199,11 @@ void LoopLayout::set(std::uint32_t number, int position, std::uint32_t v) {
   Track& track = tracks_[number];
   if (track.values.empty()) track.low = position;
   while (position < track.low) {
-    track.values.insert(track.values.begin(), kNoPlace);
+    track.values.insert(track.values.begin(), kNoIndex);
     --track.low;
   }
   const auto i = static_cast<std::size_t>(position - track.low);
-  if (i >= track.values.size()) track.values.resize(i + 1, kNoPlace);
+  if (i >= track.values.size()) track.values.resize(i + 1, kNoIndex);
   track.values[i] = v;
   where_[v].push_back({number, position});
 }
@@ -234,7 +235,7 @@ std::optional<LoopLayout::Position> LoopLayout::find_track(const std::vector<std
 bool LoopLayout::add(Additions& additions, const Track& track, int position, std::uint32_t v) const {
   const std::uint32_t there = at(track, position);
   if (there == v) return true;
-  if (there != kNoPlace || track.fixed) return false;
+  if (there != kNoIndex || track.fixed) return false;
   return additions.emplace(position, v).first->second == v;
 }
 
@@ -259,7 +260,7 @@ int LoopLayout::direction_of_row(const std::vector<std::uint32_t>& values, std::
 /// Whether a loop leaves value v at a position of a track: its row lies there as a whole. Only fixed tracks
 /// have parts of rows; straight code fills those, after all loops.
 bool LoopLayout::is_left_at(const Track& track, int position, std::uint32_t v) const {
-  if (loop_[v] == kNoPlace || !track.fixed) return true;
+  if (loop_[v] == kNoIndex || !track.fixed) return true;
   const Loop& l = program_.loops[loop_[v]];
   const auto own = static_cast<int>(iteration(v));
   for (const int d : {1, -1}) {
@@ -283,9 +284,9 @@ bool LoopLayout::arrange(std::uint32_t number, int position, int direction,
       if (!is_left_at(track, here, v)) return false;
       continue;
     }
-    if (!more_stores && loop_[v] != kNoPlace) return false;
+    if (!more_stores && loop_[v] != kNoIndex) return false;
     if (!add(additions, track, here, v)) return false;
-    if (loop_[v] == kNoPlace) continue;
+    if (loop_[v] == kNoIndex) continue;
     // A loop leaves a value in all iterations or in none.
     const int step = direction_of_row(values, k, direction);
     const auto own = static_cast<int>(iteration(v));
@@ -366,7 +367,7 @@ void LoopLayout::find_stores() {
 
 /// Goes through the loops as the code will, and looks whether they find what they are to find.
 void LoopLayout::check() const {
-  std::vector<std::uint32_t> held(end_, kNoPlace);  // the value in each element of w
+  std::vector<std::uint32_t> held(end_, kNoIndex);  // the value in each element of w
   const auto leave = [&](std::uint32_t v) {
     for (const std::uint32_t place : places_[v]) held[place] = v;
   };

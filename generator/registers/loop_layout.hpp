@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "program/program.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 
@@ -48,7 +49,7 @@ struct LoopBody {
   std::uint32_t columns = 0;                                            ///< of that table
 };
 
-/// For each instruction the number of the loop that it is in, or kNoPlace.
+/// For each instruction the number of the loop that it is in, or kNoIndex.
 std::vector<std::uint32_t> loop_numbers(const Program& program);
 
 class LoopLayout {
@@ -70,13 +71,13 @@ class LoopLayout {
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& late() const { return late_; }
   /// Whether straight code writes the results that a value of a loop is.
   bool results_late(std::uint32_t v) const { return results_late_[v]; }
-  /// The loop that a value is of, or kNoPlace.
+  /// The loop that a value is of, or kNoIndex.
   std::uint32_t loop(std::uint32_t v) const { return loop_[v]; }
   /// End of what is used of kept.
   std::size_t end() const { return end_; }
 
  private:
-  /// Values side by side, from position `low` on, kNoPlace in gaps.
+  /// Values side by side, from position `low` on, kNoIndex in gaps.
   struct Track {
     std::vector<std::uint32_t> values;
     int low = 0;

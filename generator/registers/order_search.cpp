@@ -5,6 +5,8 @@
 #include <map>
 #include <random>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 namespace {
 
@@ -88,14 +90,14 @@ class WindowSearch {
     before_.resize(order_.size());
     after_.resize(order_.size());
     for (const std::uint32_t s : order_)
-      if (uses.statements[s].result != RegisterUses::kNoValue)
+      if (uses.statements[s].result != kNoIndex)
         number_of(uses.statements[s].result, uses.in_memory[uses.statements[s].result]);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       const std::uint32_t s = order_[i];
       std::vector<std::uint32_t> reads;
       for (const std::uint32_t v : uses.reads(s)) reads.push_back(number_of(v, true));
       const std::uint32_t result = uses.statements[s].result;
-      uses_.add(reads, result == RegisterUses::kNoValue ? result : number_of(result, false));
+      uses_.add(reads, result == kNoIndex ? result : number_of(result, false));
       for (const std::uint32_t p : predecessors[s])
         if (const auto found = place.find(p); found != place.end()) {
           before_[i].push_back(found->second);

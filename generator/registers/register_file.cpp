@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 namespace {
 
@@ -31,7 +33,7 @@ void RegisterFile::look_ahead(std::span<const std::uint32_t> order) {
   std::fill(next_.begin(), next_.end(), kNever);
   for (std::size_t p = order.size(); p-- > 0;) {
     const RegisterUses::Statement& s = uses_.statements[order[p]];
-    if (s.result != RegisterUses::kNoValue) next_of_result_[order[p]] = next_[s.result];
+    if (s.result != kNoIndex) next_of_result_[order[p]] = next_[s.result];
     for (std::uint32_t k = s.first_read; k < s.first_read + s.reads; ++k) {
       std::uint32_t& next = next_[uses_.values[k]];
       next_of_read_[k] = next;
@@ -106,7 +108,7 @@ std::uint64_t RegisterFile::run(std::span<const std::uint32_t> order, std::uint6
         return true;
       });
     }
-    if (s.result != RegisterUses::kNoValue && next_of_result_[number] != kNever) {
+    if (s.result != kNoIndex && next_of_result_[number] != kNever) {
       next_[s.result] = next_of_result_[number];
       held_[s.result] = 1;
       registers_.push_back(s.result);

@@ -10,15 +10,16 @@
 #include <span>
 #include <vector>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 
 /// Statements by number, over values by number.
 struct RegisterUses {
   struct Statement {
     std::uint32_t first_read = 0, reads = 0;  ///< in `values`, each value once
-    std::uint32_t result = 0;                 ///< kNoValue if none that others read
+    std::uint32_t result = 0;                 ///< kNoIndex if none that others read
   };
-  static constexpr std::uint32_t kNoValue = 0xffffffff;
   std::vector<Statement> statements;
   std::vector<std::uint32_t> values;
   std::vector<std::uint8_t> in_memory;  ///< by value: inputs, and what is written to memory anyway

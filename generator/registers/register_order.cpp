@@ -19,6 +19,7 @@
 #include "registers/order_search.hpp"
 #include "registers/statement_layout.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -48,7 +49,7 @@ class Ordering {
     result_ = program;
     result_.code.clear();
     result_.constants.clear();
-    place_.assign(size_, kNoPlace);
+    place_.assign(size_, kNoIndex);
   }
 
   /// Instructions in their new order.
@@ -86,33 +87,33 @@ class Ordering {
   std::array<std::uint32_t, 2> operands(std::uint32_t v) const {
     const Instruction& c = program_.code[v];
     const int count = operand_count(c.op);
-    return {count > 0 ? c.a : kNoPlace, count > 1 ? c.b : kNoPlace};
+    return {count > 0 ? c.a : kNoIndex, count > 1 ? c.b : kNoIndex};
   }
 
   void collect_statements() {
     const StatementLayout layout(program_, {size_, size_},
                                  states_ == States::many ? grain_over_packs(program_) : Grain::expressions);
-    std::vector<std::uint32_t> statement(size_, kNoPlace);
+    std::vector<std::uint32_t> statement(size_, kNoIndex);
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (!layout.live(v) || !layout.named(v)) continue;
       statement[v] = static_cast<std::uint32_t>(statements_.size());
       statements_.emplace_back();
-      if (layout.angle(v) != kNoPlace) leading_ = statement[v] + 1;
+      if (layout.angle(v) != kNoIndex) leading_ = statement[v] + 1;
     }
     for (std::uint32_t v = 0; v < size_; ++v)
-      if (layout.statement(v) != kNoPlace) statement[v] = statement[layout.statement(v)];
+      if (layout.statement(v) != kNoIndex) statement[v] = statement[layout.statement(v)];
     left_.assign(size_, 0);
     for (std::uint32_t v = 0; v < size_; ++v) {
-      if (statement[v] == kNoPlace) continue;
+      if (statement[v] == kNoIndex) continue;
       ScheduledStatement& s = statements_[statement[v]];
       s.members.push_back(v);
       for (const std::uint32_t operand : operands(v)) {
-        if (operand == kNoPlace || program_.code[operand].op == Operation::constant) continue;
+        if (operand == kNoIndex || program_.code[operand].op == Operation::constant) continue;
         if (statement[operand] == statement[v] || std::ranges::find(s.reads, operand) != s.reads.end())
           continue;
         s.reads.push_back(operand);
         ++left_[operand];
-        if (statement[operand] == kNoPlace) continue;
+        if (statement[operand] == kNoIndex) continue;
         statements_[statement[operand]].readers.push_back(statement[v]);
         ++s.before;
       }
@@ -124,16 +125,16 @@ class Ordering {
     for (std::size_t v = size_; v-- > 0;) {
       height[v] += program_.code[v].op == Operation::div ? kDivision : 1;
       for (const std::uint32_t operand : operands(static_cast<std::uint32_t>(v)))
-        if (operand != kNoPlace) height[operand] = std::max(height[operand], height[v]);
+        if (operand != kNoIndex) height[operand] = std::max(height[operand], height[v]);
     }
     for (ScheduledStatement& s : statements_)
       for (const std::uint32_t v : s.members) s.height = std::max(s.height, height[v]);
   }
 
   void emit(std::uint32_t v) {
-    if (place_[v] != kNoPlace) return;
+    if (place_[v] != kNoIndex) return;
     for (const std::uint32_t operand : operands(v))
-      if (operand != kNoPlace && is_leaf(program_.code[operand].op)) emit(operand);
+      if (operand != kNoIndex && is_leaf(program_.code[operand].op)) emit(operand);
     Instruction c = program_.code[v];
     if (c.op == Operation::constant) {
       result_.constants.push_back(program_.constants[c.a]);
@@ -156,7 +157,7 @@ class Ordering {
       const ScheduledStatement& s = statements_[i];
       const std::uint32_t result = s.members.back();
       if (i < leading_) uses.in_memory[result] = 1;
-      uses.add(s.reads, s.readers.empty() ? RegisterUses::kNoValue : result);
+      uses.add(s.reads, s.readers.empty() ? kNoIndex : result);
       for (const std::uint32_t reader : s.readers) predecessors[reader].push_back(i);
     }
     RegisterFile file(uses);
@@ -273,7 +274,7 @@ class LoopOrdering {
         c = {Operation::input, static_cast<std::uint32_t>(part.inputs.size() - 1), 0};
       }
       part.code.push_back(c);
-      origin.push_back(kNoPlace);
+      origin.push_back(kNoIndex);
       return place.emplace(v, static_cast<std::uint32_t>(part.code.size() - 1)).first->second;
     };
     for (std::uint32_t v = begin; v < end; ++v) {
@@ -291,7 +292,7 @@ class LoopOrdering {
     ordering.order();
     std::vector<std::uint32_t> out;
     for (const std::uint32_t i : ordering.instructions())
-      if (origin[i] != kNoPlace) out.push_back(origin[i]);
+      if (origin[i] != kNoIndex) out.push_back(origin[i]);
     return out;
   }
 
@@ -336,21 +337,20 @@ class LoopOrdering {
   std::vector<Loop> loops_;
 };
 
-/// What was verified is what is written: the same values, bit for bit, in the last order too.
-void expect_same_values(const Program& given, const Program& ordered) {
-  std::vector<double> inputs(given.inputs.size());
+}  // namespace
+
+void expect_same_values(const Program& verified, const Program& written) {
+  std::vector<double> inputs(verified.inputs.size());
   for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = std::sin(1.0 + static_cast<double>(i));
   std::size_t count = 0;
-  for (const OutputArray& output : given.outputs) count += output.values.size();
+  for (const OutputArray& output : verified.outputs) count += output.values.size();
   std::vector<double> expected(count), found(count), scratch;
-  interpret(given, inputs, expected, scratch);
-  interpret(ordered, inputs, found, scratch);
+  interpret(verified, inputs, expected, scratch);
+  interpret(written, inputs, found, scratch);
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   if (!std::ranges::equal(expected, found, {}, bits, bits))
-    throw InternalError(given.function + ": the order for registers changes values");
+    throw InternalError(verified.function + ": what is written has other values than what was verified");
 }
-
-}  // namespace
 
 Program order_for_registers(const Program& program, States states) {
   Program ordered =

@@ -16,4 +16,7 @@ enum class States { one, many };
 /// Same values, bit for bit.
 Program order_for_registers(const Program& program, States states);
 
+/// What was verified is what is written: the same values, bit for bit, in the last order too. Throws InternalError.
+void expect_same_values(const Program& verified, const Program& written);
+
 }  // namespace alembert

@@ -6,12 +6,14 @@
 #include <map>
 #include <queue>
 
+#include "support/no_index.hpp"
+
 namespace alembert {
 
 RegisterPlan::RegisterPlan(const Program& program, const StatementLayout& layout)
     : program_(program), layout_(layout), crossing_(layout.crossing()) {
   const auto size = static_cast<std::uint32_t>(program.code.size());
-  slot_.assign(size, kNoPlace);
+  slot_.assign(size, kNoIndex);
   members_.resize(size);
   reads_.resize(size);
   std::vector<std::vector<std::uint32_t>> blocks(layout.blocks());
@@ -19,7 +21,7 @@ RegisterPlan::RegisterPlan(const Program& program, const StatementLayout& layout
     if (layout.statement(v) == v) blocks[layout.block(v)].push_back(v);
     // From the named value down, as it is read when it is written.
     const std::uint32_t below = size - 1 - v;
-    if (layout.statement(below) != kNoPlace) members_[layout.statement(below)].push_back(below);
+    if (layout.statement(below) != kNoIndex) members_[layout.statement(below)].push_back(below);
   }
   for (std::uint32_t block = 0; block < layout.blocks(); ++block) plan_block(block, blocks[block]);
 }
@@ -33,7 +35,7 @@ std::vector<std::uint32_t> RegisterPlan::reads_of(std::uint32_t statement) const
   };
   if (statement == layout_.trig_call())
     for (const std::uint32_t angle : layout_.angles()) add(angle);
-  if (layout_.angle(statement) != kNoPlace) return reads;
+  if (layout_.angle(statement) != kNoIndex) return reads;
   for (const std::uint32_t member : members_[statement]) {
     const Instruction& c = program_.code[member];
     if (operand_count(c.op) > 0) add(c.a);
@@ -44,8 +46,8 @@ std::vector<std::uint32_t> RegisterPlan::reads_of(std::uint32_t statement) const
 
 /// Inputs, sines and cosines of the call for all angles, and what is written to w in any case.
 bool RegisterPlan::is_in_memory(std::uint32_t v, std::uint32_t block) const {
-  return program_.code[v].op == Operation::input || layout_.angle(v) != kNoPlace ||
-         layout_.block(v) != block || layout_.place(v) != kNoPlace || !layout_.table_places(v).empty();
+  return program_.code[v].op == Operation::input || layout_.angle(v) != kNoIndex ||
+         layout_.block(v) != block || layout_.place(v) != kNoIndex || !layout_.table_places(v).empty();
 }
 
 void RegisterPlan::plan_block(std::uint32_t block, std::span<const std::uint32_t> statements) {
@@ -64,9 +66,9 @@ void RegisterPlan::plan_block(std::uint32_t block, std::span<const std::uint32_t
     std::vector<std::uint32_t> reads;
     for (const std::uint32_t v : reads_of(s)) reads.push_back(number_of(v));
     // Sines and cosines of the call stand in memory, and have no name until they are read.
-    const bool named = layout_.angle(s) == kNoPlace && !layout_.result_only(s) && !layout_.table_only(s);
+    const bool named = layout_.angle(s) == kNoIndex && !layout_.result_only(s) && !layout_.table_only(s);
     order.push_back(static_cast<std::uint32_t>(uses.statements.size()));
-    uses.add(reads, named ? number_of(s) : RegisterUses::kNoValue);
+    uses.add(reads, named ? number_of(s) : kNoIndex);
   }
   const RegisterFile::Record record = RegisterFile(uses).record(order);
 
@@ -84,7 +86,7 @@ void RegisterPlan::plan_block(std::uint32_t block, std::span<const std::uint32_t
   auto end = static_cast<std::uint32_t>(layout_.crossing());
   for (std::uint32_t i = 0; i < statements.size(); ++i) {
     const std::uint32_t result = uses.statements[i].result;
-    if (result != RegisterUses::kNoValue && record.stored[result]) {
+    if (result != kNoIndex && record.stored[result]) {
       if (free_places.empty()) free_places.push(end++);
       slot_[statements[i]] = free_places.top();
       free_places.pop();

@@ -13,6 +13,7 @@
 
 #include "registers/register_file.hpp"
 #include "registers/statement_layout.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 
@@ -26,7 +27,7 @@ class RegisterPlan {
   };
   /// Inputs and values of other statements that a statement reads.
   std::span<const Read> reads(std::uint32_t statement) const { return reads_[statement]; }
-  /// The place in kept that v is written to when it is computed, beside those of the layout; kNoPlace if none is
+  /// The place in kept that v is written to when it is computed, beside those of the layout; kNoIndex if none is
   /// needed.
   std::uint32_t slot(std::uint32_t v) const { return slot_[v]; }
   /// Size of kept.

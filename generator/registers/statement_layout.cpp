@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 namespace {
@@ -127,7 +128,7 @@ void StatementLayout::name_operations() {
 }
 
 void StatementLayout::collect_statements() {
-  statement_.assign(size_, kNoPlace);
+  statement_.assign(size_, kNoIndex);
   // Users have larger indices.
   for (std::uint32_t v = static_cast<std::uint32_t>(size_); v-- > 0;) {
     if (!live(v) || is_leaf(program_.code[v].op)) continue;
@@ -145,8 +146,8 @@ void StatementLayout::assign_blocks(const BlockSizes& sizes) {
     const Operation op = program_.code[v].op;
     return op != Operation::sin && op != Operation::cos;
   };
-  block_.assign(size_, kNoPlace);
-  number_.assign(size_, kNoPlace);
+  block_.assign(size_, kNoIndex);
+  number_.assign(size_, kNoIndex);
   blocks_ = 0;
   std::uint32_t number = 0;
   const auto add_straight = [&](std::uint32_t begin, std::uint32_t end) {
@@ -181,7 +182,7 @@ void StatementLayout::assign_blocks(const BlockSizes& sizes) {
   add_straight(begin, static_cast<std::uint32_t>(size_));
   // What is written into its user belongs to the user's block.
   for (std::uint32_t v = 0; v < size_; ++v)
-    if (statement_[v] != kNoPlace) block_[v] = block_[statement_[v]];
+    if (statement_[v] != kNoIndex) block_[v] = block_[statement_[v]];
 }
 
 void StatementLayout::assign_crossings() {
@@ -195,7 +196,7 @@ void StatementLayout::assign_crossings() {
     }
   }
   // A place is free again for blocks after that of its last use; the lowest free place is taken.
-  place_.assign(size_, kNoPlace);
+  place_.assign(size_, kNoIndex);
   std::vector<std::vector<std::uint32_t>> expiring(blocks_ + 1);
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_places;
   std::uint32_t current = 0;
@@ -208,7 +209,7 @@ void StatementLayout::assign_crossings() {
       continue;
     }
     if (last[v] <= block_[v]) continue;
-    if (trig_place_ != kNoPlace && angle_[v] != kNoPlace) {
+    if (trig_place_ != kNoIndex && angle_[v] != kNoIndex) {
       const bool sine = program_.code[v].op == Operation::sin;
       place_[v] = trig_place_ + angle_[v] + (sine ? 0 : static_cast<std::uint32_t>(angles_.size()));
       continue;
@@ -225,15 +226,15 @@ void StatementLayout::assign_crossings() {
 }
 
 void StatementLayout::collect_angles() {
-  angle_.assign(size_, kNoPlace);
-  std::uint32_t first = kNoPlace;
-  std::vector<std::uint32_t> place(size_, kNoPlace);
+  angle_.assign(size_, kNoIndex);
+  std::uint32_t first = kNoIndex;
+  std::vector<std::uint32_t> place(size_, kNoIndex);
   for (std::uint32_t v = 0; v < size_; ++v) {
     const Instruction& c = program_.code[v];
     if (!live(v) || (c.op != Operation::sin && c.op != Operation::cos)) continue;
-    if (first == kNoPlace) first = v;
+    if (first == kNoIndex) first = v;
     if (c.a >= first || block_[v] != block_[first]) continue;
-    if (place[c.a] == kNoPlace) {
+    if (place[c.a] == kNoIndex) {
       place[c.a] = static_cast<std::uint32_t>(angles_.size());
       angles_.push_back(c.a);
     }
@@ -242,18 +243,18 @@ void StatementLayout::collect_angles() {
   if (angles_.size() >= 2)
     trig_call_ = first;
   else
-    angle_.assign(size_, kNoPlace);
+    angle_.assign(size_, kNoIndex);
 }
 
 void StatementLayout::place_loops() {
   std::vector<LoopLayout::Fixed> fixed;
-  if (trig_call_ != kNoPlace) {
+  if (trig_call_ != kNoIndex) {
     const auto count = static_cast<std::uint32_t>(angles_.size());
     trig_place_ = static_cast<std::uint32_t>(crossing_);
     for (const Operation op : {Operation::sin, Operation::cos}) {
-      std::vector<std::uint32_t> values(count, kNoPlace);
+      std::vector<std::uint32_t> values(count, kNoIndex);
       for (std::uint32_t v = 0; v < size_; ++v)
-        if (angle_[v] != kNoPlace && program_.code[v].op == op) values[angle_[v]] = v;
+        if (angle_[v] != kNoIndex && program_.code[v].op == op) values[angle_[v]] = v;
       fixed.push_back({std::move(values), static_cast<std::int64_t>(crossing_), 1});
       crossing_ += count;
     }
@@ -281,7 +282,7 @@ void StatementLayout::place_loops() {
       continue;
     }
     table_places_[v] = loops_->places(v);
-    if (trig_place_ != kNoPlace && angle_[v] != kNoPlace)
+    if (trig_place_ != kNoIndex && angle_[v] != kNoIndex)
       std::erase_if(table_places_[v], [&](std::uint32_t place) {
         return place >= trig_place_ && place < trig_place_ + 2 * angles_.size();
       });

@@ -13,6 +13,7 @@
 
 #include "program/program.hpp"
 #include "registers/loop_layout.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -32,8 +33,6 @@ inline Grain grain_over_packs(const Program& program) {
   return program.loops.empty() ? Grain::operations : Grain::expressions;
 }
 
-inline constexpr std::uint32_t kNoPlace = std::numeric_limits<std::uint32_t>::max();
-
 /// Layout of one program: what is live, named, in which block, and where values cross.
 class StatementLayout {
  public:
@@ -42,22 +41,22 @@ class StatementLayout {
   bool live(std::uint32_t v) const { return uses_[v] > 0; }
   /// Has a statement of its own. Leaves have none.
   bool named(std::uint32_t v) const { return named_[v]; }
-  /// The named value whose statement v is written in; kNoPlace if v is a leaf or not live.
+  /// The named value whose statement v is written in; kNoIndex if v is a leaf or not live.
   std::uint32_t statement(std::uint32_t v) const { return statement_[v]; }
   /// Number of a named value, in the order of the code.
   std::uint32_t number(std::uint32_t v) const { return number_[v]; }
   std::uint32_t block(std::uint32_t v) const { return block_[v]; }
   std::uint32_t blocks() const { return blocks_; }
-  /// Place in w from which later blocks take the value, or kNoPlace.
+  /// Place in w from which later blocks take the value, or kNoIndex.
   std::uint32_t place(std::uint32_t v) const { return place_[v]; }
   /// Size of kept.
   std::size_t crossing() const { return crossing_; }
   /// The first sine or cosine. There, those of all angles that are known by then and are wanted in the same
-  /// block are computed together, if there are two or more; kNoPlace if there are not.
+  /// block are computed together, if there are two or more; kNoIndex if there are not.
   std::uint32_t trig_call() const { return trig_call_; }
   /// The angles of that call.
   const std::vector<std::uint32_t>& angles() const { return angles_; }
-  /// For a sine or cosine from that call the place of its angle, otherwise kNoPlace.
+  /// For a sine or cosine from that call the place of its angle, otherwise kNoIndex.
   std::uint32_t angle(std::uint32_t v) const { return angle_[v]; }
   /// Results that value v is, in order: pairs of output array and index.
   const std::vector<std::pair<std::uint32_t, std::uint32_t>>& results(std::uint32_t v) const {
@@ -79,7 +78,7 @@ class StatementLayout {
   const std::optional<LoopLayout>& loops() const { return loops_; }
   /// First value of the loop that v is in.
   std::uint32_t first_of_loop(std::uint32_t v) const { return loop(v)->first; }
-  /// Place in w of the sines of the call for all angles, which the cosines follow; kNoPlace if they are
+  /// Place in w of the sines of the call for all angles, which the cosines follow; kNoIndex if they are
   /// local.
   std::uint32_t trig_place() const { return trig_place_; }
 
@@ -95,7 +94,7 @@ class StatementLayout {
   void collect_angles();
   void place_loops();
   const Loop* loop(std::uint32_t v) const {
-    return loop_[v] == kNoPlace ? nullptr : &program_.loops[loop_[v]];
+    return loop_[v] == kNoIndex ? nullptr : &program_.loops[loop_[v]];
   }
   /// The same value of the first iteration.
   std::uint32_t in_first(std::uint32_t v) const {
@@ -112,9 +111,9 @@ class StatementLayout {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> results_;
   std::vector<std::vector<std::uint32_t>> table_places_;
   std::vector<TablePlace> tables_;
-  std::vector<std::uint32_t> loop_;  // of a value, or kNoPlace
+  std::vector<std::uint32_t> loop_;  // of a value, or kNoIndex
   std::optional<LoopLayout> loops_;
-  std::uint32_t blocks_ = 1, trig_call_ = kNoPlace, trig_place_ = kNoPlace;
+  std::uint32_t blocks_ = 1, trig_call_ = kNoIndex, trig_place_ = kNoIndex;
   std::size_t crossing_ = 0;
 };
 

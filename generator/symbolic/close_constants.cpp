@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "support/no_index.hpp"
 #include "symbolic/node_index.hpp"
 #include "symbolic/postorder.hpp"
 #include "symbolic/rebuilt.hpp"
@@ -87,7 +88,7 @@ std::vector<Expr> merge_close_constants(std::span<const Expr> roots) {
   if (!any_close(numbers)) return out;
   const NodeIndex replaced = replacements(numbers);
   return rebuilt(roots, [&](std::uint32_t id, Ref a, Ref b) {
-    if (const std::uint32_t other = replaced.find(id); other != NodeIndex::kAbsent) return Ref(other, false);
+    if (const std::uint32_t other = replaced.find(id); other != kNoIndex) return Ref(other, false);
     return graph->node(id).constant ? Ref(id, false) : graph->remade(id, a, b);
   });
 }

@@ -7,25 +7,24 @@
 #include <utility>
 #include <vector>
 
+#include "support/no_index.hpp"
 #include "symbolic/expr.hpp"
 
 namespace alembert {
 
 class NodeIndex {
  public:
-  static constexpr std::uint32_t kAbsent = 0xffffffffu;
-
-  NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kAbsent, 0}) {}
+  NodeIndex() : slots_(std::size_t{1} << bits_, Slot{kNoIndex, 0}) {}
   /// For nodes that a graph of that size has, by their ids.
   explicit NodeIndex(std::uint32_t graph_size) {
     if (!spare_.empty()) {
       positions_ = std::move(spare_.back());
       spare_.pop_back();
     }
-    if (positions_.size() < graph_size) positions_.resize(graph_size, kAbsent);
+    if (positions_.size() < graph_size) positions_.resize(graph_size, kNoIndex);
   }
   ~NodeIndex() {
-    for (const std::uint32_t id : added_) positions_[id] = kAbsent;
+    for (const std::uint32_t id : added_) positions_[id] = kNoIndex;
     if (slots_.empty() && !positions_.empty() && spare_.size() < kSpare)
       spare_.push_back(std::move(positions_));
   }
@@ -36,15 +35,15 @@ class NodeIndex {
   }
 
   std::uint32_t find(std::uint32_t id) const {
-    if (slots_.empty()) return id < positions_.size() ? positions_[id] : kAbsent;
+    if (slots_.empty()) return id < positions_.size() ? positions_[id] : kNoIndex;
     const Slot& slot = slots_[slot_of(id)];
-    return slot.id == id ? slot.position : kAbsent;
+    return slot.id == id ? slot.position : kNoIndex;
   }
 
   /// Adds an id, unless it is there: then false.
   bool add(std::uint32_t id, std::uint32_t position) {
     if (slots_.empty()) {
-      if (positions_[id] != kAbsent) return false;
+      if (positions_[id] != kNoIndex) return false;
       positions_[id] = position;
       added_.push_back(id);
       return true;
@@ -71,16 +70,16 @@ class NodeIndex {
   /// That of the id, or the empty one that it would take.
   std::size_t slot_of(std::uint32_t id) const {
     std::size_t slot = home(id);
-    while (slots_[slot].id != id && slots_[slot].id != kAbsent) slot = (slot + 1) & (slots_.size() - 1);
+    while (slots_[slot].id != id && slots_[slot].id != kNoIndex) slot = (slot + 1) & (slots_.size() - 1);
     return slot;
   }
   void grow() {
     std::vector<Slot> old;
     old.swap(slots_);
     ++bits_;
-    slots_.assign(std::size_t{1} << bits_, Slot{kAbsent, 0});
+    slots_.assign(std::size_t{1} << bits_, Slot{kNoIndex, 0});
     for (const Slot& entry : old) {
-      if (entry.id != kAbsent) slots_[slot_of(entry.id)] = entry;
+      if (entry.id != kNoIndex) slots_[slot_of(entry.id)] = entry;
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "support/no_index.hpp"
 #include "symbolic/node_index.hpp"
 
 namespace alembert {
@@ -36,10 +37,10 @@ Postorder indexed_postorder(std::span<const Expr> roots, const NodeIndex* ranks)
       // What is visited first is pushed last.
       const bool b_first = ranks != nullptr && arity == 2 && !graph->node(node.a.node()).constant &&
                            ranks->find(node.b.node()) < ranks->find(node.a.node());
-      if (b_first && a == NodeIndex::kAbsent) open.push_back(node.a.node());
-      if (b == NodeIndex::kAbsent) open.push_back(node.b.node());
-      if (!b_first && a == NodeIndex::kAbsent) open.push_back(node.a.node());
-      if (a == NodeIndex::kAbsent || b == NodeIndex::kAbsent) continue;
+      if (b_first && a == kNoIndex) open.push_back(node.a.node());
+      if (b == kNoIndex) open.push_back(node.b.node());
+      if (!b_first && a == kNoIndex) open.push_back(node.a.node());
+      if (a == kNoIndex || b == kNoIndex) continue;
       open.pop_back();
       if (!out.index.add(id, static_cast<std::uint32_t>(out.ids.size()))) continue;
       out.ids.push_back(id);

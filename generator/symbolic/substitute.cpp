@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "support/no_index.hpp"
 #include "symbolic/node_index.hpp"
 #include "symbolic/postorder.hpp"
 #include "symbolic/rebuilt.hpp"
@@ -27,7 +28,7 @@ std::vector<Expr> substitute(std::span<const Expr> roots,
   }
   return rebuilt(roots, [&](std::uint32_t id, Ref a, Ref b) {
     const std::uint32_t by = replaced.find(id);
-    return by == NodeIndex::kAbsent ? graph->remade(id, a, b) : replacements[by].second.ref();
+    return by == kNoIndex ? graph->remade(id, a, b) : replacements[by].second.ref();
   });
 }
 

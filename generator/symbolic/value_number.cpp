@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/no_index.hpp"
 #include "symbolic/close_constants.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/error_bound.hpp"
@@ -33,7 +34,6 @@ constexpr std::size_t kRootPoints =
 constexpr std::size_t kDoublePoints = 8;
 constexpr double kRoundingFactor = 1e3;  // of the bounds on rounding errors; a wrong sign is far more,
                                          // however small the constants are
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using Values = std::array<std::vector<Modular>, kPoints>;
 
@@ -77,7 +77,7 @@ std::vector<double> double_point(ExprGraph& graph, std::uint64_t seed) {
 // A node of the order found equal to another one (or to a number), to be confirmed because roots are
 // involved.
 struct Match {
-  std::uint32_t node, other;  // positions; other == kNone: the number of the class
+  std::uint32_t node, other;  // positions; other == kNoIndex: the number of the class
   std::uint32_t value_class;
   bool negative;
 };
@@ -99,14 +99,14 @@ class Numbering {
 
  private:
   struct Class {
-    std::uint32_t first = kNone;           // member found first
-    std::uint32_t representative = kNone;  // cheapest member
+    std::uint32_t first = kNoIndex;           // member found first
+    std::uint32_t representative = kNoIndex;  // cheapest member
     Ref number;
     bool is_number = false, built = false;
     Ref image;  // of the representative
   };
   struct Member {
-    std::uint32_t value_class = kNone;
+    std::uint32_t value_class = kNoIndex;
     bool negative = false;  // relative to the first member, or to the number
   };
 
@@ -151,7 +151,7 @@ class Numbering {
   std::uint32_t number_class(Rational magnitude) {
     const Ref number = graph_.rational(magnitude).ref();
     const std::uint32_t known = numbers_.find(number.node());
-    if (known != NodeIndex::kAbsent) return known;
+    if (known != kNoIndex) return known;
     classes_.push_back({});
     Class& made = classes_.back();
     made.number = made.image = number;
@@ -167,7 +167,7 @@ class Numbering {
     rooted_.assign(count, false);
     std::size_t slots = 64;
     while (slots < 2 * static_cast<std::size_t>(count)) slots *= 2;
-    std::vector<std::uint32_t> table(slots, kNone);
+    std::vector<std::uint32_t> table(slots, kNoIndex);
     for (std::uint32_t i = 0; i < count; ++i) {
       const NodeKind n = kind(i);
       const LocalOperands operands = order_.operands[i];
@@ -185,7 +185,7 @@ class Numbering {
           const std::uint32_t found = number_class(magnitude);
           members_[i] = {found, negative};
           // Constants have the same value at every point: the points confirm nothing.
-          if (rooted_[i] || n.constant) matches_.push_back({i, kNone, found, negative});
+          if (rooted_[i] || n.constant) matches_.push_back({i, kNoIndex, found, negative});
           continue;
         }
       }
@@ -198,7 +198,7 @@ class Numbering {
       }
       std::size_t slot = static_cast<std::size_t>(hash >> 20) & (slots - 1);
       bool found = false;
-      for (; table[slot] != kNone && !found; slot = (slot + 1) & (slots - 1)) {
+      for (; table[slot] != kNoIndex && !found; slot = (slot + 1) & (slots - 1)) {
         const std::uint32_t other = table[slot];
         const bool negative = flipped != upper(other);
         if (!equal(i, other, negative)) continue;
@@ -229,7 +229,7 @@ class Numbering {
     std::vector<Expr> pairs;
     for (const Match& match : matches_) {
       pairs.emplace_back(graph_, ref(match.node));
-      const Ref other = match.other != kNone ? ref(match.other) : classes_[match.value_class].number;
+      const Ref other = match.other != kNoIndex ? ref(match.other) : classes_[match.value_class].number;
       pairs.emplace_back(graph_, match.negative ? -other : other);
     }
     const auto reject = [this](const Match& match) { own_class(match.node); };
@@ -283,7 +283,7 @@ class Numbering {
       }
       Class& in = classes_[members_[i].value_class];
       if (in.is_number) continue;
-      if (in.representative == kNone || cost[i] < cost[in.representative]) in.representative = i;
+      if (in.representative == kNoIndex || cost[i] < cost[in.representative]) in.representative = i;
     }
   }
 

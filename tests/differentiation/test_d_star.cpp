@@ -17,6 +17,7 @@
 #include "differentiation/random_functions.hpp"
 #include "differentiation/reverse.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/evaluate_modular.hpp"
 #include "symbolic/modular.hpp"
@@ -181,7 +182,7 @@ TEST(DStar, LabelsAreOfPairsNotOfRootsAndVariables) {
   ASSERT_TRUE(labelled.has_value());
   // (g, x), (g, y), (f, x); d f / d y has no path.
   EXPECT_EQ(labelled->pairs.size(), 3u);
-  EXPECT_EQ(labelled->pair_of[3], DerivativeGraph::kNone);
+  EXPECT_EQ(labelled->pair_of[3], kNoIndex);
   std::size_t labels = 0;
   for (const PairSet& label : labelled->labels) label.for_each([&](std::size_t) { ++labels; });
   EXPECT_EQ(labels, 4u);  // g-f-x for the first, g-y for the second, f-x for the third
@@ -245,7 +246,7 @@ TEST(DStar, StoppingAnywhereLeavesTheDerivativesRight) {
     for (const DerivativeEdge& edge : labelled.edges) edges.push_back(derivatives.expr(edge.value));
     const std::vector<Modular> values = evaluate_modular(edges, point);
     for (std::size_t k = 0; k < labelled.pair_of.size(); ++k) {
-      if (labelled.pair_of[k] == DerivativeGraph::kNone) continue;
+      if (labelled.pair_of[k] == kNoIndex) continue;
       Modular sum = path_sum(labelled, labelled.pair_of[k], values);
       const Expr root = f.roots[k / f.variables.size()];
       if (root.ref().negative()) {

@@ -20,11 +20,12 @@
 #include "registers/order_search.hpp"
 #include "registers/register_file.hpp"
 #include "registers/register_order.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
 namespace {
 
-constexpr std::uint32_t kNoResult = RegisterUses::kNoValue;
+constexpr std::uint32_t kNoResult = kNoIndex;
 
 /// Statements that read values and give the value of their own number, or none; the first `inputs` values are
 /// in memory.

@@ -115,6 +115,17 @@ std::string keep_distinct(const DistinctResults& distinct, std::vector<PackArray
   return definitions;
 }
 
+/// A program with equal results in all their places again.
+Program with_all_results(Program program, const DistinctResults& distinct) {
+  for (std::size_t k = 0; k < distinct.rows.size(); ++k) {
+    if (distinct.rows[k].empty()) continue;
+    const std::vector<std::uint32_t> values = std::move(program.outputs[k].values);
+    program.outputs[k].values.clear();
+    for (const std::uint32_t row : distinct.rows[k]) program.outputs[k].values.push_back(values[row]);
+  }
+  return program;
+}
+
 /// A program over packs: its blocks, and a function that calls them.
 struct PackFunction {
   std::string definition;
@@ -128,8 +139,9 @@ PackFunction pack_function(const Mechanism& mechanism, const Program& program, c
   const std::size_t products = dot_products(program);
   const bool straight = products > 0 && products < options.batch_dot_products;
   const DistinctResults distinct = distinct_results(straight ? schedule(program) : program);
-  const FunctionBody body = function_body(order_for_registers(distinct.program, States::many), signature,
-                                          kBatchBlocks, Registers::planned);
+  const Program ordered = order_for_registers(distinct.program, States::many);
+  expect_same_values(program, with_all_results(ordered, distinct));
+  const FunctionBody body = function_body(ordered, signature, kBatchBlocks, Registers::planned);
   std::vector<PackArray> arrays = pack_arrays(mechanism, signature);
   const std::string rows = keep_distinct(distinct, arrays);
   const std::size_t crossing = std::max<std::size_t>(body.crossing, 1);

@@ -12,9 +12,11 @@
 #include <string_view>
 #include <utility>
 
+#include "emit/statements/input_text.hpp"
 #include "emit/statements/literals.hpp"
 #include "registers/register_plan.hpp"
 #include "support/error.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -28,50 +30,6 @@ constexpr std::size_t kTries = 4;
 
 /// How strongly the text of a value binds.
 enum class Binding : std::uint8_t { sum, product, sign, primary };
-
-std::string input_local(const InputSlot& slot) {
-  switch (slot.kind) {
-    case ArgumentKind::q:
-      return fmt::format("q{}", slot.index);
-    case ArgumentKind::qd:
-      return fmt::format("qd{}", slot.index);
-    case ArgumentKind::qdd:
-      return fmt::format("qdd{}", slot.index);
-    case ArgumentKind::tau:
-      return fmt::format("tau{}", slot.index);
-    case ArgumentKind::mu:
-      return fmt::format("mu{}", slot.index);
-    case ArgumentKind::time:
-      return "time";
-    case ArgumentKind::parameter:
-      return fmt::format("p{}", slot.index);
-    case ArgumentKind::wrench:
-      return fmt::format("f{}", slot.index);
-  }
-  throw InternalError("emit: input of unknown kind");
-}
-
-std::string input_source(const InputSlot& slot, const Syntax& syntax) {
-  switch (slot.kind) {
-    case ArgumentKind::q:
-      return fmt::format("q[{}]", slot.index);
-    case ArgumentKind::qd:
-      return fmt::format("qd[{}]", slot.index);
-    case ArgumentKind::qdd:
-      return fmt::format("qdd[{}]", slot.index);
-    case ArgumentKind::tau:
-      return fmt::format("tau[{}]", slot.index);
-    case ArgumentKind::mu:
-      return fmt::format("mu[{}]", slot.index);
-    case ArgumentKind::time:
-      return syntax.inputs + "t";
-    case ArgumentKind::parameter:
-      return fmt::format("{}parameters[{}]", syntax.inputs, slot.index);
-    case ArgumentKind::wrench:
-      return fmt::format("{}wrenches[{}]", syntax.inputs, slot.index);
-  }
-  throw InternalError("emit: input of unknown kind");
-}
 
 /// Writes the statements of a layout.
 class Writer {
@@ -163,9 +121,9 @@ class Writer {
   std::string element_of(std::uint32_t v, std::uint32_t block) const {
     if (program_.code[v].op == Operation::input)
       return input_source(program_.inputs[program_.code[v].a], syntax_);
-    if (layout_.angle(v) != kNoPlace && layout_.block(v) == block) return from_trig_call(v);
+    if (layout_.angle(v) != kNoIndex && layout_.block(v) == block) return from_trig_call(v);
     const std::uint32_t place = !layout_.table_places(v).empty() ? layout_.table_places(v).front()
-                                : layout_.place(v) != kNoPlace   ? layout_.place(v)
+                                : layout_.place(v) != kNoIndex   ? layout_.place(v)
                                                                  : plan_->slot(v);
     return fmt::format("kept[{}]", place);
   }
@@ -201,7 +159,7 @@ class Writer {
       if (again > 0) name += fmt::format("_{}", again + 1);
       const std::string comment = input ? "  // " + comment_text(program_.inputs[c.a].name) : "";
       const bool angle =
-          input && layout_.trig_call() != kNoPlace && statement == layout_.statement(layout_.trig_call());
+          input && layout_.trig_call() != kNoIndex && statement == layout_.statement(layout_.trig_call());
       if (angle)
         define_angle(block, name, element_of(v, block), comment);
       else
@@ -277,7 +235,7 @@ class Writer {
   /// What loops leave for straight code to put in its place.
   void write_late(std::uint32_t block) {
     for (std::uint32_t v = 0; v < program_.code.size(); ++v)
-      if (layout_.loops()->loop(v) != kNoPlace && !layout_.results(v).empty())
+      if (layout_.loops()->loop(v) != kNoIndex && !layout_.results(v).empty())
         store_all(block, layout_.results(v), fmt::format("kept[{}]", layout_.place(v)));
     for (const auto& [v, place] : layout_.loops()->late())
       keep(block, place, fmt::format("kept[{}]", layout_.place(v)));
@@ -328,7 +286,7 @@ class Writer {
   std::string operand_of(std::uint32_t v, std::size_t k, std::uint32_t block, Binding least) {
     const Instruction& c = program_.code[v];
     const std::uint32_t value = k == 0 ? c.a : c.b;
-    if (!layout_.loops() || layout_.loops()->loop(v) == kNoPlace) return operand(value, block, least);
+    if (!layout_.loops() || layout_.loops()->loop(v) == kNoIndex) return operand(value, block, least);
     const LoopOperand& o =
         layout_.loops()->bodies()[layout_.loops()->loop(v)].operands[v - layout_.first_of_loop(v)][k];
     switch (o.kind) {
@@ -425,7 +383,7 @@ class Writer {
         define(block, fmt::format("t{}", layout_.number(v)), fmt::format("kept[{}]", layout_.place(v)));
       }
       const std::string name = fmt::format("t{}", layout_.number(v));
-      if (layout_.angle(v) != kNoPlace && layout_.block(v) == block && states_[block].loaded.insert(v).second)
+      if (layout_.angle(v) != kNoIndex && layout_.block(v) == block && states_[block].loaded.insert(v).second)
         define(block, name, from_trig_call(v));
       return name;
     }
@@ -466,13 +424,13 @@ class Writer {
     }
     const std::size_t sines = layout_.trig_place();
     const std::string name = syntax_.function("sines_and_cosines");
-    if (syntax_.dialect == Dialect::javascript && sines == kNoPlace) {
+    if (syntax_.dialect == Dialect::javascript && sines == kNoIndex) {
       line(block, "const sine = angle.map(Math.sin), cosine = angle.map(Math.cos);");
       return;
     }
     if (syntax_.dialect == Dialect::javascript) {
       line(block, fmt::format("{}(angle, {});", name, sines));
-    } else if (sines != kNoPlace) {
+    } else if (sines != kNoIndex) {
       line(block, fmt::format("{}({}, {}, kept + {}, kept + {});", name, angles.size(), source, sines,
                               sines + angles.size()));
     } else {
@@ -484,7 +442,7 @@ class Writer {
 
   std::string from_trig_call(std::uint32_t v) const {
     const bool sine = program_.code[v].op == Operation::sin;
-    if (layout_.trig_place() != kNoPlace)
+    if (layout_.trig_place() != kNoIndex)
       return fmt::format("kept[{}]",
                          layout_.trig_place() + layout_.angle(v) + (sine ? 0 : layout_.angles().size()));
     return fmt::format("{}[{}]", sine ? "sine" : "cosine", layout_.angle(v));
@@ -493,7 +451,7 @@ class Writer {
   std::string call(std::uint32_t v, std::uint32_t block) {
     const Instruction& c = program_.code[v];
     if (v == layout_.trig_call()) write_trig_call(block);
-    if (layout_.angle(v) != kNoPlace) return from_trig_call(v);
+    if (layout_.angle(v) != kNoIndex) return from_trig_call(v);
     const std::string name = syntax_.function(operation_name(c.op));
     states_[block].calls.emplace(operation_name(c.op));
     const std::string a = operand_of(v, 0, block, Binding::sum);
@@ -527,7 +485,7 @@ class Writer {
       binding_[v] = binding;
       return;
     }
-    if (layout_.loops() && layout_.loops()->loop(v) != kNoPlace) {
+    if (layout_.loops() && layout_.loops()->loop(v) != kNoIndex) {
       write_in_loop(v, block, text);
       return;
     }
@@ -541,18 +499,18 @@ class Writer {
       return;
     }
     // What comes from the call for all angles gets its name where it is first used.
-    const bool from_arrays = layout_.angle(v) != kNoPlace;
+    const bool from_arrays = layout_.angle(v) != kNoIndex;
     const std::string name = from_arrays ? text : fmt::format("t{}", layout_.number(v));
     if (!from_arrays) define(block, name, text);
     if (plan_ && !from_arrays) {
       text_in_plan_[v] = name;
       ++times_named_[name];
-      if (plan_->slot(v) != kNoPlace) keep(block, plan_->slot(v), name);
+      if (plan_->slot(v) != kNoIndex) keep(block, plan_->slot(v), name);
     }
     const std::vector<std::uint32_t>& in_tables = layout_.table_places(v);
     for (const std::uint32_t place : in_tables) keep(block, place, name);
-    const bool there = from_arrays && layout_.trig_place() != kNoPlace;
-    if (layout_.place(v) != kNoPlace && in_tables.empty() && !there) keep(block, layout_.place(v), name);
+    const bool there = from_arrays && layout_.trig_place() != kNoIndex;
+    if (layout_.place(v) != kNoIndex && in_tables.empty() && !there) keep(block, layout_.place(v), name);
     store_all(block, layout_.results(v), name);
   }
 
@@ -586,7 +544,7 @@ class Writer {
   std::size_t longest_;
   StatementLayout layout_;
   std::optional<RegisterPlan> plan_;
-  std::uint32_t planned_ = kNoPlace;                   // the statement whose operands are in place
+  std::uint32_t planned_ = kNoIndex;                   // the statement whose operands are in place
   std::map<std::uint32_t, std::string> text_in_plan_;  // of a value, at this statement
   std::map<std::string, int> times_named_;
   FunctionBody body_;

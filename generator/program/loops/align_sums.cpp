@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "program/loops/similar_values.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -31,7 +32,7 @@ class Alignment {
   Program run() {
     std::vector<std::optional<Tree>> changed(binary_.size());
     for (std::uint32_t v = 0; v < binary_.size(); ++v)
-      if (map_.previous[v] == kNoValue && map_.next[v] != kNoValue && flat_.commutes(v))
+      if (map_.previous[v] == kNoIndex && map_.next[v] != kNoIndex && flat_.commutes(v))
         align_row(v, changed);
     return rewritten(changed);
   }
@@ -61,7 +62,7 @@ class Alignment {
   /// good.
   void align_row(std::uint32_t first, std::vector<std::optional<Tree>>& changed) {
     std::vector<std::uint32_t> row;
-    for (std::uint32_t v = first; v != kNoValue; v = map_.next[v]) row.push_back(v);
+    for (std::uint32_t v = first; v != kNoIndex; v = map_.next[v]) row.push_back(v);
     const std::size_t middle = row.size() / 2;
     Tree model = tree(row[middle]);
     for (std::size_t k = middle + 1; k < row.size(); ++k) align(row[k], map_.next, model, changed);

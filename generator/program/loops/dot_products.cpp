@@ -20,13 +20,14 @@
 #include <utility>
 #include <vector>
 
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
 namespace {
 
 // Stands for the factor one among values.
-constexpr std::uint32_t kOne = kNone - 1;
+constexpr std::uint32_t kOne = kNoIndex - 1;
 
 // A loop over fewer results takes longer to begin than it saves.
 constexpr std::uint32_t kShortestRun = 4;
@@ -48,8 +49,8 @@ struct Sum {
   std::uint32_t output;
   std::array<std::uint32_t, 2> places;  ///< elements of the output, ascending, or one twice
   std::vector<Term> terms;
-  std::vector<std::uint32_t> members;         ///< itself and all values that it alone needs
-  std::uint32_t left = kNone, right = kNone;  ///< rows, once they are known
+  std::vector<std::uint32_t> members;               ///< itself and all values that it alone needs
+  std::uint32_t left = kNoIndex, right = kNoIndex;  ///< rows, once they are known
 };
 
 /// A value or its negative.
@@ -91,7 +92,7 @@ class Table {
 /// A term of its own for each entry of a row.
 class Matching {
  public:
-  Matching(const Sum& sum, const Row& row) : sum_(sum), row_(row), entry_(sum.terms.size(), kNone) {}
+  Matching(const Sum& sum, const Row& row) : sum_(sum), row_(row), entry_(sum.terms.size(), kNoIndex) {}
 
   /// The row of which the sum is the dot product with this one; none if this one has not a factor of each
   /// term.
@@ -114,7 +115,7 @@ class Matching {
       const Term& term = sum_.terms[k];
       if (tried[k] || (term.a != row_[i].value && term.b != row_[i].value)) continue;
       tried[k] = true;
-      if (entry_[k] != kNone && !place(entry_[k], tried)) continue;
+      if (entry_[k] != kNoIndex && !place(entry_[k], tried)) continue;
       entry_[k] = i;
       return true;
     }
@@ -235,7 +236,7 @@ class Gathering {
       });
       open.erase(open.begin(), start);
     }
-    std::erase_if(sums, [](const Sum& sum) { return sum.left == kNone; });
+    std::erase_if(sums, [](const Sum& sum) { return sum.left == kNoIndex; });
     if (sums.empty()) return;
     // Loops go along the rows of one side; which one is right depends on how the results are arranged.
     Group group = group_of(sums, left, right);
@@ -443,7 +444,7 @@ class Gathering {
       out.code.push_back({op, a, b});
       return static_cast<std::uint32_t>(out.code.size() - 1);
     };
-    std::vector<std::uint32_t> place(size, kNone), negative(size, kNone);
+    std::vector<std::uint32_t> place(size, kNoIndex), negative(size, kNoIndex);
     for (std::uint32_t v = 0; v < size; ++v) {
       if (inside[v]) continue;
       Instruction c = program_.code[v];
@@ -456,11 +457,11 @@ class Gathering {
     for (OutputArray& output : out.outputs)
       for (std::uint32_t& v : output.values)
         if (!inside[v]) v = place[v];
-    std::array<std::uint32_t, 2> one{kNone, kNone};  // 1 and -1
+    std::array<std::uint32_t, 2> one{kNoIndex, kNoIndex};  // 1 and -1
     const auto in_table = [&](const Entry& entry) {
       if (entry.value != kOne) return entry.negative ? negative[entry.value] : place[entry.value];
       std::uint32_t& constant = one[entry.negative ? 1 : 0];
-      if (constant == kNone) {
+      if (constant == kNoIndex) {
         out.constants.push_back(entry.negative ? -1 : 1);
         constant = add(Operation::constant, static_cast<std::uint32_t>(out.constants.size() - 1), 0);
       }
@@ -480,7 +481,7 @@ class Gathering {
       DotProducts& products = group.products;
       std::vector<std::uint32_t>& results = out.outputs[products.output].values;
       const auto plus_product = [&](std::uint32_t sum, std::uint32_t a, std::uint32_t b) {
-        if (sum == kNone) return add(Operation::mul, a, b);
+        if (sum == kNoIndex) return add(Operation::mul, a, b);
         for (const std::uint32_t factor : {a, b}) {
           const std::uint32_t other = factor == a ? b : a;
           if (factor == one[0]) return add(Operation::add, sum, other);
@@ -492,7 +493,7 @@ class Gathering {
       for (const DotProducts::Run& run : products.runs)
         for (std::uint32_t i = 0; i < run.count; ++i) {
           const std::uint32_t a = run.left * products.terms, b = (run.right + i) * products.terms;
-          std::uint32_t sum = kNone;
+          std::uint32_t sum = kNoIndex;
           for (std::uint32_t k = 0; k < products.terms; ++k)
             sum = plus_product(sum, products.left[a + k], products.right[b + k]);
           results[run.first + i * run.stride] = results[run.mirror + i * run.step] = sum;

@@ -20,6 +20,7 @@
 #include "program/loops/align_sums.hpp"
 #include "program/loops/signs.hpp"
 #include "program/loops/similar_values.hpp"
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -117,7 +118,7 @@ class Rerolling {
     for (std::uint32_t v = 0; v < size_; ++v)
       if (sweep_[v] == kNoSweep) steps[v] = extreme(v, steps, sweep % 2 == 0);
     const auto follows = [&](std::uint32_t a, std::uint32_t b) {
-      return a != kNoValue && b != kNoValue && open(a) && open(b) && steps[a] != kNoStep &&
+      return a != kNoIndex && b != kNoIndex && open(a) && open(b) && steps[a] != kNoStep &&
              steps[b] == steps[a] + 1;
     };
     std::vector<std::uint32_t> run;
@@ -155,7 +156,7 @@ class Rerolling {
   std::vector<Row> rows_of(int sweep) const {
     std::vector<Row> rows;
     const auto joined = [&](std::uint32_t a, std::uint32_t b) {
-      return a != kNoValue && b != kNoValue && sweep_[a] == sweep && sweep_[b] == sweep &&
+      return a != kNoIndex && b != kNoIndex && sweep_[a] == sweep && sweep_[b] == sweep &&
              step_[b] == step_[a] + 1 && (straight(a, b) || crossed(a, b));
     };
     for (std::uint32_t v = 0; v < size_; ++v) {
@@ -297,7 +298,7 @@ class Rerolling {
   /// sines first. False if loops need each other.
   bool order() {
     enum : std::uint8_t { untouched, open, done };
-    std::vector<std::uint32_t> loop(size_, kNoValue);
+    std::vector<std::uint32_t> loop(size_, kNoIndex);
     for (std::uint32_t l = 0; l < loops_.size(); ++l)
       for (const auto& step : loops_[l].steps)
         for (const std::uint32_t v : step) loop[v] = l;
@@ -305,7 +306,7 @@ class Rerolling {
     first_.assign(loops_.size(), 0);
     // A unit is a value or a whole loop.
     std::vector<std::uint8_t> state(size_ + loops_.size(), untouched);
-    const auto unit_of = [&](std::uint32_t v) { return loop[v] == kNoValue ? v : size_ + loop[v]; };
+    const auto unit_of = [&](std::uint32_t v) { return loop[v] == kNoIndex ? v : size_ + loop[v]; };
     struct Visit {
       std::uint32_t unit;
       std::vector<std::uint32_t> needs;

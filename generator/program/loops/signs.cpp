@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -18,7 +19,7 @@ namespace {
 /// Signs of values, related by linear equations modulo 2, which are brought into echelon form as they come.
 class SignEquations {
  public:
-  explicit SignEquations(std::size_t size) : unknown_(size, kNoValue) {}
+  explicit SignEquations(std::size_t size) : unknown_(size, kNoIndex) {}
 
   /// The sum of the signs of these values is `odd`. What contradicts earlier equations is left out.
   void add(const std::vector<std::uint32_t>& values, bool odd) {
@@ -55,7 +56,7 @@ class SignEquations {
       signs.push_back(sign);
     }
     std::vector<bool> out;
-    for (const std::uint32_t number : unknown_) out.push_back(number != kNoValue && signs[number]);
+    for (const std::uint32_t number : unknown_) out.push_back(number != kNoIndex && signs[number]);
     return out;
   }
 
@@ -67,7 +68,7 @@ class SignEquations {
   };
 
   std::uint32_t unknown(std::uint32_t v) {
-    if (unknown_[v] == kNoValue) {
+    if (unknown_[v] == kNoIndex) {
       unknown_[v] = static_cast<std::uint32_t>(rows_.size());
       rows_.emplace_back();
     }
@@ -85,7 +86,7 @@ class Signs {
         order_(order),
         swapped_(swapped),
         sign_(values.size(), unknown),
-        place_(values.size(), kNoValue) {
+        place_(values.size(), kNoIndex) {
     results_.resize(values.size());
     for (const std::uint32_t v : values.wanted()) {
       const Operand result = values.plain(v);
@@ -295,7 +296,7 @@ class Signs {
   std::uint32_t constant(std::uint32_t v, bool negated) {
     const double given = values_.program().constants[values_.program().code[v].a];
     const double value = given == 0 ? 0 : negated ? -given : given;
-    const auto [entry, fresh] = constant_at_.try_emplace(std::bit_cast<std::uint64_t>(value), kNoValue);
+    const auto [entry, fresh] = constant_at_.try_emplace(std::bit_cast<std::uint64_t>(value), kNoIndex);
     if (fresh) {
       out_.constants.push_back(value);
       entry->second = leaf({Operation::constant, static_cast<std::uint32_t>(out_.constants.size() - 1), 0});

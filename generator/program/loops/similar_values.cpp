@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "support/no_index.hpp"
 #include "support/operation.hpp"
 
 namespace alembert {
@@ -76,8 +77,8 @@ class Growth {
  public:
   Growth(const UnsignedProgram& program, const Users& users, Shift shift) : program_(program), users_(users) {
     map_.shift = shift;
-    map_.next.assign(program.size(), kNoValue);
-    map_.previous.assign(program.size(), kNoValue);
+    map_.next.assign(program.size(), kNoIndex);
+    map_.previous.assign(program.size(), kNoIndex);
   }
 
   void grow(const Level& level) {
@@ -85,8 +86,8 @@ class Growth {
     start();
     ambiguous_.clear();
     for (std::uint32_t v = 0; v < program_.size(); ++v)
-      if (map_.next[v] != kNoValue) ambiguous_.emplace_back(v, map_.next[v]);
-    for (std::size_t known = kNoValue; known != map_.size;) {
+      if (map_.next[v] != kNoIndex) ambiguous_.emplace_back(v, map_.next[v]);
+    for (std::size_t known = kNoIndex; known != map_.size;) {
       known = map_.size;
       for (const auto& [a, b] : std::exchange(ambiguous_, {})) follow(a, b);
       while (!queue_.empty()) {
@@ -151,7 +152,7 @@ class Growth {
   bool possible(std::uint32_t a, std::uint32_t b) const {
     if (map_.next[a] == b) return true;
     if (a == b || level_->classes[a] != level_->classes[b] || program_.constant(a)) return false;
-    if (map_.next[a] != kNoValue || map_.previous[b] != kNoValue) return false;
+    if (map_.next[a] != kNoIndex || map_.previous[b] != kNoIndex) return false;
     const InputSlot *from = input(a), *to = input(b);
     if (from == nullptr) return true;
     return from->kind == to->kind && from->kind != ArgumentKind::time &&
@@ -261,7 +262,7 @@ class Growth {
   bool follow_users(std::uint32_t a, std::uint32_t b) {
     bool done = true;
     for (const std::uint32_t user : users_[a]) {
-      if (map_.next[user] != kNoValue) continue;
+      if (map_.next[user] != kNoIndex) continue;
       const auto of_a = level_->users_of_class(a, level_->classes[user]);
       const auto of_b = level_->users_of_class(b, level_->classes[user]);
       if (of_a.size() == 1 && of_b.size() == 1) {
@@ -271,13 +272,13 @@ class Growth {
       // All operands known: the only user that has what corresponds to them. A sum and a difference of the
       // same two values are told apart by what they are used for.
       const bool known = std::ranges::all_of(
-          program_.operands(user), [&](const Operand& x) { return map_.next[x.value] != kNoValue; });
-      const auto match = !known ? kNoValue : only(of_b, [&](std::uint32_t other) {
-        return map_.previous[other] == kNoValue && operands_known(user, other);
+          program_.operands(user), [&](const Operand& x) { return map_.next[x.value] != kNoIndex; });
+      const auto match = !known ? kNoIndex : only(of_b, [&](std::uint32_t other) {
+        return map_.previous[other] == kNoIndex && operands_known(user, other);
       });
       const bool alone =
-          match != kNoValue && only(of_a, [&](std::uint32_t other) {
-                                 return map_.next[other] == kNoValue && operands_known(other, match);
+          match != kNoIndex && only(of_a, [&](std::uint32_t other) {
+                                 return map_.next[other] == kNoIndex && operands_known(other, match);
                                }) == user;
       if (alone) propose(user, match);
       done &= alone || of_b.empty();
@@ -285,13 +286,13 @@ class Growth {
     return done;
   }
 
-  /// The only one of which the condition holds, or kNoValue.
+  /// The only one of which the condition holds, or kNoIndex.
   template <class Condition>
   static std::uint32_t only(std::span<const std::uint32_t> values, const Condition& condition) {
-    std::uint32_t found = kNoValue;
+    std::uint32_t found = kNoIndex;
     for (const std::uint32_t v : values)
       if (condition(v)) {
-        if (found != kNoValue) return kNoValue;
+        if (found != kNoIndex) return kNoIndex;
         found = v;
       }
     return found;
@@ -364,7 +365,7 @@ std::size_t whole_pairs(const UnsignedProgram& program, const Correspondence& ma
   };
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < program.size(); ++v)
-    count += !program.leaf(v) && map.next[v] != kNoValue && whole(v, map.next[v]) ? 1 : 0;
+    count += !program.leaf(v) && map.next[v] != kNoIndex && whole(v, map.next[v]) ? 1 : 0;
   return count;
 }
 

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "program/program.hpp"
+#include "support/no_index.hpp"
 
 namespace alembert {
-
-inline constexpr std::uint32_t kNoValue = std::numeric_limits<std::uint32_t>::max();
 
 /// A program without its signs: negations are none, differences are sums. Flattened, a sum of sums that are
 /// used nowhere else is one value with many operands, and a product likewise.
@@ -78,9 +77,9 @@ struct Shift {
 /// what they are computed from does, or what is computed from them.
 struct Correspondence {
   Shift shift;
-  std::vector<std::uint32_t> next, previous;  ///< of a value, or kNoValue
+  std::vector<std::uint32_t> next, previous;  ///< of a value, or kNoIndex
   std::size_t size = 0;                       ///< values that have a next one
-  bool along(std::uint32_t v) const { return next[v] != kNoValue || previous[v] != kNoValue; }
+  bool along(std::uint32_t v) const { return next[v] != kNoIndex || previous[v] != kNoIndex; }
 };
 
 /// First come values with the same operations depths[0] levels deep, then depths[1], ...: deep ones tell

@@ -1,0 +1,54 @@
+// Names inputs, see the header.
+#include "emit/statements/input_text.hpp"
+
+#include <fmt/format.h>
+
+#include "support/error.hpp"
+
+namespace alembert {
+
+std::string input_local(const InputSlot& slot) {
+  switch (slot.kind) {
+    case ArgumentKind::q:
+      return fmt::format("q{}", slot.index);
+    case ArgumentKind::qd:
+      return fmt::format("qd{}", slot.index);
+    case ArgumentKind::qdd:
+      return fmt::format("qdd{}", slot.index);
+    case ArgumentKind::tau:
+      return fmt::format("tau{}", slot.index);
+    case ArgumentKind::mu:
+      return fmt::format("mu{}", slot.index);
+    case ArgumentKind::time:
+      return "time";
+    case ArgumentKind::parameter:
+      return fmt::format("p{}", slot.index);
+    case ArgumentKind::wrench:
+      return fmt::format("f{}", slot.index);
+  }
+  throw InternalError("emit: input of unknown kind");
+}
+
+std::string input_source(const InputSlot& slot, const Syntax& syntax) {
+  switch (slot.kind) {
+    case ArgumentKind::q:
+      return fmt::format("q[{}]", slot.index);
+    case ArgumentKind::qd:
+      return fmt::format("qd[{}]", slot.index);
+    case ArgumentKind::qdd:
+      return fmt::format("qdd[{}]", slot.index);
+    case ArgumentKind::tau:
+      return fmt::format("tau[{}]", slot.index);
+    case ArgumentKind::mu:
+      return fmt::format("mu[{}]", slot.index);
+    case ArgumentKind::time:
+      return syntax.inputs + "t";
+    case ArgumentKind::parameter:
+      return fmt::format("{}parameters[{}]", syntax.inputs, slot.index);
+    case ArgumentKind::wrench:
+      return fmt::format("{}wrenches[{}]", syntax.inputs, slot.index);
+  }
+  throw InternalError("emit: input of unknown kind");
+}
+
+}  // namespace alembert
