@@ -263,12 +263,18 @@ TEST(Generate, RunsAtTheSameTimeDoNotMix) {
   }
 }
 
-TEST(Generate, UnknownFunctionNamesTheNearest) {
+TEST(Generate, UnknownFunctionNamesThoseNearAndTheList) {
   const TemporaryFolder folder;
-  const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") +
-                                                    " --functions mass_matrx --out-dir " + (folder / "out"));
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("mass_matrix"));
+  const auto error = [&](const std::string& function) {
+    const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") + " --functions " +
+                                                      function + " --out-dir " + (folder / "out"));
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("note: `--functions help` lists them"));
+    return result.err;
+  };
+  EXPECT_THAT(error("mass_matrx"), HasSubstr("'mass_matrx' (did you mean 'mass_matrix'?)\n"));
+  EXPECT_THAT(error("mass"), HasSubstr("'mass' (near ones: mass_matrix, mass_matrix_and_bias"));
+  EXPECT_THAT(error("bogus"), HasSubstr("'bogus'\n"));
 }
 
 TEST(Generate, AFunctionGivenTwiceIsAnError) {
