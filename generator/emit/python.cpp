@@ -259,6 +259,7 @@ std::vector<EmittedFile> python_files(const Mechanism& mechanism, std::span<cons
       {"version", std::string(generator_version())},
       {"dtype", dtype},
       {"key", key},
+      {"state_arguments", state_arguments(functions, words, 12, "({},)")},
       {"parameters_doc",
        "parameters  " + wrap_words(docstring(parameters_doc(functions, mechanism, common)), 14, 12, 110)},
       {"function_names", wrap_list(tuple_of(names), 17, 18)},

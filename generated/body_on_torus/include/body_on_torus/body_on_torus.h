@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [3] speeds: d(u), d(v), d(spin)
   qdd         [3] rates of the speeds
   tau         [3] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [3] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [6] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [6] speeds: d(x), d(y), d(z), d(turn).x, d(turn).y, d(turn).z
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [6] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of free_body_wrench_body_names the force x y z at its centre of mass, N, and the torque

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [1] speeds: d(q)
   qdd         [1] rates of the speeds
   tau         [1] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [1] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(q1), d(q2)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of rolling_wheels_wrench_body_names the force x y z at its centre of mass, N, and the torque

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [5] speeds: d(u1), d(v1), d(u2), d(v2), d(turn)
   qdd         [5] rates of the speeds
   tau         [5] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [5] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [20] speeds: d(x), d(y), d(z), d(attitude).x, d(attitude).y, d(attitude).z, d(shoulder), d(slide), d(screw), d(twist), d(reach), d(pitch) and 8 more
   qdd         [20] rates of the speeds
   tau         [20] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [20] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [2 x 6] per body of tree_every_joint_wrench_body_names the force x y z at its centre of mass, N, and the torque
