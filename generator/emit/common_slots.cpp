@@ -14,6 +14,7 @@
 
 #include "emit/statements/literals.hpp"
 #include "emit/statements/syntax.hpp"
+#include "functions/function_table.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/force_names.hpp"
 #include "mechanism/names.hpp"
@@ -271,6 +272,57 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   return named_indices(mechanism, objects_in_cpp);
 }
 
+/// `wrench_`: what stands before names of this type in C, behind that of the mechanism.
+std::string c_kind(std::string_view type) {
+  std::string kind(type);
+  kind[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(kind[0])));
+  return kind + "_";
+}
+
+/// Other names of the C interface are the same: those of lists and sizes, of functions and of what is made of these.
+bool objects_in_c(std::string_view type, std::string_view name) {
+  const std::string whole = c_kind(type) + std::string(name);
+  return name == "count" || name == "names" || whole == "wrench_body_names" ||
+         std::ranges::any_of(kOutputFunctions, [&](const OutputFunction& function) {
+           if (!whole.starts_with(function.name)) return false;
+           const std::string_view rest = std::string_view(whole).substr(function.name.size());
+           return rest.empty() || rest == "_batch" || rest == "_states" || rest.starts_with("_block");
+         });
+}
+
+/// `enum { arm_frame_tool = 0 };` and so on, behind a comment on their use.
+std::string c_indices(const Mechanism& mechanism) {
+  const std::vector<Indices> all = named_indices(mechanism, objects_in_c);
+  std::vector<std::string> uses;
+  std::string enums;
+  bool wrenches = false;
+  for (const Indices& indices : all) {
+    const std::string start = fmt::format("{}_{}", mechanism.name, c_kind(indices.type));
+    std::vector<std::string> items;
+    for (const Index& index : indices.items)
+      items.push_back(fmt::format("{}{} = {}", start, index.name, index.value));
+    const std::string list = wrapped(items);
+    enums += list.starts_with('\n') ? fmt::format("\nenum {{{}\n}};", list)
+                                    : fmt::format("\nenum {{ {} }};", list);
+    for (const auto& [type, array] : {std::pair("Coordinate", "q"),
+                                      {"Speed", "qd"},
+                                      {"Parameter", "parameters"},
+                                      {"Input", "parameters"},
+                                      {"State", "parameters"}})
+      if (indices.type == type) uses.push_back(fmt::format("{}[{}NAME]", array, start));
+    wrenches |= indices.type == "Wrench";
+  }
+  if (enums.empty()) return "";
+  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
+  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
+  if (wrenches) text += fmt::format(" Wrenches begin at 6 * {}_wrench_NAME.", mechanism.name);
+  const bool renamed = std::ranges::any_of(described_indices(mechanism), [](const Indices& of) {
+    return std::ranges::any_of(of.items, [&](const Index& i) { return objects_in_c(of.type, i.name); });
+  });
+  if (renamed) text += " A name that is another's here has an underscore behind it.";
+  return fmt::format("/* {} */{}", wrap_words(text, 3, 3, kWidth), enums);
+}
+
 /// `struct Frame { enum : int { tool = 0 }; };` and so on, a line each.
 std::string index_structs(const Mechanism& mechanism) {
   std::string out;
@@ -357,6 +409,7 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"speed_list", name_list(names.speeds)},
       {"c_inputs", c_inputs(mechanism, names.parameters.size(), names.wrench_bodies.size())},
       {"index_aliases", index_aliases(mechanism, full_namespace)},
+      {"indices", c_indices(mechanism)},
   };
 }
 

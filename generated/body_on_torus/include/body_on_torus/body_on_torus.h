@@ -49,6 +49,15 @@ extern const char* const body_on_torus_parameter_names[0 + 1];
 extern const char* const body_on_torus_wrench_body_names[0 + 1];
 extern const char* const body_on_torus_constraint_names[0 + 1];
 
+/* Names for indices: q[body_on_torus_coordinate_NAME], qd[body_on_torus_speed_NAME]. */
+enum {
+    body_on_torus_coordinate_u = 0, body_on_torus_coordinate_v = 1, body_on_torus_coordinate_spin = 2
+};
+enum {
+    body_on_torus_speed_u = 0, body_on_torus_speed_v = 1, body_on_torus_speed_spin = 2
+};
+enum { body_on_torus_body_slider = 0 };
+
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int body_on_torus_holonomic[0 + 1];
 

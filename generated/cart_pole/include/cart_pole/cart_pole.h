@@ -50,6 +50,13 @@ extern const char* const cart_pole_parameter_names[0 + 1];
 extern const char* const cart_pole_wrench_body_names[1 + 1];
 extern const char* const cart_pole_constraint_names[0 + 1];
 
+/* Names for indices: q[cart_pole_coordinate_NAME], qd[cart_pole_speed_NAME]. Wrenches begin at 6 *
+   cart_pole_wrench_NAME. */
+enum { cart_pole_coordinate_x = 0, cart_pole_coordinate_q = 1 };
+enum { cart_pole_speed_x = 0, cart_pole_speed_q = 1 };
+enum { cart_pole_body_cart = 0, cart_pole_body_pole = 1 };
+enum { cart_pole_wrench_cart = 0 };
+
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int cart_pole_holonomic[0 + 1];
 

@@ -50,6 +50,19 @@ extern const char* const free_body_parameter_names[0 + 1];
 extern const char* const free_body_wrench_body_names[1 + 1];
 extern const char* const free_body_constraint_names[0 + 1];
 
+/* Names for indices: q[free_body_coordinate_NAME], qd[free_body_speed_NAME]. Of a quaternion that of its
+   first entry. Wrenches begin at 6 * free_body_wrench_NAME. */
+enum {
+    free_body_coordinate_x = 0, free_body_coordinate_y = 1, free_body_coordinate_z = 2,
+    free_body_coordinate_turn = 3
+};
+enum {
+    free_body_speed_x = 0, free_body_speed_y = 1, free_body_speed_z = 2, free_body_speed_turn = 3
+};
+enum { free_body_body_body = 0 };
+enum { free_body_frame_nose = 0 };
+enum { free_body_wrench_body = 0 };
+
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int free_body_holonomic[0 + 1];
 

@@ -50,6 +50,17 @@ extern const char* const rolling_wheels_parameter_names[0 + 1];
 extern const char* const rolling_wheels_wrench_body_names[1 + 1];
 extern const char* const rolling_wheels_constraint_names[0 + 1];
 
+/* Names for indices: q[rolling_wheels_coordinate_NAME], qd[rolling_wheels_speed_NAME]. Wrenches begin at 6 *
+   rolling_wheels_wrench_NAME. */
+enum {
+    rolling_wheels_coordinate_q1 = 0, rolling_wheels_coordinate_q2 = 1
+};
+enum { rolling_wheels_speed_q1 = 0, rolling_wheels_speed_q2 = 1 };
+enum {
+    rolling_wheels_body_wheel = 0, rolling_wheels_body_small_wheel = 1
+};
+enum { rolling_wheels_wrench_wheel = 0 };
+
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int rolling_wheels_holonomic[0 + 1];
 

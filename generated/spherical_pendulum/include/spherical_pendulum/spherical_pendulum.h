@@ -50,6 +50,13 @@ extern const char* const spherical_pendulum_parameter_names[0 + 1];
 extern const char* const spherical_pendulum_wrench_body_names[1 + 1];
 extern const char* const spherical_pendulum_constraint_names[0 + 1];
 
+/* Names for indices: q[spherical_pendulum_coordinate_NAME], qd[spherical_pendulum_speed_NAME]. Of a
+   quaternion that of its first entry. Wrenches begin at 6 * spherical_pendulum_wrench_NAME. */
+enum { spherical_pendulum_coordinate_turn = 0 };
+enum { spherical_pendulum_speed_turn = 0 };
+enum { spherical_pendulum_body_bob = 0 };
+enum { spherical_pendulum_wrench_bob = 0 };
+
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int spherical_pendulum_holonomic[0 + 1];
 
