@@ -55,6 +55,8 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Runtime library and CMake functions for mechanisms written by alembert")
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_NAME alembert-tools)
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_SHLIBDEPS ON)
+  # The package of Python needs numpy, and a compiler for what alembert.load() writes.
+  set(CPACK_DEBIAN_GENERATOR_PACKAGE_RECOMMENDS "python3-numpy, gcc | c-compiler")
   set(CPACK_COMPONENT_GENERATOR_DESCRIPTION "${PROJECT_DESCRIPTION}")
   include(CPack)
 endif()

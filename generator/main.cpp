@@ -126,8 +126,9 @@ void add_importing(CLI::App* command, DescribeOptions& describe, const std::stri
       ->default_str("keep")
       ->group(group);
   command
-      ->add_flag("!--no-friction", describe.resistance,
-                 "leave damping and friction of joints out of the description")
+      ->add_flag_callback(
+          "--no-friction", [&describe] { describe.resistance = false; },
+          "leave damping and friction of joints out of the description")
       ->group(group);
 }
 
@@ -226,6 +227,28 @@ std::vector<std::string> language_names() {
   std::vector<std::string> names;
   for (const auto& [name, language] : kLanguages) names.emplace_back(name);
   return names;
+}
+
+/// What is said of the first word of the command line that no command and no option is; empty if there is none.
+std::string about_unknown_word(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  const CLI::App& command = commands.empty() ? app : *commands.front();
+  const std::vector<std::string> unknown = command.remaining();
+  if (unknown.empty()) return {};
+  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  const std::string listed = commands.empty() ? "alembert" : "alembert " + command.get_name();
+  std::vector<std::string> known;
+  if (word.starts_with('-')) {
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  } else if (commands.empty()) {
+    for (const CLI::App* each : app.get_subcommands({})) known.push_back(each->get_name());
+  } else {
+    return {};
+  }
+  return fmt::format("there is no {} '{}'{}\n`{} --help` lists them.\n",
+                     word.starts_with('-') ? "option" : "command", printable(word), did_you_mean(word, known),
+                     listed);
 }
 
 int run(int argc, char** argv) {
@@ -376,8 +399,9 @@ int run(int argc, char** argv) {
                       "NAME=EXPRESSION: what an input is, of t, coordinates, speeds, frames, outputs, ...");
   command->add_option("--inputs", simulate.inputs,
                       "table of inputs over time to read: t and names, then rows of ascending time (CSV)");
-  command->add_flag("!--no-assemble", simulate.start.assemble,
-                    "fail if the initial state violates the constraints, instead of changing it");
+  command->add_flag_callback(
+      "--no-assemble", [&simulate] { simulate.start.assemble = false; },
+      "fail if the initial state violates the constraints, instead of changing it");
   add_compiler_options(command, common);
   command->callback([&] { result = run_simulate(common, simulate); });
 
@@ -413,7 +437,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    const std::string unknown = error.get_exit_code() == 0 ? "" : about_unknown_word(app);
+    if (unknown.empty()) return app.exit(error) == 0 ? 0 : 1;
+    tell("alembert: error: " + unknown);
+    return 1;
   }
   return result;
 }

@@ -73,6 +73,22 @@ void set_batch(EmitOptions& emit, const CommonOptions& common, const std::vector
   emit.batch_dot_products = kBatchFactor * common.loop_results;
 }
 
+namespace {
+
+/// The function that is meant, likely, or those whose names have the given one in them.
+std::string near_functions(const std::string& name) {
+  constexpr std::size_t kListed = 6;
+  std::vector<std::string> known, near;
+  for (const OutputFunction& row : kOutputFunctions) known.emplace_back(row.name);
+  const std::string nearest = did_you_mean(name, known);
+  if (!nearest.empty()) return nearest;
+  for (const std::string& each : known)
+    if (!name.empty() && near.size() < kListed && each.find(name) != std::string::npos) near.push_back(each);
+  return near.empty() ? "" : fmt::format(" (near ones: {})", fmt::join(near, ", "));
+}
+
+}  // namespace
+
 FunctionChoice function_choice(const std::vector<std::string>& names) {
   FunctionChoice choice;
   if (names == std::vector<std::string>{"all"}) {
@@ -80,13 +96,12 @@ FunctionChoice function_choice(const std::vector<std::string>& names) {
     choice.inapplicable = Inapplicable::leave_out;
     return choice;
   }
-  std::vector<std::string> known;
-  for (const OutputFunction& row : kOutputFunctions) known.emplace_back(row.name);
   for (const std::string& name : names) {
     const SourceLocation here{std::make_shared<const SourceText>(SourceText{"--functions", name}), 1, 1};
     const OutputFunction* row = find_function(name);
     if (row == nullptr)
-      throw InputError(here, "there is no function '" + printable(name) + "'" + did_you_mean(name, known));
+      throw InputError(here, "there is no function '" + printable(name) + "'" + near_functions(name),
+                       "`--functions help` lists them");
     const FunctionKind kind(*row);
     if (std::ranges::find(choice.kinds, kind) != choice.kinds.end())
       throw InputError(here, name + " is given twice");

@@ -63,14 +63,19 @@ void Compiler::fail(const std::string& message) const {
   throw InputError({std::make_shared<const SourceText>(SourceText{origin_, text_}), 1, 1}, message, advice_);
 }
 
+std::vector<std::string> Compiler::command(std::span<const std::string> own) const {
+  std::vector<std::string> words = words_;
+  // `ccache g++ -O3`: the flags begin where a word is one.
+  const auto flags = std::ranges::find_if(words, [](const std::string& w) { return w.starts_with('-'); });
+  words.insert(flags, own.begin(), own.end());
+  return words;
+}
+
 std::string Compiler::run(const WorkFolder& folder, std::span<const std::string> own,
                           std::span<const std::string> arguments) const {
-  std::vector<std::string> command = words_;
-  // `ccache g++ -O3`: the flags begin where a word is one.
-  const auto flags = std::ranges::find_if(command, [](const std::string& w) { return w.starts_with('-'); });
-  command.insert(flags, own.begin(), own.end());
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  const ProgramRun done = folder.run(command);
+  std::vector<std::string> words = command(own);
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const ProgramRun done = folder.run(words);
   if (done.exit_code != 0)
     fail(fmt::format("cannot compile {}: {}", language_,
                      printable(done.errors.empty() ? fmt::format("it ended with {}", done.exit_code)

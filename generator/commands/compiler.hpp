@@ -20,10 +20,10 @@ class Compiler {
   /// \param advice    what errors end with
   Compiler(std::string origin, const std::string& words, std::string language, std::string advice = "");
 
-  const std::string& words() const { return text_; }
+  /// Program and flags as they are run: `own` flags stand before the user's, which so prevail.
+  std::vector<std::string> command(std::span<const std::string> own) const;
 
-  /// Standard output. `own` flags stand before the user's, which so prevail, `arguments` after them. InputError
-  /// with what the compiler said if it fails.
+  /// Standard output of command(own) with `arguments` behind it. InputError with what the compiler said if it fails.
   std::string run(const WorkFolder& folder, std::span<const std::string> own,
                   std::span<const std::string> arguments) const;
 

@@ -254,7 +254,7 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
       "%: an ESTIMATE of what the time is spent on, from the operations and the weights that alembert's "
       "optimiser\n"
       "gives them, not a measurement; memory: arguments read and results written\n"
-      "compiled by: {} {}\n",
+      "compiled by: {}\n",
       states.front(),
       measured.instructions.empty()
           ? ""
@@ -262,7 +262,7 @@ int run_bench(const CommonOptions& common, const BenchOptions& options) {
                 "_batch: ns of a state, by one thread, instructions {}; in brackets: times that of one "
                 "state after\nthe other, all results kept\n",
                 measured.instructions),
-      compiler.words(), fmt::join(measured.flags, " "));
+      fmt::join(compiler.command(measured.flags), " "));
   return 0;
 }
 

@@ -14,6 +14,7 @@
 
 #include "emit/statements/literals.hpp"
 #include "emit/statements/syntax.hpp"
+#include "functions/function_table.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "mechanism/force_names.hpp"
 #include "mechanism/names.hpp"
@@ -217,17 +218,14 @@ struct Indices {
   std::vector<Index> items;
 };
 
-std::vector<Indices> indices_of(const Mechanism& mechanism) {
+/// By the names of the description, where these are identifiers: others get no constant.
+std::vector<Indices> described_indices(const Mechanism& mechanism) {
   std::vector<Indices> out;
-  const auto add = [&out](std::string_view type, std::string name, int value) {
-    // Names from descriptions are identifiers; others get no constant.
+  const auto add = [&out](std::string_view type, const std::string& name, int value) {
     if (name.empty() || is_digit(name[0]) || !std::ranges::all_of(name, is_word_character)) return;
     auto of_type = std::ranges::find(out, type, &Indices::type);
     if (of_type == out.end()) of_type = out.insert(out.end(), {std::string(type), {}});
-    // A macro would be replaced, and a class has no member of its own name.
-    if (!objection_to_mechanism_name(name).empty() || name == type) name += "_";
-    while (std::ranges::find(of_type->items, name, &Index::name) != of_type->items.end()) name += "2";
-    of_type->items.push_back({std::move(name), value});
+    of_type->items.push_back({name, value});
   };
   for (const Coordinate& c : mechanism.coordinates) add("Coordinate", c.name, c.first_q);
   for (const Coordinate& c : mechanism.coordinates) add("Speed", c.name, c.first_speed);
@@ -248,6 +246,81 @@ std::vector<Indices> indices_of(const Mechanism& mechanism) {
   next = 0;
   for (const Output& o : mechanism.outputs) add("Output", o.name, next++);
   return out;
+}
+
+/// The same with names as they may stand in code: those that `objects` gets an underscore, and each is the only one.
+template <class Objects>
+std::vector<Indices> named_indices(const Mechanism& mechanism, const Objects& objects) {
+  std::vector<Indices> out = described_indices(mechanism);
+  for (Indices& indices : out) {
+    for (auto item = indices.items.begin(); item != indices.items.end(); ++item) {
+      if (objects(indices.type, item->name)) item->name += "_";
+      while (std::find_if(indices.items.begin(), item,
+                          [&](const Index& i) { return i.name == item->name; }) != item)
+        item->name += "2";
+    }
+  }
+  return out;
+}
+
+/// A macro would be replaced, and a class has no member of its own name.
+bool objects_in_cpp(std::string_view type, std::string_view name) {
+  return !objection_to_mechanism_name(name).empty() || name == type;
+}
+
+std::vector<Indices> indices_of(const Mechanism& mechanism) {
+  return named_indices(mechanism, objects_in_cpp);
+}
+
+/// `wrench_`: what stands before names of this type in C, behind that of the mechanism.
+std::string c_kind(std::string_view type) {
+  std::string kind(type);
+  kind[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(kind[0])));
+  return kind + "_";
+}
+
+/// Other names of the C interface are the same: those of lists and sizes, of functions and of what is made of these.
+bool objects_in_c(std::string_view type, std::string_view name) {
+  const std::string whole = c_kind(type) + std::string(name);
+  return name == "count" || name == "names" || whole == "wrench_body_names" ||
+         std::ranges::any_of(kOutputFunctions, [&](const OutputFunction& function) {
+           if (!whole.starts_with(function.name)) return false;
+           const std::string_view rest = std::string_view(whole).substr(function.name.size());
+           return rest.empty() || rest == "_batch" || rest == "_states" || rest.starts_with("_block");
+         });
+}
+
+/// `enum { arm_frame_tool = 0 };` and so on, behind a comment on their use.
+std::string c_indices(const Mechanism& mechanism) {
+  const std::vector<Indices> all = named_indices(mechanism, objects_in_c);
+  std::vector<std::string> uses;
+  std::string enums;
+  bool wrenches = false;
+  for (const Indices& indices : all) {
+    const std::string start = fmt::format("{}_{}", mechanism.name, c_kind(indices.type));
+    std::vector<std::string> items;
+    for (const Index& index : indices.items)
+      items.push_back(fmt::format("{}{} = {}", start, index.name, index.value));
+    const std::string list = wrapped(items);
+    enums += list.starts_with('\n') ? fmt::format("\nenum {{{}\n}};", list)
+                                    : fmt::format("\nenum {{ {} }};", list);
+    for (const auto& [type, array] : {std::pair("Coordinate", "q"),
+                                      {"Speed", "qd"},
+                                      {"Parameter", "parameters"},
+                                      {"Input", "parameters"},
+                                      {"State", "parameters"}})
+      if (indices.type == type) uses.push_back(fmt::format("{}[{}NAME]", array, start));
+    wrenches |= indices.type == "Wrench";
+  }
+  if (enums.empty()) return "";
+  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
+  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
+  if (wrenches) text += fmt::format(" Wrenches begin at 6 * {}_wrench_NAME.", mechanism.name);
+  const bool renamed = std::ranges::any_of(described_indices(mechanism), [](const Indices& of) {
+    return std::ranges::any_of(of.items, [&](const Index& i) { return objects_in_c(of.type, i.name); });
+  });
+  if (renamed) text += " A name that is another's here has an underscore behind it.";
+  return fmt::format("/* {} */{}", wrap_words(text, 3, 3, kWidth), enums);
 }
 
 /// `struct Frame { enum : int { tool = 0 }; };` and so on, a line each.
@@ -336,7 +409,32 @@ Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace
       {"speed_list", name_list(names.speeds)},
       {"c_inputs", c_inputs(mechanism, names.parameters.size(), names.wrench_bodies.size())},
       {"index_aliases", index_aliases(mechanism, full_namespace)},
+      {"indices", c_indices(mechanism)},
   };
+}
+
+std::string index_doc(const Mechanism& mechanism, bool frame_poses) {
+  const std::vector<Indices> described = described_indices(mechanism);
+  if (described.empty()) return "";
+  const auto has = [&](std::string_view type) {
+    return std::ranges::find(described, type, &Indices::type) != described.end();
+  };
+  std::vector<std::string> uses;
+  for (const auto& [type, use] : {std::pair("Coordinate", "q(Coordinate::NAME)"),
+                                  {"Speed", "qd(Speed::NAME)"},
+                                  {"Frame", "frame_poses(q)[Frame::NAME]"},
+                                  {"Parameter", "in.parameters[Parameter::NAME]"},
+                                  {"Input", "in.parameters[Input::NAME]"},
+                                  {"State", "in.parameters[State::NAME]"}})
+    if (has(type) && (frame_poses || type != std::string_view("Frame"))) uses.emplace_back(use);
+  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
+  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
+  if (has("Wrench")) text += " Wrenches begin at 6 * Wrench::NAME.";
+  const bool renamed = std::ranges::any_of(described, [](const Indices& of) {
+    return std::ranges::any_of(of.items, [&](const Index& i) { return objects_in_cpp(of.type, i.name); });
+  });
+  if (renamed) text += " A name that is a macro has an underscore behind it.";
+  return wrap_words(text, 0, 0, kWidth);
 }
 
 Slots cpp_constant_slots(const Mechanism& mechanism) {

@@ -12,6 +12,9 @@ namespace alembert {
 /// Slots that are the same in every template: name, namespace, sizes and lists for comments.
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace);
 
+/// What the named indices of C++ are for; `frame_poses`: whether that function is written.
+std::string index_doc(const Mechanism& mechanism, bool frame_poses);
+
 /// Initialisers of the constants in C++ and in C, there with literals for double or float.
 Slots cpp_constant_slots(const Mechanism& mechanism);
 Slots c_constant_slots(const Mechanism& mechanism, std::string_view number, const std::string& null);

@@ -108,6 +108,7 @@ std::string cuda_header(const Mechanism& mechanism, std::span<const WrittenFunct
           : "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   slots["parameter_defaults"] = fmt::format("{{{}}}", fmt::join(defaults, ", "));
   slots["no_wrenches"] = fmt::format("{{{}}}", fmt::join(zeros, ", "));
+  slots["state_arguments"] = prefix_lines(state_arguments(functions, common, 5, "[{}]"), "//   ");
   slots["helpers"] = helpers;
   slots["definitions"] = definitions;
   slots["rollout"] = rollout(mechanism, functions);

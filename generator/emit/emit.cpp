@@ -227,6 +227,10 @@ std::string documented(const WrittenFunction& function, const Mechanism& mechani
   return prefix_lines(function_doc(*function.signature, mechanism, function.counts, c_prefix), prefix);
 }
 
+bool has_function(const std::vector<WrittenFunction>& functions, std::string_view name) {
+  return std::ranges::any_of(functions, [&](const WrittenFunction& f) { return f.signature->name == name; });
+}
+
 std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
                        const EmitOptions& options, const Slots& common) {
   std::string declarations, externs, helpers;
@@ -254,6 +258,8 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
     description = "//\n" + prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), "// ");
   Slots slots = cpp_constant_slots(mechanism);
   slots["description"] = description;
+  slots["index_doc"] = prefix_lines(index_doc(mechanism, has_function(functions, "frame_poses")), "/// ");
+  slots["state_arguments"] = prefix_lines(state_arguments(functions, common, 5, "[{}]"), "//   ");
   slots["declarations"] = helpers + declarations;
   slots["extern_templates"] = externs;
   return fill_template("mechanism_raw.hpp", slots, common);
@@ -288,6 +294,7 @@ std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFuncti
   return fill_template("mechanism.h",
                        {{"includes", batch.empty() ? "" : "#include <stddef.h>\n"},
                         {"number", number},
+                        {"state_arguments", state_arguments(functions, common, 12, "[{}]")},
                         {"declarations", declarations + batch}},
                        common);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "emit/statements/literals.hpp"
@@ -71,6 +72,36 @@ std::string function_doc(const OutputFunction& function, const Mechanism& mechan
   if (!function.remark.empty()) text += paragraph(with_constants(function.remark, prefix));
   if (!function.source.empty()) text += paragraph(fmt::format("Source: {}.", function.source), 2);
   return text + fmt::format("Operations: {}.\n", operations);
+}
+
+std::string state_arguments(std::span<const WrittenFunction> functions, const Slots& common,
+                            std::size_t width, std::string_view brackets) {
+  struct Line {
+    ArgumentKind kind;
+    std::string_view size;
+    std::string meaning;
+  };
+  const Line lines[] = {
+      {ArgumentKind::q, "nq", "coordinates: " + common.at("coordinate_list")},
+      {ArgumentKind::qd, "nv", "speeds: " + common.at("speed_list")},
+      {ArgumentKind::qdd, "nv", "rates of the speeds"},
+      {ArgumentKind::tau, "nv", "generalized forces: N m for a speed in rad/s, N for one in m/s"},
+      {ArgumentKind::mu, "nv",
+       "weights of generalized forces: second derivatives are those of their weighted sum"}};
+  std::string out;
+  for (const Line& line : lines) {
+    const std::string_view name = argument_name(line.kind);
+    const auto has_it = [&](const WrittenFunction& function) {
+      return std::ranges::find(function.signature->arguments, line.kind) !=
+                 function.signature->arguments.end() ||
+             std::ranges::find(function.signature->results, name, &ResultArray::name) !=
+                 function.signature->results.end();
+    };
+    if (std::ranges::any_of(functions, has_it))
+      out += fmt::format("{:<{}}{} {}\n", name, width,
+                         fmt::format(fmt::runtime(brackets), common.find(line.size)->second), line.meaning);
+  }
+  return out;
 }
 
 }  // namespace alembert

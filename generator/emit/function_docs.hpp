@@ -3,8 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
+#include "emit/c99.hpp"
+#include "emit/text_template.hpp"
 #include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
 
@@ -21,5 +25,10 @@ std::string function_summary(const OutputFunction& function);
 std::string function_doc(const OutputFunction& function, const Mechanism& mechanism,
                          const std::string& operations,
                          const std::optional<std::string>& prefix = std::nullopt);
+
+/// The arrays of the state that functions take or give, a line each: `q    [6] coordinates: a, b and 4 more`.
+/// Names are followed by blanks up to `width`; `brackets` says how a size is written, such as `[{}]`.
+std::string state_arguments(std::span<const WrittenFunction> functions, const Slots& common,
+                            std::size_t width, std::string_view brackets);
 
 }  // namespace alembert

@@ -131,6 +131,7 @@ std::string javascript_module(const Mechanism& mechanism, std::span<const Writte
                        : prefix_lines(wrap_words(comment_text(mechanism.description), 3, 0, 110), " * ");
   slots["function_names"] = wrap_list(fmt::format("{}", fmt::join(quoted, ", ")), 2, 2);
   slots["functions"] = wrap_list(fmt::format("{}", fmt::join(names, ", ")), 2, 2);
+  slots["state_arguments"] = prefix_lines(state_arguments(functions, common, 5, "[{}]"), " *   ");
   slots["at"] = "@";
   slots["helpers"] = helpers;
   slots["definitions"] = definitions;

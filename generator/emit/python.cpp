@@ -46,6 +46,46 @@ std::vector<std::string_view> keyword_parameters(const OutputFunction& function,
   return names;
 }
 
+/// Names for the comment of the module.
+std::string listed(const std::vector<std::string>& names) {
+  return name_list(names, names.size());
+}
+
+/// What the comment of the module says of the argument `parameters`, and which of them can be keywords.
+std::string parameters_doc(std::span<const WrittenFunction> functions, const Mechanism& mechanism,
+                           const Slots& common) {
+  std::vector<std::string> never, sometimes;
+  bool always = false;
+  for (const Parameter& parameter : mechanism.parameters) {
+    if (!parameter.runtime) continue;
+    std::size_t takers = 0, functions_with_inputs = 0;
+    for (const WrittenFunction& function : functions) {
+      if (!function.signature->takes_inputs) continue;
+      ++functions_with_inputs;
+      if (one_of(parameter.name, keyword_parameters(*function.signature, mechanism))) ++takers;
+    }
+    if (takers == functions_with_inputs)
+      always = true;
+    else if (takers == 0)
+      never.push_back(parameter.name);
+    else
+      sometimes.push_back(parameter.name);
+  }
+  if (common.at("parameter_count") == "0") return "(0,): there are no runtime parameters";
+  std::string text =
+      fmt::format("({},) {}, or a dict by name", common.at("parameter_count"), common.at("parameters_text"));
+  if (!always && sometimes.empty())
+    text += "; no keywords, because Python or the functions use these names";
+  else if (never.empty())
+    text += "; each can also be given as a keyword";
+  else
+    text +=
+        fmt::format("; each can also be given as a keyword but {}, which only the dict takes", listed(never));
+  if (!sometimes.empty())
+    text += fmt::format("; {} only where the function has no argument of that name", listed(sometimes));
+  return text;
+}
+
 /// `(6, 3)`, `(6,)`, `()`
 template <class T>
 std::string tuple_of(const std::vector<T>& items) {
@@ -213,15 +253,19 @@ std::vector<EmittedFile> python_files(const Mechanism& mechanism, std::span<cons
   words["coordinate_list"] = docstring(words["coordinate_list"]);
   words["speed_list"] = docstring(words["speed_list"]);
   Slots module = python_constant_slots(mechanism);
-  module.merge(Slots{{"banner", banner},
-                     {"title", title},
-                     {"version", std::string(generator_version())},
-                     {"dtype", dtype},
-                     {"key", key},
-                     {"function_names", wrap_list(tuple_of(names), 17, 18)},
-                     {"tuples", tuples},
-                     {"table", table},
-                     {"functions", definitions}});
+  module.merge(Slots{
+      {"banner", banner},
+      {"title", title},
+      {"version", std::string(generator_version())},
+      {"dtype", dtype},
+      {"key", key},
+      {"state_arguments", state_arguments(functions, words, 12, "({},)")},
+      {"parameters_doc",
+       "parameters  " + wrap_words(docstring(parameters_doc(functions, mechanism, common)), 14, 12, 110)},
+      {"function_names", wrap_list(tuple_of(names), 17, 18)},
+      {"tuples", tuples},
+      {"table", table},
+      {"functions", definitions}});
   return {
       {fmt::format("src/{}_states.c", mechanism.name),
        fill_template("mechanism_states.c", {{"key", key}, {"definitions", states}}, common)},

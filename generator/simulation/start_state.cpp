@@ -25,7 +25,9 @@ EvaluationState given_state(const CompiledMechanism& compiled, const StartOption
   const auto replace = [&](const char* option, const std::vector<double>& given, std::span<double> values) {
     if (given.empty()) return;
     if (given.size() != values.size())
-      throw InputError(compiled.mechanism->where, fmt::format("{} takes {} values", option, values.size()));
+      throw InputError(compiled.mechanism->where,
+                       fmt::format("{} takes {} value{}, not {}", option, values.size(),
+                                   values.size() == 1 ? "" : "s", given.size()));
     std::ranges::copy(given, values.begin());
   };
   const std::size_t states = placed_parameters(*compiled.mechanism, ParameterRole::state).size();

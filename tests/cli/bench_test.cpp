@@ -101,6 +101,21 @@ TEST(Bench, ACompilerThatFailsIsAnErrorAndNoShellReadsItsName) {
   EXPECT_THAT(variable.err, HasSubstr("CXX:1:1: error: cannot compile C++"));
 }
 
+TEST(Bench, ShowsTheFlagsInTheirOrder) {
+  const TemporaryFolder folder;
+  const std::string compiler = folder.write(
+      "compiler", "#!/bin/sh\necho \"$0 $*\" >> '" + folder / "commands" + "'\nexec c++ \"$@\"\n");
+  std::filesystem::permissions(compiler, std::filesystem::perms::owner_all);
+  const CommandResult shown =
+      bench(folder, mechanism_file("pendulum") + " --functions gravity --compiler '" + compiler + " -O1'");
+  ASSERT_EQ(shown.exit_code, 0) << shown.err;
+  const std::size_t begin = shown.out.find(compiler);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string command = shown.out.substr(begin, shown.out.find('\n', begin) - begin);
+  EXPECT_THAT(command, testing::EndsWith(" -O1"));
+  EXPECT_THAT(read_text(folder / "commands"), HasSubstr("\n" + command + " -std=c++17 "));
+}
+
 TEST(Bench, NothingStaysWhenItIsAskedToEnd) {
   const TemporaryFolder folder;
   const std::string compiler =

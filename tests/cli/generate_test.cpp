@@ -263,12 +263,56 @@ TEST(Generate, RunsAtTheSameTimeDoNotMix) {
   }
 }
 
-TEST(Generate, UnknownFunctionNamesTheNearest) {
+TEST(Generate, UnknownFunctionNamesThoseNearAndTheList) {
   const TemporaryFolder folder;
-  const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") +
-                                                    " --functions mass_matrx --out-dir " + (folder / "out"));
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("mass_matrix"));
+  const auto error = [&](const std::string& function) {
+    const CommandResult result = alembert(folder, "generate " + mechanism_file("pendulum") + " --functions " +
+                                                      function + " --out-dir " + (folder / "out"));
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("note: `--functions help` lists them"));
+    return result.err;
+  };
+  EXPECT_THAT(error("mass_matrx"), HasSubstr("'mass_matrx' (did you mean 'mass_matrix'?)\n"));
+  EXPECT_THAT(error("mass"), HasSubstr("'mass' (near ones: mass_matrix, mass_matrix_and_bias"));
+  EXPECT_THAT(error("bogus"), HasSubstr("'bogus'\n"));
+}
+
+TEST(Generate, HeadersExplainWhatIsThere) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> files[] = {{"c++", "include/{}/{}_raw.hpp"},
+                                                       {"c", "include/{}/{}.h"},
+                                                       {"python", "python/{}.py"},
+                                                       {"javascript", "javascript/{}.mjs"},
+                                                       {"cuda", "cuda/{}.cuh"}};
+  const auto text = [&](const std::string& language, std::string path, const std::string& name,
+                        const std::string& function) {
+    for (std::size_t at; (at = path.find("{}")) != std::string::npos;) path.replace(at, 2, name);
+    const CommandResult result =
+        alembert(folder, "generate " + mechanism_file(name) + " --language " + language + " --functions " +
+                             function + " --effort 0 --out-dir " + (folder / language));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_text(folder / language + "/" + path);
+  };
+  // The line of an argument of the state in comments.
+  const auto line = [](const std::string& argument) {
+    return testing::ContainsRegex("\n[ /*]+" + argument + " +[[(]");
+  };
+  using testing::Not;
+  for (const auto& [language, path] : files) {
+    const std::string forces = text(language, path, "pendulum", "inverse_dynamics");
+    EXPECT_THAT(forces, testing::AllOf(line("q"), line("qd"), line("qdd"), line("tau"), Not(line("mu"))))
+        << language;
+    EXPECT_THAT(text(language, path, "pendulum", "mass_matrix"),
+                testing::AllOf(line("q"), Not(line("qdd")), Not(line("tau"))))
+        << language;
+    EXPECT_THAT(text(language, path, "pendulum", "inverse_dynamics_second_derivatives"), line("mu"))
+        << language;
+    EXPECT_THAT(forces, Not(HasSubstr("::NAME), frame_poses"))) << language;
+    EXPECT_THAT(forces, Not(HasSubstr("Wrench::NAME"))) << language;
+  }
+  EXPECT_THAT(text("c++", files[0].second, "tree_every_joint", "frame_poses"),
+              testing::AllOf(HasSubstr("frame_poses(q)[Frame::NAME]"), HasSubstr("6 * Wrench::NAME"),
+                             HasSubstr("Of a quaternion")));
 }
 
 TEST(Generate, AFunctionGivenTwiceIsAnError) {

@@ -95,6 +95,14 @@ TEST(Simulate, RejectsWhatMakesNoSense) {
   }
 }
 
+TEST(Simulate, SaysHowManyValuesAnOptionTakes) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(alembert(folder, "simulate " + mechanism_file("pendulum") + " --q 1,2").err,
+              HasSubstr("--q takes 1 value, not 2\n"));
+  EXPECT_THAT(alembert(folder, "simulate " + mechanism_file("double_pendulum") + " --qd 1").err,
+              HasSubstr("--qd takes 2 values, not 1\n"));
+}
+
 TEST(Simulate, NumbersThatAreNoneAreNamedInALine) {
   const TemporaryFolder folder;
   const std::string file = mechanism_file("double_pendulum");
@@ -357,6 +365,36 @@ TEST(Options, HelpHasCommonOnesFirstAndAnExample) {
     }
   }
   EXPECT_THAT(alembert(folder, "--help").out, HasSubstr("alembert simulate robot.yaml --html robot.html"));
+}
+
+TEST(Options, HelpNamesFlagsAsTheyAreGiven) {
+  const TemporaryFolder folder;
+  for (const std::string command : {"generate", "simulate", "import"})
+    EXPECT_THAT(alembert(folder, command + " --help").out,
+                testing::AllOf(HasSubstr("--no-friction "), testing::Not(HasSubstr("{false}"))));
+}
+
+TEST(Options, AMisspeltOneNamesTheNearest) {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& arguments) {
+    const CommandResult result = alembert(folder, arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    return result.err;
+  };
+  const std::string file = mechanism_file("pendulum"), generate = "generate " + file + " --out-dir o ";
+  for (const char* option : {"--languge c", "--languge=c", "--strict --languge c"})
+    EXPECT_EQ(said(generate + option),
+              "alembert: error: there is no option '--languge' (did you mean '--language'?)\n"
+              "`alembert generate --help` lists them.\n");
+  EXPECT_THAT(said("import --rot floating " + file), HasSubstr("'--rot' (did you mean '--root'?)"));
+  EXPECT_THAT(said("check --sates 3"), HasSubstr("'--sates' (did you mean '--states'?)"));
+  EXPECT_THAT(said("report -x " + file), HasSubstr("there is no option '-x'\n"));
+  EXPECT_THAT(said("chek " + file), HasSubstr("there is no command 'chek' (did you mean 'check'?)\n"
+                                              "`alembert --help` lists them."));
+  EXPECT_THAT(said("--verison"), HasSubstr("there is no option '--verison' (did you mean '--version'?)"));
+  EXPECT_THAT(said(file), HasSubstr("there is no command '"));
+  EXPECT_THAT(said("check " + file + " more"), HasSubstr("more"));
 }
 
 TEST(Options, WrongUseExitsWithOne) {

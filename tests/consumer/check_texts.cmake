@@ -1,5 +1,7 @@
 # Texts that repeat what is elsewhere:  cmake -DROOT=SOURCE -DALEMBERT=COMMAND -DWORK=SCRATCH -P check_texts.cmake
-# The README shows the controller's program, the code of a pendulum; the example's arm.yaml is what importing its arm.urdf gives.
+# The README shows the controller's program, the code of a pendulum; the example's arm.yaml is what importing its arm.urdf gives. Each
+# example is a folder to copy: it names no file outside itself (its README may link to one), and has a copy of each description of
+# the catalogue that it uses.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/README.md readme)
 set(example ${ROOT}/mechanisms/examples/controller)
@@ -40,3 +42,22 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/arm.yaml ${exa
 if(different)
   message(FATAL_ERROR "arm.yaml is not what `alembert import arm.urdf` writes: run it again")
 endif()
+
+set(examples ${ROOT}/mechanisms/examples)
+file(GLOB_RECURSE files ${examples}/*/*)
+list(FILTER files EXCLUDE REGEX "/README.md$")
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  if(text MATCHES "[^\n]*(\\.\\./|\\.parents|\\.parent\\.parent)[^\n]*")
+    message(FATAL_ERROR "${file} names a file outside its folder, which is missing where the folder is copied:\n${CMAKE_MATCH_0}")
+  endif()
+endforeach()
+foreach(copy batch/puma560 loop/paper/five_bar mpc/cart_pole rollout/cart_pole rollout/free_body)
+  string(REGEX MATCH "^([a-z]+)/(.*/)?([^/]+)$" matched ${copy})
+  set(original ${ROOT}/mechanisms/${CMAKE_MATCH_2}${CMAKE_MATCH_3}.yaml)
+  set(copied ${examples}/${CMAKE_MATCH_1}/${CMAKE_MATCH_3}.yaml)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${original} ${copied} RESULT_VARIABLE different)
+  if(different)
+    message(FATAL_ERROR "${copied} is no longer a copy of ${original}: copy it again")
+  endif()
+endforeach()

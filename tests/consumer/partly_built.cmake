@@ -83,9 +83,18 @@ foreach(text "find_package(alembert REQUIRED)" "find_package(alembert REQUIRED C
   expect("${output}" "needs Eigen 3.4 or newer")
 endforeach()
 
-# An example, copied out of the installed mechanisms.
-file(COPY "${prefix}/share/alembert/mechanisms/examples/controller" DESTINATION ${WORK})
-run(output ${CMAKE_COMMAND} -S ${WORK}/controller -B ${WORK}/controller_build ${tools} "-DCMAKE_PREFIX_PATH=${prefix}")
+# Examples, copied out of the installed mechanisms.
+file(GLOB examples "${prefix}/share/alembert/mechanisms/examples/*/CMakeLists.txt")
+list(LENGTH examples count)
+if(count LESS 9)
+  message(FATAL_ERROR "examples are missing: ${examples}")
+endif()
+foreach(example IN LISTS examples)
+  get_filename_component(example ${example} DIRECTORY)
+  get_filename_component(name ${example} NAME)
+  file(COPY ${example} DESTINATION ${WORK}/examples)
+  run(output ${CMAKE_COMMAND} -S ${WORK}/examples/${name} -B ${WORK}/examples/${name}/build ${tools} "-DCMAKE_PREFIX_PATH=${prefix}")
+endforeach()
 
 # Debian packages of the same.
 find_program(dpkg_deb dpkg-deb)
@@ -97,7 +106,10 @@ if(dpkg_deb)
     file(GLOB file ${WORK}/packages/${name}_*.deb)
     run(contents ${dpkg_deb} --contents ${file})
     expect("${contents}" "/${package}\n")
+    run(recommended ${dpkg_deb} --field ${file} Recommends)
+    set(recommended_${name} "${recommended}")
   endforeach()
+  expect("${recommended_alembert-tools}" "python3-numpy, gcc \\| c-compiler")
 endif()
 
 run(output ${CMAKE_COMMAND} --build ${build} --target uninstall)

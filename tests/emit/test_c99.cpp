@@ -130,6 +130,7 @@ TEST(C99, HeaderIsThatOfTheInterfaceOfCpp) {
   };
   EXPECT_GT(declarations(c[0].text).size(), 2000u);
   EXPECT_EQ(declarations(c[0].text), declarations(same->text));
+  EXPECT_THAT(c[0].text, HasSubstr("sample_all_coordinate_"));
   // Lists have the names that they have in C.
   EXPECT_THAT(c[0].text, HasSubstr("sample_all_body_names the matrix [R p]"));
   EXPECT_THAT(c[0].text, testing::Not(HasSubstr("kBodyNames")));

@@ -31,6 +31,16 @@ TEST(MacroNames, AreTextInGeneratedCode) {
   static_assert(m::Mechanism<>::Wrench::E2BIG_ == 0);
   EXPECT_EQ(m::kParameterNames[0], "SIGINT");
   EXPECT_STREQ(macro_names_frame_names[0], "RAND_MAX");
+  // The same of C: behind the mechanism's name a macro is none, and what functions and lists are called is another's.
+  static_assert(macro_names_coordinate_M_PI == 0 && macro_names_coordinate_signbit == 4 &&
+                macro_names_speed_signbit == 4 && macro_names_body_BUFSIZ == 1 &&
+                macro_names_wrench_E2BIG == 0);
+  static_assert(macro_names_parameter_math_errhandling == 1 && macro_names_parameter_count_ == 2 &&
+                macro_names_parameter_count == 3);
+  EXPECT_STREQ(macro_names_frame_names[macro_names_frame_RAND_MAX], "RAND_MAX");
+  EXPECT_STREQ(macro_names_frame_names[macro_names_frame_poses_], "poses");
+  EXPECT_STREQ(macro_names_frame_names[macro_names_frame_poses_2], "poses_");
+  EXPECT_STREQ(macro_names_frame_names[macro_names_frame_poses_batch_], "poses_batch");
   const auto mass = m::Mechanism<double>::mass_matrix(m::Mechanism<double>::initial_coordinates());
   EXPECT_NEAR(mass(0, 0), 2 * 3 + 3, 1e-14);
 }

@@ -135,8 +135,18 @@ def test_warnings_are_given_each_time(tmp_path):
     robot = tmp_path / "stick.urdf"
     robot.write_text(URDF.format(mass=0).replace('"0.1"', '"0"').replace('"0.01"', '"0"'))
     for _ in range(2):
-        with pytest.warns(UserWarning, match="warning"):
+        with pytest.warns(UserWarning, match="warning") as warned:
             alembert.load(robot, cache=tmp_path / "cache")
+        # Those of importing and those of generating name the robot's file, not one that is gone.
+        said = str(warned[0].message)
+        assert f"{robot}, imported:" in said and f"{robot}:" in said and "building-" not in said
+    same = tmp_path / "same.urdf"
+    same.write_text(robot.read_text())
+    with pytest.warns(UserWarning, match=f"{same}, imported:"):
+        alembert.load(same, cache=tmp_path / "cache")
+    with pytest.raises(alembert.Error, match=f"{same}, imported:.*the build expects") as refused:
+        alembert.load(same, cache=tmp_path / "cache", options=("--expected-name", "other"))
+    assert "building-" not in str(refused.value)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         alembert.load(robot, cache=tmp_path / "cache", massless="armature=0.1")

@@ -151,6 +151,33 @@ def test_parameters_by_name(load):
         m.bias(q, qd, parameters={"m": 2}, m=2)
 
 
+def test_the_docstring_tells_which_parameters_are_keywords(load, cache, tmp_path):
+    names = ["lambda", "in", "q", "threads", "mu", "k"]
+    file = tmp_path / "names.yaml"
+
+    def loaded(names):
+        file.write_text("alembert: 1\nname: names\nparameters:\n"
+                        + "".join(f"  {name}: {{value: 1, runtime: true}}\n" for name in names)
+                        + "coordinates: [x]\nbodies:\n  - {name: a, transform: [{translate: [x, 0, 0]}], mass: "
+                        + " + ".join(names) + "}\n")
+        module = alembert.load(file, ("mass_matrix", "inverse_dynamics_second_derivatives"), cache=cache)
+        return module, " ".join(module.__doc__.split())
+
+    m, doc = loaded(names)
+    assert ("or a dict by name; each can also be given as a keyword but lambda, in, q, threads, which only the dict takes; mu only "
+            "where the function has no argument of that name wrenches") in doc
+    for name in names:
+        assert m.mass_matrix([0], parameters={name: 2.0})[0, 0] == 7
+    assert m.mass_matrix([0], k=2.0, mu=3.0)[0, 0] == 9
+    for name in names[:4]:
+        with pytest.raises((TypeError, ValueError)):
+            m.mass_matrix([0], **{name: 2.0})
+    assert m.inverse_dynamics_second_derivatives([0], [0], [0], mu=[1], parameters={"mu": 2}).tau_qq.shape == (1, 1)
+    assert "a dict by name; no keywords, because Python or the functions use these names wrenches" in loaded(["lambda", "out"])[1]
+    assert "a dict by name; each can also be given as a keyword wrenches" in loaded(["k", "l"])[1]
+    assert "parameters (0,): there are no runtime parameters wrenches" in " ".join(load("puma560").__doc__.split())
+
+
 @pytest.mark.parametrize("error, message, call", [
     (ValueError, r"q: expected shape \(6,\) or \(N, 6\), found \(5,\)", lambda m: m.bias(np.zeros(5), np.zeros(6))),
     (ValueError, r"qd: expected shape \(6,\) or \(N, 6\), found \(6, 3\)", lambda m: m.bias(np.zeros(6), np.zeros((6, 3)))),

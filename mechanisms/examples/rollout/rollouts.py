@@ -20,7 +20,7 @@ def throws(rng, n):
 def main(address, folder):
     from distributed import Client, LocalCluster
 
-    body = alembert.load(pathlib.Path(__file__).parents[2] / "free_body.yaml")
+    body = alembert.load(pathlib.Path(__file__).with_name("free_body.yaml"))
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) if address is None else Client(address) as place:
         with Client(place) if address is None else place as client:
             ends = alembert.rollout(body, throws, count=4096, seed=7, steps=3000, step=1e-3, method="rk4",

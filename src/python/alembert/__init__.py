@@ -26,6 +26,7 @@ from .simulation import Motion, simulate
 __all__ = ["load", "simulate", "Motion", "rollout", "Rollouts", "STATUSES", "open_rollouts", "Error", "executable"]
 
 _FLAGS = ["-std=c99", "-O2", "-fno-math-errno", "-shared", "-fPIC"]
+_PLACE = "<description>"  # stands in what is kept of warnings for the file that is loaded
 _importing = threading.Lock()
 
 
@@ -40,13 +41,16 @@ def _build(folder: pathlib.Path, content: bytes, description: Optional[pathlib.P
     """The description, the files of C and Python, the library and what the generator warned of, all in `folder`."""
     kept = folder / "description.yaml"
     kept.write_bytes(content)
-    said = run([executable(), "generate", str(description or kept), "--language", "python", "--out-dir", str(folder), *generating],
-               "")[1]
+    read = str(description or kept)
+    try:
+        said = run([executable(), "generate", read, "--language", "python", "--out-dir", str(folder), *generating], "")[1]
+    except Error as error:
+        raise Error(str(error).replace(str(kept), _PLACE)) from None
     name = next((folder / "python").glob("*.py")).stem
     sources = [str(folder / "src" / f"{name}{ending}.c") for ending in ("", "_states")]
     library = folder / "python" / f"libalembert_{name}{library_ending()}"
     run([*compiling, f"-I{folder / 'include'}", *sources, "-lm", "-o", str(library)], "Set CC to a C compiler.")
-    (folder / "warnings.txt").write_text(said, encoding="utf-8")
+    (folder / "warnings.txt").write_text(said.replace(read, _PLACE), encoding="utf-8")
 
 
 def _import(folder: pathlib.Path, key: str) -> ModuleType:
@@ -80,6 +84,7 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     warning.
     """
     path = pathlib.Path(description)
+    place = str(path)
     content = path.read_bytes()
     keep = store(cache)
     read: Optional[pathlib.Path] = path
@@ -92,6 +97,7 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
                        "")[1]
             content = kept.read_bytes()
         read = None
+        place += ", imported"  # as the command says it: lines are those of the description, which is not kept in a file of the user's
     elif root != "fixed" or massless != "keep" or [*importing]:
         raise ValueError("root, massless and importing are for robots, and this is a description")
     names = [functions] if isinstance(functions, str) else list(functions)
@@ -102,8 +108,11 @@ def load(description: Union[str, "os.PathLike[str]"], functions: Union[str, Iter
     compiling = [*compiler, *_FLAGS, *flags_of("CFLAGS")]
     building = [*identity(compiler, "Set CC to a C compiler."), *compiling, *generating]
     key = hashlib.sha256(repr(building).encode() + content).hexdigest()[:32]
-    folder = once(keep, key, lambda work: _build(work, content, read, generating, compiling))
-    said += (folder / "warnings.txt").read_text(encoding="utf-8")
+    try:
+        folder = once(keep, key, lambda work: _build(work, content, read, generating, compiling))
+    except Error as error:
+        raise Error(str(error).replace(_PLACE, place)) from None
+    said += (folder / "warnings.txt").read_text(encoding="utf-8").replace(_PLACE, place)
     if "warning:" in said:  # and not only notes
         warnings.warn(said.strip(), stacklevel=2)
     module = _import(folder, key)

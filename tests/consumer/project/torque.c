@@ -7,6 +7,6 @@ int main(void) {
   double tau[arm_nv];
   if (arm_inverse_dynamics(q, qd, qdd, 0.0, NULL, NULL, tau) != 0) return 1;
   if (arm_inverse_dynamics(q, qd, NULL, 0.0, NULL, NULL, tau) == 0) return 1;
-  printf("torque %.6f %.6f\n", tau[0], tau[1]);
+  printf("torque %.6f %.6f\n", tau[arm_speed_shoulder], tau[arm_speed_elbow]);
   return 0;
 }

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(s), d(spin)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of bead_on_helix_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,15 @@ extern const char* const bead_on_helix_force_names[0 + 1];
 extern const char* const bead_on_helix_parameter_names[0 + 1];
 extern const char* const bead_on_helix_wrench_body_names[1 + 1];
 extern const char* const bead_on_helix_constraint_names[0 + 1];
+
+/* Names for indices: q[bead_on_helix_coordinate_NAME], qd[bead_on_helix_speed_NAME]. Wrenches begin at 6 *
+   bead_on_helix_wrench_NAME. */
+enum {
+    bead_on_helix_coordinate_s = 0, bead_on_helix_coordinate_spin = 1
+};
+enum { bead_on_helix_speed_s = 0, bead_on_helix_speed_spin = 1 };
+enum { bead_on_helix_body_bead = 0 };
+enum { bead_on_helix_wrench_bead = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int bead_on_helix_holonomic[0 + 1];

@@ -73,8 +73,7 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME). Wrenches begin at 6 * Wrench::NAME.
 struct Coordinate { enum : int { s = 0, spin = 1 }; };
 struct Speed { enum : int { s = 0, spin = 1 }; };
 struct Body { enum : int { bead = 0 }; };
@@ -95,7 +94,6 @@ struct Inputs {
 //   qd   [2] speeds: d(s), d(spin)
 //   qdd  [2] rates of the speeds
 //   tau  [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [2] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <bead_on_helix/bead_on_helix_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [3] speeds: d(u), d(v), d(spin)
   qdd         [3] rates of the speeds
   tau         [3] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [3] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,15 @@ extern const char* const body_on_torus_force_names[0 + 1];
 extern const char* const body_on_torus_parameter_names[0 + 1];
 extern const char* const body_on_torus_wrench_body_names[0 + 1];
 extern const char* const body_on_torus_constraint_names[0 + 1];
+
+/* Names for indices: q[body_on_torus_coordinate_NAME], qd[body_on_torus_speed_NAME]. */
+enum {
+    body_on_torus_coordinate_u = 0, body_on_torus_coordinate_v = 1, body_on_torus_coordinate_spin = 2
+};
+enum {
+    body_on_torus_speed_u = 0, body_on_torus_speed_v = 1, body_on_torus_speed_spin = 2
+};
+enum { body_on_torus_body_slider = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int body_on_torus_holonomic[0 + 1];

@@ -77,8 +77,7 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME).
 struct Coordinate { enum : int { u = 0, v = 1, spin = 2 }; };
 struct Speed { enum : int { u = 0, v = 1, spin = 2 }; };
 struct Body { enum : int { slider = 0 }; };
@@ -97,7 +96,6 @@ struct Inputs {
 //   qd   [3] speeds: d(u), d(v), d(spin)
 //   qdd  [3] rates of the speeds
 //   tau  [3] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [3] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <body_on_torus/body_on_torus_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

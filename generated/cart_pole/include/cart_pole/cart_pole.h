@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(x), d(q)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of cart_pole_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,13 @@ extern const char* const cart_pole_force_names[0 + 1];
 extern const char* const cart_pole_parameter_names[0 + 1];
 extern const char* const cart_pole_wrench_body_names[1 + 1];
 extern const char* const cart_pole_constraint_names[0 + 1];
+
+/* Names for indices: q[cart_pole_coordinate_NAME], qd[cart_pole_speed_NAME]. Wrenches begin at 6 *
+   cart_pole_wrench_NAME. */
+enum { cart_pole_coordinate_x = 0, cart_pole_coordinate_q = 1 };
+enum { cart_pole_speed_x = 0, cart_pole_speed_q = 1 };
+enum { cart_pole_body_cart = 0, cart_pole_body_pole = 1 };
+enum { cart_pole_wrench_cart = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int cart_pole_holonomic[0 + 1];

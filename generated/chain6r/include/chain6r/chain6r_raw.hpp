@@ -81,8 +81,7 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME).
 struct Coordinate { enum : int { q1 = 0, q2 = 1, q3 = 2, q4 = 3, q5 = 4, q6 = 5 }; };
 struct Speed { enum : int { q1 = 0, q2 = 1, q3 = 2, q4 = 3, q5 = 4, q6 = 5 }; };
 struct Body { enum : int {
@@ -102,7 +101,6 @@ struct Inputs {
 //   qd   [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
 //   qdd  [6] rates of the speeds
 //   tau  [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [6] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <chain6r/chain6r_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

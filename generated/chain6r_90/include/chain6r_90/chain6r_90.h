@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [6] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,20 @@ extern const char* const chain6r_90_force_names[0 + 1];
 extern const char* const chain6r_90_parameter_names[0 + 1];
 extern const char* const chain6r_90_wrench_body_names[0 + 1];
 extern const char* const chain6r_90_constraint_names[0 + 1];
+
+/* Names for indices: q[chain6r_90_coordinate_NAME], qd[chain6r_90_speed_NAME]. */
+enum {
+    chain6r_90_coordinate_q1 = 0, chain6r_90_coordinate_q2 = 1, chain6r_90_coordinate_q3 = 2,
+    chain6r_90_coordinate_q4 = 3, chain6r_90_coordinate_q5 = 4, chain6r_90_coordinate_q6 = 5
+};
+enum {
+    chain6r_90_speed_q1 = 0, chain6r_90_speed_q2 = 1, chain6r_90_speed_q3 = 2, chain6r_90_speed_q4 = 3,
+    chain6r_90_speed_q5 = 4, chain6r_90_speed_q6 = 5
+};
+enum {
+    chain6r_90_body_link1 = 0, chain6r_90_body_link2 = 1, chain6r_90_body_link3 = 2,
+    chain6r_90_body_link4 = 3, chain6r_90_body_link5 = 4, chain6r_90_body_link6 = 5
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int chain6r_90_holonomic[0 + 1];

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(q1), d(q2)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,15 @@ extern const char* const double_pendulum_force_names[0 + 1];
 extern const char* const double_pendulum_parameter_names[0 + 1];
 extern const char* const double_pendulum_wrench_body_names[0 + 1];
 extern const char* const double_pendulum_constraint_names[0 + 1];
+
+/* Names for indices: q[double_pendulum_coordinate_NAME], qd[double_pendulum_speed_NAME]. */
+enum {
+    double_pendulum_coordinate_q1 = 0, double_pendulum_coordinate_q2 = 1
+};
+enum { double_pendulum_speed_q1 = 0, double_pendulum_speed_q2 = 1 };
+enum {
+    double_pendulum_body_upper = 0, double_pendulum_body_lower = 1
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int double_pendulum_holonomic[0 + 1];

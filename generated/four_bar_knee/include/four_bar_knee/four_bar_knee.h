@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(hip), d(q)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of four_bar_knee_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,16 @@ extern const char* const four_bar_knee_force_names[0 + 1];
 extern const char* const four_bar_knee_parameter_names[0 + 1];
 extern const char* const four_bar_knee_wrench_body_names[1 + 1];
 extern const char* const four_bar_knee_constraint_names[0 + 1];
+
+/* Names for indices: q[four_bar_knee_coordinate_NAME], qd[four_bar_knee_speed_NAME]. Wrenches begin at 6 *
+   four_bar_knee_wrench_NAME. */
+enum {
+    four_bar_knee_coordinate_hip = 0, four_bar_knee_coordinate_q = 1
+};
+enum { four_bar_knee_speed_hip = 0, four_bar_knee_speed_q = 1 };
+enum { four_bar_knee_body_thigh = 0, four_bar_knee_body_shank = 1 };
+enum { four_bar_knee_frame_ankle = 0 };
+enum { four_bar_knee_wrench_shank = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int four_bar_knee_holonomic[0 + 1];

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [6] speeds: d(x), d(y), d(z), d(turn).x, d(turn).y, d(turn).z
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [6] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of free_body_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,19 @@ extern const char* const free_body_force_names[0 + 1];
 extern const char* const free_body_parameter_names[0 + 1];
 extern const char* const free_body_wrench_body_names[1 + 1];
 extern const char* const free_body_constraint_names[0 + 1];
+
+/* Names for indices: q[free_body_coordinate_NAME], qd[free_body_speed_NAME]. Of a quaternion that of its
+   first entry. Wrenches begin at 6 * free_body_wrench_NAME. */
+enum {
+    free_body_coordinate_x = 0, free_body_coordinate_y = 1, free_body_coordinate_z = 2,
+    free_body_coordinate_turn = 3
+};
+enum {
+    free_body_speed_x = 0, free_body_speed_y = 1, free_body_speed_z = 2, free_body_speed_turn = 3
+};
+enum { free_body_body_body = 0 };
+enum { free_body_frame_nose = 0 };
+enum { free_body_wrench_body = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int free_body_holonomic[0 + 1];

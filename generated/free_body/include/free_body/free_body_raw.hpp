@@ -84,8 +84,8 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 1> kQuaternionOffsets = {{3}};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME), frame_poses(q)[Frame::NAME]. Of a quaternion that of
+/// its first entry. Wrenches begin at 6 * Wrench::NAME.
 struct Coordinate { enum : int { x = 0, y = 1, z = 2, turn = 3 }; };
 struct Speed { enum : int { x = 0, y = 1, z = 2, turn = 3 }; };
 struct Body { enum : int { body = 0 }; };
@@ -107,7 +107,6 @@ struct Inputs {
 //   qd   [6] speeds: d(x), d(y), d(z), d(turn).x, d(turn).y, d(turn).z
 //   qdd  [6] rates of the speeds
 //   tau  [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [6] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <free_body/free_body_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(q1), d(q2)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,15 @@ extern const char* const moving_base_force_names[0 + 1];
 extern const char* const moving_base_parameter_names[0 + 1];
 extern const char* const moving_base_wrench_body_names[0 + 1];
 extern const char* const moving_base_constraint_names[0 + 1];
+
+/* Names for indices: q[moving_base_coordinate_NAME], qd[moving_base_speed_NAME]. */
+enum {
+    moving_base_coordinate_q1 = 0, moving_base_coordinate_q2 = 1
+};
+enum { moving_base_speed_q1 = 0, moving_base_speed_q2 = 1 };
+enum {
+    moving_base_body_base = 0, moving_base_body_upper = 1, moving_base_body_lower = 2
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int moving_base_holonomic[0 + 1];

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [1] speeds: d(q)
   qdd         [1] rates of the speeds
   tau         [1] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [1] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,11 @@ extern const char* const pendulum_force_names[0 + 1];
 extern const char* const pendulum_parameter_names[0 + 1];
 extern const char* const pendulum_wrench_body_names[0 + 1];
 extern const char* const pendulum_constraint_names[0 + 1];
+
+/* Names for indices: q[pendulum_coordinate_NAME], qd[pendulum_speed_NAME]. */
+enum { pendulum_coordinate_q = 0 };
+enum { pendulum_speed_q = 0 };
+enum { pendulum_body_rod = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int pendulum_holonomic[0 + 1];

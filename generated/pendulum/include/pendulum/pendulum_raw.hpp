@@ -69,8 +69,7 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{::std::numeric_limit
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME).
 struct Coordinate { enum : int { q = 0 }; };
 struct Speed { enum : int { q = 0 }; };
 struct Body { enum : int { rod = 0 }; };
@@ -89,7 +88,6 @@ struct Inputs {
 //   qd   [1] speeds: d(q)
 //   qdd  [1] rates of the speeds
 //   tau  [1] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [1] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <pendulum/pendulum_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(q1), d(q2)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of rolling_wheels_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,17 @@ extern const char* const rolling_wheels_force_names[0 + 1];
 extern const char* const rolling_wheels_parameter_names[0 + 1];
 extern const char* const rolling_wheels_wrench_body_names[1 + 1];
 extern const char* const rolling_wheels_constraint_names[0 + 1];
+
+/* Names for indices: q[rolling_wheels_coordinate_NAME], qd[rolling_wheels_speed_NAME]. Wrenches begin at 6 *
+   rolling_wheels_wrench_NAME. */
+enum {
+    rolling_wheels_coordinate_q1 = 0, rolling_wheels_coordinate_q2 = 1
+};
+enum { rolling_wheels_speed_q1 = 0, rolling_wheels_speed_q2 = 1 };
+enum {
+    rolling_wheels_body_wheel = 0, rolling_wheels_body_small_wheel = 1
+};
+enum { rolling_wheels_wrench_wheel = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int rolling_wheels_holonomic[0 + 1];

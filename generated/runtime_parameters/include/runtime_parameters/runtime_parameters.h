@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [2] speeds: d(q1), d(q2)
   qdd         [2] rates of the speeds
   tau         [2] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [2] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  [4] runtime parameters in SI units; NULL for the values of the description
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,22 @@ extern const char* const runtime_parameters_force_names[0 + 1];
 extern const char* const runtime_parameters_parameter_names[4 + 1];
 extern const char* const runtime_parameters_wrench_body_names[0 + 1];
 extern const char* const runtime_parameters_constraint_names[0 + 1];
+
+/* Names for indices: q[runtime_parameters_coordinate_NAME], qd[runtime_parameters_speed_NAME],
+   parameters[runtime_parameters_parameter_NAME]. */
+enum {
+    runtime_parameters_coordinate_q1 = 0, runtime_parameters_coordinate_q2 = 1
+};
+enum {
+    runtime_parameters_speed_q1 = 0, runtime_parameters_speed_q2 = 1
+};
+enum {
+    runtime_parameters_body_crank = 0, runtime_parameters_body_rod = 1
+};
+enum {
+    runtime_parameters_parameter_g = 0, runtime_parameters_parameter_m = 1,
+    runtime_parameters_parameter_l = 2, runtime_parameters_parameter_I = 3
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int runtime_parameters_holonomic[0 + 1];

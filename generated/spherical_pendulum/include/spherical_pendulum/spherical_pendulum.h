@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [3] speeds: d(turn).x, d(turn).y, d(turn).z
   qdd         [3] rates of the speeds
   tau         [3] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [3] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [1 x 6] per body of spherical_pendulum_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,13 @@ extern const char* const spherical_pendulum_force_names[0 + 1];
 extern const char* const spherical_pendulum_parameter_names[0 + 1];
 extern const char* const spherical_pendulum_wrench_body_names[1 + 1];
 extern const char* const spherical_pendulum_constraint_names[0 + 1];
+
+/* Names for indices: q[spherical_pendulum_coordinate_NAME], qd[spherical_pendulum_speed_NAME]. Of a
+   quaternion that of its first entry. Wrenches begin at 6 * spherical_pendulum_wrench_NAME. */
+enum { spherical_pendulum_coordinate_turn = 0 };
+enum { spherical_pendulum_speed_turn = 0 };
+enum { spherical_pendulum_body_bob = 0 };
+enum { spherical_pendulum_wrench_bob = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int spherical_pendulum_holonomic[0 + 1];

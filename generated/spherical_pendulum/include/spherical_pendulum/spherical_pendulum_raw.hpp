@@ -77,8 +77,8 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 1> kQuaternionOffsets = {{0}};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME). Of a quaternion that of its first entry. Wrenches
+/// begin at 6 * Wrench::NAME.
 struct Coordinate { enum : int { turn = 0 }; };
 struct Speed { enum : int { turn = 0 }; };
 struct Body { enum : int { bob = 0 }; };
@@ -99,7 +99,6 @@ struct Inputs {
 //   qd   [3] speeds: d(turn).x, d(turn).y, d(turn).z
 //   qdd  [3] rates of the speeds
 //   tau  [3] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [3] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <spherical_pendulum/spherical_pendulum_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [6] speeds: d(q1), d(q2), d(q3), d(q4), d(q5), d(q6)
   qdd         [6] rates of the speeds
   tau         [6] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [6] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,20 @@ extern const char* const stanford_force_names[0 + 1];
 extern const char* const stanford_parameter_names[0 + 1];
 extern const char* const stanford_wrench_body_names[0 + 1];
 extern const char* const stanford_constraint_names[0 + 1];
+
+/* Names for indices: q[stanford_coordinate_NAME], qd[stanford_speed_NAME]. */
+enum {
+    stanford_coordinate_q1 = 0, stanford_coordinate_q2 = 1, stanford_coordinate_q3 = 2,
+    stanford_coordinate_q4 = 3, stanford_coordinate_q5 = 4, stanford_coordinate_q6 = 5
+};
+enum {
+    stanford_speed_q1 = 0, stanford_speed_q2 = 1, stanford_speed_q3 = 2, stanford_speed_q4 = 3,
+    stanford_speed_q5 = 4, stanford_speed_q6 = 5
+};
+enum {
+    stanford_body_link1 = 0, stanford_body_link2 = 1, stanford_body_link3 = 2, stanford_body_link4 = 3,
+    stanford_body_link5 = 4, stanford_body_link6 = 5
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int stanford_holonomic[0 + 1];

@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [5] speeds: d(u1), d(v1), d(u2), d(v2), d(turn)
   qdd         [5] rates of the speeds
   tau         [5] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [5] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    NULL: no body takes an external wrench
@@ -49,6 +48,17 @@ extern const char* const tori_mated_force_names[0 + 1];
 extern const char* const tori_mated_parameter_names[0 + 1];
 extern const char* const tori_mated_wrench_body_names[0 + 1];
 extern const char* const tori_mated_constraint_names[0 + 1];
+
+/* Names for indices: q[tori_mated_coordinate_NAME], qd[tori_mated_speed_NAME]. */
+enum {
+    tori_mated_coordinate_u1 = 0, tori_mated_coordinate_v1 = 1, tori_mated_coordinate_u2 = 2,
+    tori_mated_coordinate_v2 = 3, tori_mated_coordinate_turn = 4
+};
+enum {
+    tori_mated_speed_u1 = 0, tori_mated_speed_v1 = 1, tori_mated_speed_u2 = 2, tori_mated_speed_v2 = 3,
+    tori_mated_speed_turn = 4
+};
+enum { tori_mated_body_ring = 0 };
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int tori_mated_holonomic[0 + 1];

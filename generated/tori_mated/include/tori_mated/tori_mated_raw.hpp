@@ -81,8 +81,7 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 0> kQuaternionOffsets = {};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME).
 struct Coordinate { enum : int { u1 = 0, v1 = 1, u2 = 2, v2 = 3, turn = 4 }; };
 struct Speed { enum : int { u1 = 0, v1 = 1, u2 = 2, v2 = 3, turn = 4 }; };
 struct Body { enum : int { ring = 0 }; };
@@ -101,7 +100,6 @@ struct Inputs {
 //   qd   [5] speeds: d(u1), d(v1), d(u2), d(v2), d(turn)
 //   qdd  [5] rates of the speeds
 //   tau  [5] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [5] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <tori_mated/tori_mated_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.

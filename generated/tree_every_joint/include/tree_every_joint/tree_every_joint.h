@@ -12,7 +12,6 @@ Arguments; arrays must not overlap:
   qd          [20] speeds: d(x), d(y), d(z), d(attitude).x, d(attitude).y, d(attitude).z, d(shoulder), d(slide), d(screw), d(twist), d(reach), d(pitch) and 8 more
   qdd         [20] rates of the speeds
   tau         [20] generalized forces: N m for a speed in rad/s, N for one in m/s
-  mu          [20] weights of these: second derivatives are those of their weighted sum
   t           time, s
   parameters  NULL: there are no runtime parameters
   wrenches    [2 x 6] per body of tree_every_joint_wrench_body_names the force x y z at its centre of mass, N, and the torque
@@ -50,6 +49,37 @@ extern const char* const tree_every_joint_force_names[0 + 1];
 extern const char* const tree_every_joint_parameter_names[0 + 1];
 extern const char* const tree_every_joint_wrench_body_names[2 + 1];
 extern const char* const tree_every_joint_constraint_names[0 + 1];
+
+/* Names for indices: q[tree_every_joint_coordinate_NAME], qd[tree_every_joint_speed_NAME]. Of a quaternion
+   that of its first entry. Wrenches begin at 6 * tree_every_joint_wrench_NAME. */
+enum {
+    tree_every_joint_coordinate_x = 0, tree_every_joint_coordinate_y = 1, tree_every_joint_coordinate_z = 2,
+    tree_every_joint_coordinate_attitude = 3, tree_every_joint_coordinate_shoulder = 7,
+    tree_every_joint_coordinate_slide = 8, tree_every_joint_coordinate_screw = 9,
+    tree_every_joint_coordinate_twist = 10, tree_every_joint_coordinate_reach = 11,
+    tree_every_joint_coordinate_pitch = 12, tree_every_joint_coordinate_roll = 13,
+    tree_every_joint_coordinate_px = 14, tree_every_joint_coordinate_py = 15,
+    tree_every_joint_coordinate_pa = 16, tree_every_joint_coordinate_ball = 17,
+    tree_every_joint_coordinate_bend = 21
+};
+enum {
+    tree_every_joint_speed_x = 0, tree_every_joint_speed_y = 1, tree_every_joint_speed_z = 2,
+    tree_every_joint_speed_attitude = 3, tree_every_joint_speed_shoulder = 6,
+    tree_every_joint_speed_slide = 7, tree_every_joint_speed_screw = 8, tree_every_joint_speed_twist = 9,
+    tree_every_joint_speed_reach = 10, tree_every_joint_speed_pitch = 11, tree_every_joint_speed_roll = 12,
+    tree_every_joint_speed_px = 13, tree_every_joint_speed_py = 14, tree_every_joint_speed_pa = 15,
+    tree_every_joint_speed_ball = 16, tree_every_joint_speed_bend = 19
+};
+enum {
+    tree_every_joint_body_trunk = 0, tree_every_joint_body_arm = 1, tree_every_joint_body_piston = 2,
+    tree_every_joint_body_drill = 3, tree_every_joint_body_tube = 4, tree_every_joint_body_gimbal = 5,
+    tree_every_joint_body_slab = 6, tree_every_joint_body_hand = 7, tree_every_joint_body_finger = 8,
+    tree_every_joint_body_thumb = 9
+};
+enum { tree_every_joint_frame_drill_tip = 0 };
+enum {
+    tree_every_joint_wrench_trunk = 0, tree_every_joint_wrench_drill = 1
+};
 
 /* 1 for each row of the constraints that is the rate of an equation in the coordinates alone, and a 0 after the last. */
 extern const int tree_every_joint_holonomic[0 + 1];

@@ -120,8 +120,8 @@ inline constexpr ::std::array<double, kNv> kSpeedLimits = {{
 /// Where the unit quaternions (x y z w) start in q.
 inline constexpr ::std::array<int, 2> kQuaternionOffsets = {{3, 17}};
 
-/// Names for indices: q(Coordinate::NAME), frame_poses(q)[Frame::NAME], in.parameters[Parameter::NAME]. Of a quaternion
-/// that of its first entry; wrenches begin at 6 * Wrench::NAME. A name that is a macro has an underscore behind it.
+/// Names for indices: q(Coordinate::NAME), qd(Speed::NAME), frame_poses(q)[Frame::NAME]. Of a quaternion that of
+/// its first entry. Wrenches begin at 6 * Wrench::NAME.
 struct Coordinate { enum : int {
     x = 0, y = 1, z = 2, attitude = 3, shoulder = 7, slide = 8, screw = 9, twist = 10, reach = 11, pitch = 12,
     roll = 13, px = 14, py = 15, pa = 16, ball = 17, bend = 21 }; };
@@ -148,7 +148,6 @@ struct Inputs {
 //   qd   [20] speeds: d(x), d(y), d(z), d(attitude).x, d(attitude).y, d(attitude).z, d(shoulder), d(slide), d(screw), d(twist), d(reach), d(pitch) and 8 more
 //   qdd  [20] rates of the speeds
 //   tau  [20] generalized forces: N m for a speed in rad/s, N for one in m/s
-//   mu   [20] weights of these: second derivatives are those of their weighted sum
 //
 // Angles are in rad and lengths in m. They are compiled for double and float; for any other scalar type include
 // <tree_every_joint/tree_every_joint_impl.hpp>, which asks of it + - * / and, found by argument, the functions of <cmath> that are called.
