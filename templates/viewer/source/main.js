@@ -124,6 +124,7 @@ function select(index, look) {
   const description = element("heading").querySelector("p");  // a few lines; a click shows or hides the rest
   description.textContent = mechanism.description;
   description.onclick = () => description.classList.toggle("whole");
+  stage.resize();  // the heading has another height
   for (const [i, button] of [...element("mechanisms").children].entries())
     button.setAttribute("aria-pressed", String(i === index));
   const record = live?.on && live.records[index];
@@ -150,6 +151,7 @@ if (data.mechanisms.length > 1) {
   });
 }
 select(0, false);
+stage.frame();
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 setTheme(dark.matches ? "dark" : "light");

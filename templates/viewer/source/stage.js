@@ -309,15 +309,16 @@ export class Stage {
     this.controls.addEventListener("change", () => this.draw());
     new ResizeObserver(() => this.resize()).observe(this.element);
     this.resize();
-    this.frame();
   }
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!this.renderer || width === 0 || height === 0) return;
     this.renderer.setSize(width, height);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    // The camera looks at what lies below the heading, and draws what is behind it too.
+    const above = Math.min(document.getElementById("heading")?.offsetHeight ?? 0, height / 3);
+    this.camera.aspect = width / (height - above);
+    this.camera.setViewOffset(width, height - above, 0, -above, width, height);
     this.draw();
   }
 
