@@ -231,12 +231,16 @@ class FunctionWriter {
     }
     // The plain equations may lose as many digits.
     if (explained) return written(*std::move(explained));
+    if (!error.without_value.empty())
+      throw InternalError(
+          fmt::format("{} has no value in double precision at a state where the plain equations have one",
+                      to_string(kind)));
+    if (error.relative <= kLargestError)
+      throw InternalError(fmt::format("{}: {} is 0 where the plain equations give {:.1e}", to_string(kind),
+                                      error.array, error.excesses.front().difference));
     throw InternalError(
-        error.without_value.empty()
-            ? fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
-                          to_string(kind), error.relative, error.array, kLargestError)
-            : fmt::format("{} has no value in double precision at a state where the plain equations have one",
-                          to_string(kind)));
+        fmt::format("{}: its relative error is {:.1e} in {}, where {:.0e} is the most that is written",
+                    to_string(kind), error.relative, error.array, kLargestError));
   }
 
  private:

@@ -3,10 +3,19 @@
 
 namespace alembert::modular {
 
+namespace {
+
+/// Of a number that the field has no element of its own for, as 2^61, which would be 1, any other element.
+std::uint64_t element(std::uint64_t n) {
+  return n < kPrime ? n : 2 + scramble(n) % (kPrime - 2);
+}
+
+}  // namespace
+
 Modular from_rational(Rational x) {
-  const std::uint64_t n = reduce(static_cast<std::uint64_t>(x.numerator < 0 ? -x.numerator : x.numerator));
-  const std::uint64_t d = reduce(static_cast<std::uint64_t>(x.denominator));
-  const std::uint64_t value = d == 1 ? n : d == 0 ? reduce(scramble(n)) : multiply(n, inverse(d));
+  const std::uint64_t n = element(static_cast<std::uint64_t>(x.numerator < 0 ? -x.numerator : x.numerator));
+  const std::uint64_t d = element(static_cast<std::uint64_t>(x.denominator));
+  const std::uint64_t value = d == 1 ? n : multiply(n, inverse(d));
   return {x.numerator < 0 ? negate(value) : value, 0};
 }
 

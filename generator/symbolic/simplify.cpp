@@ -2,7 +2,8 @@
 //
 // Candidates are made by rewriting every node as a polynomial (polynomial.hpp), once with sums kept whole
 // inside products and once multiplied out, reduced by the identities of the circle and factored again; value
-// numbering runs between them. A candidate is taken only if it needs fewer operations.
+// numbering runs between them. A candidate is taken only if it needs fewer operations
+// and its rounding errors are of the same size.
 #include "symbolic/simplify.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <optional>
 
 #include "symbolic/count_operations.hpp"
+#include "symbolic/exactness.hpp"
 #include "symbolic/node_index.hpp"
 #include "symbolic/polynomial.hpp"
 #include "symbolic/postorder.hpp"
@@ -18,8 +20,8 @@
 namespace alembert {
 namespace {
 
-constexpr std::size_t kMostNodes = 4000;  // larger sets are value-numbered only
-constexpr std::size_t kMostTerms = 256;   // of a polynomial; larger ones become one atom
+constexpr std::size_t kMostRewritten = 4000;  // larger sets are value-numbered only
+constexpr std::size_t kMostTerms = 256;       // of a polynomial; larger ones become one atom
 constexpr std::size_t kMostWork =
     300000;  // products of terms in one call; then nothing is multiplied out any more
 constexpr int kRounds = 4;
@@ -208,11 +210,11 @@ Cost cost_of(std::span<const Expr> roots) {
   return {count.all(), count.weight};
 }
 
-// Takes the candidate as a whole or root by root, wherever it lowers the cost.
-bool improve(std::vector<Expr>& best, Cost& cost, const std::vector<Expr>& candidate) {
+// Takes the candidate as a whole or root by root, wherever it lowers the cost and keeps the digits.
+bool improve(std::vector<Expr>& best, Cost& cost, const std::vector<Expr>& candidate, Exactness& exactness) {
   if (candidate == best) return false;
   const Cost all = cost_of(candidate);
-  if (all.below(cost)) {
+  if (all.below(cost) && exactness.keeps(candidate)) {
     best = candidate;
     cost = all;
     return true;
@@ -225,7 +227,7 @@ bool improve(std::vector<Expr>& best, Cost& cost, const std::vector<Expr>& candi
     const Expr kept = best[i];
     best[i] = candidate[i];
     const Cost one = cost_of(best);
-    if (one.below(cost)) {
+    if (one.below(cost) && exactness.keeps(best)) {
       cost = one;
       improved = true;
     } else {
@@ -256,22 +258,23 @@ std::vector<Expr> simplify(std::span<const Expr> roots) {
   if (graph == nullptr || !graph->simplifies()) return best;
   Cost cost = cost_of(best);
   if (cost.operations == 0) return best;
-  improve(best, cost, value_number(best));
+  Exactness exactness(roots);
+  improve(best, cost, value_number(best), exactness);
   std::size_t budget = kMostWork;
   for (int round = 0; round < kRounds && cost.operations > 1; ++round) {
-    if (postorder(best).size() > kMostNodes) break;
+    if (postorder(best).size() > kMostRewritten) break;
     bool improved = false;
     for (const Sums sums : {Sums::keep_shared, Sums::join, Sums::multiply_out}) {
       const auto candidate = rewritten(*graph, best, sums, budget);
       if (!candidate) continue;
-      improved = improve(best, cost, *candidate) || improved;
-      improved = improve(best, cost, value_number(*candidate)) || improved;
+      improved = improve(best, cost, *candidate, exactness) || improved;
+      improved = improve(best, cost, value_number(*candidate), exactness) || improved;
       if (sums != Sums::multiply_out) continue;
       // Factors that are sums only show once the terms are factored.
       const auto again = rewritten(*graph, *candidate, Sums::join, budget);
       if (!again) continue;
-      improved = improve(best, cost, *again) || improved;
-      improved = improve(best, cost, value_number(*again)) || improved;
+      improved = improve(best, cost, *again, exactness) || improved;
+      improved = improve(best, cost, value_number(*again), exactness) || improved;
     }
     if (!improved) break;
   }

@@ -21,6 +21,7 @@
 #include "symbolic/count_operations.hpp"
 #include "symbolic/error_bound.hpp"
 #include "symbolic/evaluate_modular.hpp"
+#include "symbolic/exactness.hpp"
 #include "symbolic/modular.hpp"
 #include "symbolic/postorder.hpp"
 
@@ -268,10 +269,12 @@ class Numbering {
   }
 
   // The representative of a class is its cheapest member as a tree, and of several the first: both fall
-  // strictly from a representative to those of its operands, so that the rebuilt graph has no cycles.
+  // strictly from a representative to those of its operands, so that the rebuilt graph has no cycles. A sum gives
+  // way to a member that is none where it cancels and that does not, as 1 - tanh^2 does to 1/cosh^2.
   void choose() {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 60;
     std::vector<std::uint64_t> cost(order_.ids.size(), 0);
+    std::vector<std::uint32_t> others(classes_.size(), kNoIndex);  // the cheapest members that are no sums
     for (std::uint32_t i = 0; i < order_.ids.size(); ++i) {
       const NodeKind n = kind(i);
       const LocalOperands operands = order_.operands[i];
@@ -281,10 +284,70 @@ class Numbering {
         if (n.arity() == 2) cost[i] += cost[operands.b >> 1];
         cost[i] = std::min(cost[i], kMost);
       }
-      Class& in = classes_[members_[i].value_class];
+      const std::uint32_t value_class = members_[i].value_class;
+      Class& in = classes_[value_class];
       if (in.is_number) continue;
       if (in.representative == kNoIndex || cost[i] < cost[in.representative]) in.representative = i;
+      std::uint32_t& other = others[value_class];
+      if (!is_sum(i) && (other == kNoIndex || cost[i] < cost[other])) other = i;
     }
+    prefer_exact(others);
+  }
+
+  bool is_sum(std::uint32_t i) const { return kind(i).op == Operation::add || kind(i).op == Operation::sub; }
+
+  void prefer_exact(const std::vector<std::uint32_t>& others) {
+    std::vector<std::uint32_t> asked;
+    std::vector<Expr> pairs;
+    for (std::uint32_t c = 0; c < classes_.size(); ++c) {
+      if (classes_[c].is_number || others[c] == kNoIndex || !is_sum(classes_[c].representative)) continue;
+      asked.push_back(c);
+      pairs.emplace_back(graph_, ref(classes_[c].representative));
+      pairs.emplace_back(graph_, ref(others[c]));
+    }
+    if (asked.empty()) return;
+    std::vector<bool> cancels(asked.size(), false);
+    for (const std::vector<Approximate>& at : evaluate_bounded(pairs, points_near_and_far(graph_)))
+      for (std::size_t k = 0; k < asked.size(); ++k)
+        cancels[k] = cancels[k] || !is_as_exact(at[2 * k], at[2 * k + 1]);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> before;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      if (!cancels[k]) continue;
+      before.emplace_back(asked[k], classes_[asked[k]].representative);
+      classes_[asked[k]].representative = others[asked[k]];
+    }
+    if (before.empty() || !has_cycle()) return;
+    for (const auto& [value_class, representative] : before)
+      classes_[value_class].representative = representative;
+  }
+
+  // Whether a class is needed for itself.
+  bool has_cycle() const {
+    enum : std::uint8_t { untouched, open, done };
+    std::vector<std::uint8_t> state(classes_.size(), untouched);
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t start = 0; start < classes_.size(); ++start) {
+      if (state[start] != untouched) continue;
+      stack.push_back(start);
+      while (!stack.empty()) {
+        const std::uint32_t c = stack.back();
+        if (state[c] != untouched) {
+          state[c] = done;
+          stack.pop_back();
+          continue;
+        }
+        state[c] = open;
+        if (classes_[c].is_number) continue;
+        const LocalOperands operands = order_.operands[classes_[c].representative];
+        const int arity = kind(classes_[c].representative).arity();
+        for (int k = 0; k < arity; ++k) {
+          const std::uint32_t below = members_[(k == 0 ? operands.a : operands.b) >> 1].value_class;
+          if (state[below] == open) return true;
+          if (state[below] == untouched) stack.push_back(below);
+        }
+      }
+    }
+    return false;
   }
 
   // Image of the representative's class, seen from member `local`.

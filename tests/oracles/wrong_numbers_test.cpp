@@ -118,6 +118,60 @@ bodies:
   expect_right(file.path(), read_description(file.path(), {{"height", 0.02}}), states);
 }
 
+// 1/cosh^2 is 1 - tanh^2, which has no digit left where the exponential is large.
+TEST(WrongNumbers, WhatGrowsWhereAnotherFunctionFalls) {
+  std::vector<State> states;
+  for (const double u : {20.0, 18.0, 8.0, 1.0, -2.0}) states.push_back({{u}, {0.5}, {0.7}, 0});
+  expect_right(R"yaml(
+coordinates: [u]
+bodies:
+  - {name: bead, transform: [{translate: [tanh(u), "u*cosh(u)^-2*exp(2*u)", 0]}], mass: 1}
+)yaml",
+               states);
+}
+
+// The rate of the turning frame is a polynomial in tanh with coefficients of 2e9 where it is multiplied out.
+TEST(WrongNumbers, FrameOnACurveWithAStep) {
+  std::vector<State> states;
+  for (const double u : {0.3, 2.95, 3.02, 5.0}) states.push_back({{u, 0.2}, {0.8, -0.4}, {0.6, 0.9}, 0});
+  expect_right(R"yaml(
+coordinates: [u, q]
+bodies:
+  - name: bead
+    transform: [{curve: {point: ["cos(u)", "sin(u)", "0.3*u + tanh(40*(u - 3))"], along: u}}, {rotate: {axis: x, angle: q}}]
+    mass: 1
+    com: [0.1, 0.2, 0.3]
+    inertia: {xx: 0.1, yy: 0.2, zz: 0.25}
+)yaml",
+               states);
+}
+
+// Components of a unit vector are rounded: what is 0 for one of length 1 is nearly that for these.
+TEST(WrongNumbers, OneHingeWithAnAxisOfSixDigits) {
+  for (const char* gravity : {"[0, 0, -9.81]", "[0, 0, 0]"})
+    expect_right("gravity: " + std::string(gravity) + R"yaml(
+coordinates: [q]
+bodies:
+  - name: door
+    transform: [{joint: {type: revolute, axis: [0.861128, -0.128735, -0.856040], coordinates: [q]}}]
+    mass: 1.4
+    com: [0, 0.1, -0.25]
+    inertia: {xx: 0.1, yy: 0.1, zz: 0.05}
+)yaml");
+}
+
+// 2^61 - 1, the prime of the proofs, is no 0.
+TEST(WrongNumbers, NumberThatIsAMultipleOfThePrime) {
+  std::vector<State> states;
+  for (const double q : {4.001, 3.99, 1.0}) states.push_back({{q}, {1}, {1}, 0});
+  expect_right(R"yaml(
+coordinates: [q]
+bodies:
+  - {name: a, transform: [{translate: [q, "2.305843009213693951*exp(-((q - 4)/1.0e-2)^2)", 0]}], mass: 1}
+)yaml",
+               states);
+}
+
 // A ring on a torus with a dent at u = 6, 1e-5 wide. The square of the slope was multiplied out into powers of u,
 // which left five digits of it.
 TEST(WrongNumbers, NarrowDentOfASurface) {

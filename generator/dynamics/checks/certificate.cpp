@@ -130,12 +130,13 @@ std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind
 /// The errors of one array at states.
 class ArrayErrors {
  public:
-  void add(const Wanted& wanted, std::span<const double> found, std::size_t columns) {
+  void add(std::size_t state, const Wanted& wanted, std::span<const double> found, std::size_t columns) {
     VectorXe here = VectorXe::Zero(wanted.values.size());
     Extended largest = 0, difference = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Extended x = found[i];
       largest = std::max(largest, Extended(abs(x)));
+      is_zero_ = is_zero_ && x == 0;
       if (wanted.times) {
         const std::size_t entry = wanted.rows ? i % columns : i / columns;
         const std::size_t weight = wanted.rows ? i / columns : i % columns;
@@ -149,25 +150,35 @@ class ArrayErrors {
       difference = std::max(difference, Extended(abs(here[i] - wanted.values[i])));
     }
     if (difference <= wanted.noise) difference = 0;
-    states_.emplace_back(difference, largest);
+    const std::size_t terms = wanted.times ? found.size() / static_cast<std::size_t>(here.size()) : 1;
+    states_.push_back({state, terms, difference, largest});
     size_ = std::max(size_, largest);
   }
 
-  /// The largest relative to the entries at its state, which may be next to nothing there: a thousandth of
-  /// what they are elsewhere, then.
-  double worst() const {
-    double out = 0;
-    for (const auto& [difference, largest] : states_) {
-      if (difference < std::numeric_limits<double>::min()) continue;  // below, double precision has no digits
-      out = std::max(out,
-                     Extended(difference / std::max(largest, Extended(size_ / 1000))).convert_to<double>());
+  /// Adds what is no small part of the entries at its state (which may be next to nothing there: of a thousandth
+  /// of what they are elsewhere, then), and the largest part.
+  void report(std::size_t array, const std::string& name, MeasuredError& error) const {
+    for (const AtState& at : states_) {
+      if (at.difference < std::numeric_limits<double>::min()) continue;  // below, double has no digits
+      const double relative =
+          Extended(at.difference / std::max(at.largest, Extended(size_ / 1000))).convert_to<double>();
+      if (relative > kLargestError)
+        error.excesses.push_back({at.state, array, at.terms, at.difference.convert_to<double>(), is_zero_});
+      if (is_zero_ && error.array.empty()) error.array = name;
+      if (is_zero_ || relative <= error.relative) continue;
+      error.relative = relative;
+      error.array = name;
     }
-    return out;
   }
 
  private:
-  std::vector<std::pair<Extended, Extended>> states_;  ///< largest difference and entry
+  struct AtState {
+    std::size_t state, terms;
+    Extended difference, largest;  ///< the largest difference and entry
+  };
+  std::vector<AtState> states_;
   Extended size_ = 0;
+  bool is_zero_ = true;
 };
 
 /// What decides choices and signs below these expressions.
@@ -242,40 +253,42 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     std::size_t at = 0;
     for (std::size_t a = 0; a < arrays.size(); ++a) {
       const OutputArray& output = program.outputs[a];
-      errors[a].add(arrays[a], {found.data() + at, output.values.size()}, output.columns);
+      errors[a].add(static_cast<std::size_t>(&values - states_.data()), arrays[a],
+                    {found.data() + at, output.values.size()}, output.columns);
       at += output.values.size();
     }
   }
-  for (std::size_t a = 0; a < errors.size(); ++a) {
-    const double relative = errors[a].worst();
-    if (relative <= worst.relative) continue;
-    worst.relative = relative;
-    worst.array = program.outputs[a].name;
-  }
+  for (std::size_t a = 0; a < errors.size(); ++a) errors[a].report(a, program.outputs[a].name, worst);
   return worst;
 }
 
 bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
   const std::vector<OutputExpressions>& plain = plain_.expressions(kind);
-  double bound = kLargestError;
-  for (std::size_t k = 0; k < states_.size(); ++k) {
-    const bool without_value =
-        std::find(error.without_value.begin(), error.without_value.end(), k) != error.without_value.end();
-    if (!without_value && k >= static_cast<std::size_t>(most_)) continue;
-    bool has_value = true;
-    for (const OutputExpressions& output : plain) {
-      double largest = 0, most = 0;
-      for (const Approximate& x : evaluate_bounded(output.values, states_[k])) {
-        has_value = has_value && std::isfinite(x.value);
-        largest = std::max(largest, std::abs(x.value));
-        most = std::max(most, x.error);
-      }
-      if (std::isfinite(largest) && most > 0)
-        bound = std::max(bound, largest > 0 ? most / largest : HUGE_VAL);
-    }
-    if (without_value && has_value) return false;
+  const auto evaluated = [&](const OutputExpressions& output, std::size_t state) {
+    return evaluate_bounded(output.values, states_[state]);
+  };
+  for (const std::size_t state : error.without_value) {
+    const bool has_value = std::ranges::all_of(plain, [&](const OutputExpressions& output) {
+      return std::ranges::all_of(evaluated(output, state),
+                                 [](const Approximate& x) { return std::isfinite(x.value); });
+    });
+    if (has_value) return false;
   }
-  return error.relative <= bound;
+  const auto rounding = [&](const OutputExpressions& output, std::size_t state) {
+    double most = 0;
+    for (const Approximate& x : evaluated(output, state))
+      most = std::isfinite(x.value) && std::isfinite(x.error) ? std::max(most, x.error) : HUGE_VAL;
+    return most;
+  };
+  return std::ranges::all_of(error.excesses, [&](const Excess& excess) {
+    double most = rounding(plain[excess.array], excess.state);
+    // The numbers of a description are rounded too: an axis has not quite the length 1, and what is 0 for one that
+    // has is as large as rounding errors of forces.
+    if (excess.of_zeros)
+      most = std::max(most,
+                      rounding(plain_.expressions(FunctionKind("inverse_dynamics")).front(), excess.state));
+    return excess.difference <= static_cast<double>(excess.terms) * most;
+  });
 }
 
 }  // namespace alembert

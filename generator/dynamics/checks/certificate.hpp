@@ -31,7 +31,7 @@ class Certificate {
   MeasuredError measure(const Program& program, FunctionKind kind) const;
   /// Whether a measured error needs no explanation.
   static bool is_small(const MeasuredError& error) {
-    return error.relative <= kLargestError && error.without_value.empty();
+    return error.excesses.empty() && error.without_value.empty();
   }
   /// Whether the plain equations in double precision may have rounding errors as large, and have no values
   /// where the program has none (a function that overflows). Bounds of errors can be far above them: what has

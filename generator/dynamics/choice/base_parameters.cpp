@@ -146,30 +146,36 @@ Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph&
 }
 
 /// Row reduction: rows whose first entry is 1, in a column where it is the only one. Returns the columns; what is
-/// left of all other rows is nothing.
+/// left of all other rows is nothing but rounding, which grows where rows are divided by small entries.
 std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_first) {
   std::vector<std::size_t> firsts;
+  std::vector<Extended> noise(rows.size(), kRounding);
   for (std::size_t c = 0; c < may_be_first.size(); ++c) {
     const std::size_t k = firsts.size();
-    if (may_be_first[c] == 0 || k == rows.size()) continue;
-    const auto largest =
-        std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
-                         [&](const auto& x, const auto& y) { return abs(x[c]) < abs(y[c]); });
-    if (abs((*largest)[c]) < kRounding) continue;
-    std::swap(rows[k], *largest);
+    if (k == rows.size()) break;
+    if (!may_be_first[c]) continue;
+    std::size_t largest = rows.size();
+    for (std::size_t r = k; r < rows.size(); ++r)
+      if (abs(rows[r][c]) > noise[r] && (largest == rows.size() || abs(rows[r][c]) > abs(rows[largest][c])))
+        largest = r;
+    if (largest == rows.size()) continue;
+    std::swap(rows[k], rows[largest]);
+    std::swap(noise[k], noise[largest]);
     const Extended pivot = rows[k][c];
     for (Extended& entry : rows[k]) entry /= pivot;
+    noise[k] /= abs(pivot);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (r == k || rows[r][c] == 0) continue;
       const Extended factor = rows[r][c];
       for (std::size_t j = 0; j < rows[r].size(); ++j) rows[r][j] -= factor * rows[k][j];
+      noise[r] += abs(factor) * noise[k];
     }
     firsts.push_back(c);
   }
   for (std::size_t r = firsts.size(); r < rows.size(); ++r)
     for (const Extended& left : rows[r])
-      // Rounding that was passed over, times what reduction makes of it.
-      if (abs(left) > 64 * kRounding)
+      // What was passed over for rounding, times what other columns have of it. A column more leaves far more.
+      if (abs(left) > 4096 * noise[r])
         throw InternalError("base parameters: the rank of the regressor is larger");
   return firsts;
 }
