@@ -185,7 +185,19 @@ class FunctionWriter {
                  const Certificate& certificate, const CompileOptions& options)
       : kinematics_(kinematics), bindings_(bindings), certificate_(certificate), options_(options) {}
 
+  /// Throws SingularMassMatrix where that is why a function that divides by M loses its digits.
   CompiledFunction write(FunctionKind kind, const std::vector<EquationsOfMotion>& candidates) const {
+    try {
+      return shortest(kind, candidates);
+    } catch (const std::logic_error&) {  // a defect, or a division by zero
+      if (kind.row().needs == Needs::regular_mass_matrix)
+        check_mass_matrix(kinematics_, certificate_.plain(), kNearlySingular);
+      throw;
+    }
+  }
+
+ private:
+  CompiledFunction shortest(FunctionKind kind, const std::vector<EquationsOfMotion>& candidates) const {
     std::vector<Candidate> found;
     for (const EquationsOfMotion& equations : candidates) {
       if (!found.empty() && !is_of_equations(kind)) break;
@@ -243,7 +255,6 @@ class FunctionWriter {
                     to_string(kind), error.relative, error.array, kLargestError));
   }
 
- private:
   struct Candidate {
     CompiledFunction function;
     std::vector<OutputExpressions> outputs;
@@ -368,10 +379,15 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
                           candidates.front().M);
   const FunctionWriter writer(kinematics, bindings, certificate, options);
   for (const FunctionKind kind : kinds) {
-    CompiledFunction written = writer.write(kind, candidates);
-    log.done("program", fmt::format("{}: {}; relative error {:.1e} at {} states", to_string(kind),
-                                    describe(written.count), written.error.relative, written.error.states));
-    compiled.functions.push_back(std::move(written));
+    try {
+      CompiledFunction written = writer.write(kind, candidates);
+      log.done("program", fmt::format("{}: {}; relative error {:.1e} at {} states", to_string(kind),
+                                      describe(written.count), written.error.relative, written.error.states));
+      compiled.functions.push_back(std::move(written));
+    } catch (const SingularMassMatrix& error) {
+      if (options.inapplicable != Inapplicable::leave_out) throw;
+      if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
+    }
   }
   return compiled;
 }

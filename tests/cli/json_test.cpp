@@ -51,6 +51,25 @@ TEST(Report, FormulationCanBeChosen) {
   }
 }
 
+// A point on a ball joint, with decimals that do not cancel to the last digit: forward dynamics has no digits.
+TEST(Report, SaysThatTheMassMatrixIsNearlySingular) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("ball.yaml", R"(alembert: 1
+name: ball
+coordinates: [{name: spin, type: quaternion}]
+bodies:
+  - {name: bob, transform: [{joint: {type: spherical, coordinates: [spin]}}, {translate: [-0.3682814349173409, 8.985427233295437e-08, 8.806301437759541e-05]}], mass: 0.5974296991789654, com: [0, 0, -0.6860673730765727]}
+)");
+  const CommandResult refused = alembert(folder, "report " + file + " --functions forward_dynamics");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("ball.yaml:3:22: error: the mass matrix is singular"));
+  EXPECT_THAT(refused.err, HasSubstr("'spin' alone (what is left of its inertia"));
+  const CommandResult others = alembert(folder, "report " + file + " --functions all");
+  EXPECT_EQ(others.exit_code, 0) << others.err;
+  EXPECT_THAT(others.err, HasSubstr("warning: the mass matrix is singular"));
+  EXPECT_THAT(others.out, HasSubstr("mass_matrix_and_bias"));
+}
+
 TEST(Report, TellsWhichFunctionsHaveLoops) {
   const TemporaryFolder folder;
   const auto report = [&](const std::string& options) {

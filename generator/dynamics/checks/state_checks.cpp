@@ -117,8 +117,7 @@ std::optional<WithoutInertia> coordinate_without_inertia(const Mechanism& mechan
                         least);
 }
 
-void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain) {
-  constexpr double kNothing = 1e-30;  // of 50 digits
+void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain, double least) {
   const Mechanism& mechanism = kinematics.mechanism;
   std::optional<WithoutInertia> culprit;
   // Where nothing is near the initial state there may be something elsewhere.
@@ -129,7 +128,7 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
     const MatrixXe M = plain.mass_matrix(plain.state(state));
     if (!std::all_of(M.reshaped().begin(), M.reshaped().end(), [](const Extended& x) { return isfinite(x); }))
       continue;
-    culprit = smallest_pivot(mechanism, M, kNothing);
+    culprit = smallest_pivot(mechanism, M, least);
     if (!culprit) return;
   }
   if (!culprit) {

@@ -18,9 +18,12 @@ struct Kinematics;
 struct SingularMassMatrix : InputError {
   using InputError::InputError;
 };
-/// Throws SingularMassMatrix if M is singular at the initial state and at random states, naming the
+/// Of a coordinate's inertia, what is left while the others move: M is singular below kSingular, which 50 digits
+/// tell from rounding. Below kNearlySingular double precision may keep no 10 digits of what is divided by M.
+inline constexpr double kSingular = 1e-30, kNearlySingular = 1e-6;
+/// Throws SingularMassMatrix if so little, or less, is left at the initial state and at random states, naming the
 /// coordinate without inertia.
-void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain);
+void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain, double least = kSingular);
 
 /// Values of all symbols at the k-th of a sequence of reproducible states: over the limits, near the initial
 /// state, far from it; slow, fast, at rest; runtime parameters within a third of their defaults.

@@ -108,6 +108,11 @@ void read_drive(const XmlText& xml, pugi::xml_node element, UrdfJoint& joint, co
     if (!given) return;
     const double value = xml.number(given, fmt::format("the {} of {}", name, what));
     if (value > 0) largest = value;
+    if (value < 0)
+      xml.warn({xml.where(given),
+                fmt::format("the {} of {} is negative; it is left out", name, what),
+                {},
+                "negative limit"});
   };
   xml.tolerate("it is left out", [&] { read("effort", joint.effort); });
   xml.tolerate("it is left out", [&] { read("velocity", joint.velocity); });
