@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "symbolic/error_bound.hpp"
+#include "symbolic/postorder.hpp"
 
 namespace alembert {
 
