@@ -83,27 +83,16 @@ class BranchSolver {
     S* columns[kWidth];
     int width = 0;
     const auto finish = [&] {
-      for (int first = 0; first < kWidth; first += kLanes) {
-        if (first + kLanes <= width) {
-          load(columns + first, rows + first);
-        } else {
-          for (int j = first; j < first + kLanes; ++j)
-            for (int i = 0; i < N; ++i) rows[i * kWidth + j] = j < width ? columns[j][i] : S(0);
-        }
-      }
+      const auto of_block = [&](int first) { return std::clamp(width - first, 0, kLanes); };
+      for (int first = 0; first < kWidth; first += kLanes)
+        load(columns + first, of_block(first), rows + first);
       if (width > kWidth / 2) {
         sweep(rows, kAll);
       } else {
         sweep(rows, kHalf);
       }
-      for (int first = 0; first < width; first += kLanes) {
-        if (first + kLanes <= width) {
-          store(rows + first, columns + first);
-        } else {
-          for (int j = first; j < width; ++j)
-            for (int i = 0; i < N; ++i) columns[j][i] = rows[i * kWidth + j];
-        }
-      }
+      for (int first = 0; first < width; first += kLanes)
+        store(rows + first, of_block(first), columns + first);
       width = 0;
     };
     for (Columns* const X : matrices)
@@ -145,38 +134,40 @@ class BranchSolver {
     return carrying_.data() + k * (k - 1) / 2;
   }
 
-  /// kLanes columns, turned into rows kWidth apart; and back. The last block may overlap the one before.
-  static void load(S* const* columns, S* rows) {
+  /// Up to kLanes columns, and zeros for the others, turned into rows kWidth apart; and back.
+  static void load(S* const* columns, int count, S* rows) {
     using namespace Eigen::internal;
-    for_blocks([&](int first) {
+    const bool whole = for_blocks(count, [&](int first) {
       Block block;
       for (int j = 0; j < kLanes; ++j) block.packet[j] = ploadu<Packet>(columns[j] + first);
       ptranspose(block);
       for (int i = 0; i < kLanes; ++i) pstoreu(rows + (first + i) * kWidth, block.packet[i]);
     });
-    if constexpr (N < kLanes)
-      for (int j = 0; j < kLanes; ++j)
-        for (int i = 0; i < N; ++i) rows[i * kWidth + j] = columns[j][i];
+    if (whole) return;
+    for (int j = 0; j < kLanes; ++j)
+      for (int i = 0; i < N; ++i) rows[i * kWidth + j] = j < count ? columns[j][i] : S(0);
   }
-  static void store(const S* rows, S* const* columns) {
+  static void store(const S* rows, int count, S* const* columns) {
     using namespace Eigen::internal;
-    for_blocks([&](int first) {
+    const bool whole = for_blocks(count, [&](int first) {
       Block block;
       for (int i = 0; i < kLanes; ++i) block.packet[i] = ploadu<Packet>(rows + (first + i) * kWidth);
       ptranspose(block);
       for (int j = 0; j < kLanes; ++j) pstoreu(columns[j] + first, block.packet[j]);
     });
-    if constexpr (N < kLanes)
-      for (int j = 0; j < kLanes; ++j)
-        for (int i = 0; i < N; ++i) columns[j][i] = rows[i * kWidth + j];
+    if (whole) return;
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < N; ++i) columns[j][i] = rows[i * kWidth + j];
   }
+  /// The first rows of square blocks of so many columns, the last of which may overlap the one before; false if
+  /// there are none.
   template <class Do>
-  static void for_blocks(const Do& block) {
-    if constexpr (N >= kLanes) {
-      int first = 0;
-      for (; first + kLanes <= N; first += kLanes) block(first);
-      if (first < N) block(N - kLanes);
-    }
+  static bool for_blocks(int count, const Do& block) {
+    if (N < kLanes || count < kLanes) return false;
+    int first = 0;
+    for (; first + kLanes <= N; first += kLanes) block(first);
+    if (first < N) block(N - kLanes);
+    return true;
   }
 
   template <class Packets>
