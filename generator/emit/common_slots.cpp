@@ -290,6 +290,21 @@ bool objects_in_c(std::string_view type, std::string_view name) {
          });
 }
 
+/// What constants for indices are for. `wrench` stands before the names of wrenches, if there are any; `other` is what
+/// the names that `objects` finds are besides.
+template <class Objects>
+std::string index_text(const Mechanism& mechanism, const std::vector<std::string>& uses,
+                       const std::string& wrench, const Objects& objects, std::string_view other) {
+  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
+  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
+  if (!wrench.empty()) text += fmt::format(" Wrenches begin at 6 * {}NAME.", wrench);
+  const bool renamed = std::ranges::any_of(described_indices(mechanism), [&](const Indices& of) {
+    return std::ranges::any_of(of.items, [&](const Index& i) { return objects(of.type, i.name); });
+  });
+  if (renamed) text += fmt::format(" A name that is {} has an underscore behind it.", other);
+  return text;
+}
+
 /// `enum { arm_frame_tool = 0 };` and so on, behind a comment on their use.
 std::string c_indices(const Mechanism& mechanism) {
   const std::vector<Indices> all = named_indices(mechanism, objects_in_c);
@@ -313,13 +328,8 @@ std::string c_indices(const Mechanism& mechanism) {
     wrenches |= indices.type == "Wrench";
   }
   if (enums.empty()) return "";
-  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
-  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
-  if (wrenches) text += fmt::format(" Wrenches begin at 6 * {}_wrench_NAME.", mechanism.name);
-  const bool renamed = std::ranges::any_of(described_indices(mechanism), [](const Indices& of) {
-    return std::ranges::any_of(of.items, [&](const Index& i) { return objects_in_c(of.type, i.name); });
-  });
-  if (renamed) text += " A name that is another's here has an underscore behind it.";
+  const std::string text = index_text(mechanism, uses, wrenches ? mechanism.name + "_wrench_" : "",
+                                      objects_in_c, "another's here");
   return fmt::format("/* {} */{}", wrap_words(text, 3, 3, kWidth), enums);
 }
 
@@ -427,13 +437,8 @@ std::string index_doc(const Mechanism& mechanism, bool frame_poses) {
                                   {"Input", "in.parameters[Input::NAME]"},
                                   {"State", "in.parameters[State::NAME]"}})
     if (has(type) && (frame_poses || type != std::string_view("Frame"))) uses.emplace_back(use);
-  std::string text = fmt::format("Names for indices: {}.", fmt::join(uses, ", "));
-  if (!quaternion_offsets(mechanism).empty()) text += " Of a quaternion that of its first entry.";
-  if (has("Wrench")) text += " Wrenches begin at 6 * Wrench::NAME.";
-  const bool renamed = std::ranges::any_of(described, [](const Indices& of) {
-    return std::ranges::any_of(of.items, [&](const Index& i) { return objects_in_cpp(of.type, i.name); });
-  });
-  if (renamed) text += " A name that is a macro has an underscore behind it.";
+  const std::string text =
+      index_text(mechanism, uses, has("Wrench") ? "Wrench::" : "", objects_in_cpp, "a macro");
   return wrap_words(text, 0, 0, kWidth);
 }
 

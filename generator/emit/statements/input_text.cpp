@@ -10,15 +10,11 @@ namespace alembert {
 std::string input_local(const InputSlot& slot) {
   switch (slot.kind) {
     case ArgumentKind::q:
-      return fmt::format("q{}", slot.index);
     case ArgumentKind::qd:
-      return fmt::format("qd{}", slot.index);
     case ArgumentKind::qdd:
-      return fmt::format("qdd{}", slot.index);
     case ArgumentKind::tau:
-      return fmt::format("tau{}", slot.index);
     case ArgumentKind::mu:
-      return fmt::format("mu{}", slot.index);
+      return fmt::format("{}{}", argument_name(slot.kind), slot.index);
     case ArgumentKind::time:
       return "time";
     case ArgumentKind::parameter:
@@ -32,15 +28,11 @@ std::string input_local(const InputSlot& slot) {
 std::string input_source(const InputSlot& slot, const Syntax& syntax) {
   switch (slot.kind) {
     case ArgumentKind::q:
-      return fmt::format("q[{}]", slot.index);
     case ArgumentKind::qd:
-      return fmt::format("qd[{}]", slot.index);
     case ArgumentKind::qdd:
-      return fmt::format("qdd[{}]", slot.index);
     case ArgumentKind::tau:
-      return fmt::format("tau[{}]", slot.index);
     case ArgumentKind::mu:
-      return fmt::format("mu[{}]", slot.index);
+      return fmt::format("{}[{}]", argument_name(slot.kind), slot.index);
     case ArgumentKind::time:
       return syntax.inputs + "t";
     case ArgumentKind::parameter:
