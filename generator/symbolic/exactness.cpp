@@ -41,7 +41,7 @@ bool is_as_exact(const Approximate& found, const Approximate& given) {
   return found.error <= kErrorFactor * std::max(given.error, rounding);
 }
 
-bool Exactness::keeps(std::span<const Expr> roots) {
+bool Exactness::keeps(std::span<const Expr> roots, std::size_t first) {
   if (points_.empty()) {
     points_ = points_near_and_far(*graph_of(roots_));
     given_ = evaluate_bounded(roots_, points_);
@@ -49,7 +49,7 @@ bool Exactness::keeps(std::span<const Expr> roots) {
   const std::vector<std::vector<Approximate>> found = evaluate_bounded(roots, points_);
   for (std::size_t k = 0; k < points_.size(); ++k)
     for (std::size_t i = 0; i < roots.size(); ++i)
-      if (!is_as_exact(found[k][i], given_[k][i])) return false;
+      if (!is_as_exact(found[k][i], given_[k][first + i])) return false;
   return true;
 }
 

@@ -2,6 +2,7 @@
 // Out: whether rounding errors stay of the same size, near 0 and far from it.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,12 +16,13 @@ std::vector<std::vector<double>> points_near_and_far(ExprGraph& graph);
 /// Whether what was found with such an error is as exact as what is given, or nearly.
 bool is_as_exact(const Approximate& found, const Approximate& given);
 
-/// Compares lists of equal roots with the one that is given. Multiplied out, functions that hardly change far
-/// from 0 are differences of large numbers: such a list is not as exact.
+/// Compares equal roots with those that are given. A function that hardly changes far from 0, multiplied out, is a
+/// difference of large numbers there, and not as exact.
 class Exactness {
  public:
   explicit Exactness(std::span<const Expr> given) : roots_(given.begin(), given.end()) {}
-  bool keeps(std::span<const Expr> roots);
+  /// `first`: the place of the first of these among those given.
+  bool keeps(std::span<const Expr> roots, std::size_t first = 0);
 
  private:
   std::vector<Expr> roots_;

@@ -227,7 +227,7 @@ bool improve(std::vector<Expr>& best, Cost& cost, const std::vector<Expr>& candi
     const Expr kept = best[i];
     best[i] = candidate[i];
     const Cost one = cost_of(best);
-    if (one.below(cost) && exactness.keeps(best)) {
+    if (one.below(cost) && exactness.keeps({&best[i], 1}, i)) {
       cost = one;
       improved = true;
     } else {
