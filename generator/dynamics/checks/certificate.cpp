@@ -282,8 +282,8 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
   };
   return std::ranges::all_of(error.excesses, [&](const Excess& excess) {
     double most = rounding(plain[excess.array], excess.state);
-    // The numbers of a description are rounded too: an axis has not quite the length 1, and what is 0 for one that
-    // has is as large as rounding errors of forces.
+    // The numbers of a description are rounded too. An axis has not quite the length 1: what is 0 where it has is
+    // then as large as the rounding errors of forces.
     if (excess.of_zeros)
       most = std::max(most,
                       rounding(plain_.expressions(FunctionKind("inverse_dynamics")).front(), excess.state));

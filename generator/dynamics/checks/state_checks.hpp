@@ -18,11 +18,11 @@ struct Kinematics;
 struct SingularMassMatrix : InputError {
   using InputError::InputError;
 };
-/// Of a coordinate's inertia, what is left while the others move: M is singular below kSingular, which 50 digits
-/// tell from rounding. Below kNearlySingular double precision may keep no 10 digits of what is divided by M.
+/// The share of a coordinate's inertia that is left while the others move freely. Below kSingular M is singular; 50
+/// digits tell that from rounding. Below kNearlySingular double precision may lose 10 digits of what is divided by M.
 inline constexpr double kSingular = 1e-30, kNearlySingular = 1e-6;
-/// Throws SingularMassMatrix if so little, or less, is left at the initial state and at random states, naming the
-/// coordinate without inertia.
+/// Throws SingularMassMatrix, which names the coordinate, if no more than the share `least` is left at the initial
+/// state and at random states.
 void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain, double least = kSingular);
 
 /// Values of all symbols at the k-th of a sequence of reproducible states: over the limits, near the initial
