@@ -201,10 +201,11 @@ class FunctionWriter {
     std::vector<Candidate> found;
     for (const EquationsOfMotion& equations : candidates) {
       if (!found.empty() && !is_of_equations(kind)) break;
-      std::vector<OutputExpressions> outputs = function_outputs(kinematics_, equations, kind);
-      if (std::any_of(found.begin(), found.end(), [&](const Candidate& c) { return c.outputs == outputs; }))
+      std::optional<std::vector<OutputExpressions>> outputs = outputs_of(equations, kind);
+      if (!outputs ||
+          std::any_of(found.begin(), found.end(), [&](const Candidate& c) { return c.outputs == *outputs; }))
         continue;
-      found.push_back(candidate(kind, equations.formulation, std::move(outputs)));
+      found.push_back(candidate(kind, equations.formulation, *std::move(outputs)));
     }
     // Unweighted, since functions share sines and cosines: by weights, gravity of the four-bar knee is 6 longer.
     std::stable_sort(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
@@ -236,13 +237,16 @@ class FunctionWriter {
         passes = plain_passes();
         passes.articulation = articulation;
       }
-      Candidate one = candidate(
-          kind, formulation,
-          function_outputs(kinematics_, equations_of_motion(kinematics_, formulation, passes), kind));
+      std::optional<std::vector<OutputExpressions>> outputs =
+          outputs_of(equations_of_motion(kinematics_, formulation, passes), kind);
+      if (!outputs) continue;
+      Candidate one = candidate(kind, formulation, *std::move(outputs));
       if (is_good(one)) return written(std::move(one.function));
     }
-    // The plain equations may lose as many digits.
+    // The plain equations may lose as many digits; if they do not, they are it.
     if (explained) return written(*std::move(explained));
+    Candidate plain = candidate(kind, formulation, certificate_.plain().expressions(kind));
+    if (is_good(plain) || explained) return written(std::move(plain.function));
     if (!error.without_value.empty())
       throw InternalError(
           fmt::format("{} has no value in double precision at a state where the plain equations have one",
@@ -259,6 +263,16 @@ class FunctionWriter {
     CompiledFunction function;
     std::vector<OutputExpressions> outputs;
   };
+
+  /// None where these equations divide by what cancels to zero: others may not.
+  std::optional<std::vector<OutputExpressions>> outputs_of(const EquationsOfMotion& equations,
+                                                           FunctionKind kind) const {
+    try {
+      return function_outputs(kinematics_, equations, kind);
+    } catch (const std::domain_error&) {
+      return std::nullopt;
+    }
+  }
 
   Candidate candidate(FunctionKind kind, Formulation formulation,
                       std::vector<OutputExpressions> outputs) const {

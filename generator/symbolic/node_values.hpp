@@ -1,6 +1,8 @@
 // Values of the nodes of an order, in any real arithmetic. Private to this room.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -16,6 +18,7 @@ namespace alembert {
 template <class Real, class Number>
 std::vector<Real> node_values(const ExprGraph& graph, const Postorder& order, std::span<const Real> symbols,
                               const Real& pi, Number number) {
+  using std::abs;
   std::vector<Real> values(order.ids.size());
   const auto of = [&](std::uint32_t local) {
     const Real& value = values[local >> 1];
@@ -38,6 +41,9 @@ std::vector<Real> node_values(const ExprGraph& graph, const Postorder& order, st
       const std::uint32_t index = graph.symbol_index(id);
       if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
       value = symbols[index];
+    } else if (is_trigonometric(node.op) && abs(a) > std::numeric_limits<double>::max()) {
+      value = std::numeric_limits<
+          double>::quiet_NaN();  // as of infinity; arithmetic with more digits needs pi to as many
     } else {
       value = apply(node.op, a, b);
     }

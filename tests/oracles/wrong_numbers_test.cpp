@@ -161,6 +161,49 @@ bodies:
 }
 
 // 2^61 - 1, the prime of the proofs, is no 0.
+// Nearly all of its inertia belongs to the hinge before. Articulated bodies lose it; its Coriolis matrix lost seven digits.
+TEST(WrongNumbers, PointOnAHingeThatAlmostPointsAtIt) {
+  for (const std::string tilt : {"1.0e-07", "1.0e-10", "1.0e-12"})
+    expect_right(R"yaml(
+coordinates: [a, b]
+bodies:
+  - {name: one, transform: [{rotate: {axis: y, angle: a}}], mass: 1, inertia: {xx: 1, yy: 1, zz: 1}}
+  - name: two
+    parent: one
+    mass: 1
+    com: [0, 0, 0.5]
+    transform: [{joint: {type: revolute, coordinates: [b], axis: [)yaml" +
+                 tilt + ", 0, 1]}}]\n");
+}
+
+// Columns of the regressor depend on each other that do not at other values of the parameters.
+TEST(WrongNumbers, RuntimeParametersOfDefaultZero) {
+  expect_right(R"yaml(
+parameters: {l: {value: 0, runtime: true}, g: {value: 0, runtime: true}}
+coordinates: [q, p]
+bodies:
+  - name: one
+    transform: [{rotate: {axis: z, angle: q}}, {translate: [l, l*q, 0]}, {rotate: {axis: x, angle: g}}]
+    mass: 1
+    com: [0.1, 0.2, 0.05]
+    inertia: {xx: 1, yy: 2, zz: 2, xy: 0.1}
+  - name: two
+    parent: one
+    transform: [{translate: [0.3, 0.1, 0]}, {rotate: {axis: [1, 1, 0.3], angle: p}}, {translate: [0, 0.5, 0.2]}]
+    mass: 0.7
+    inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
+)yaml");
+}
+
+// To turn sin(9^100000000) by multiples of pi takes as many digits of pi.
+TEST(WrongNumbers, PowerBeyondAllNumbers) {
+  expect_right(R"yaml(
+coordinates: [q]
+bodies:
+  - {name: one, transform: [{rotate: {axis: y, angle: q^100000000}}, {translate: [0, 0, 1]}], mass: 1}
+)yaml");
+}
+
 TEST(WrongNumbers, NumberThatIsAMultipleOfThePrime) {
   std::vector<State> states;
   for (const double q : {4.001, 3.99, 1.0}) states.push_back({{q}, {1}, {1}, 0});

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "dynamics/recursions/regressor.hpp"
 #include "dynamics/tree/state_values.hpp"
@@ -50,7 +52,7 @@ std::array<std::uint32_t, 4> indices_of(const Coordinate& quaternion, const Expr
   return indices;
 }
 
-/// Random, with quaternions p^2/|p|^2, which are of unit length; the same runtime parameters for all seeds.
+/// Random, with quaternions p^2/|p|^2, which are of unit length. `runtime`: symbols that are the same for all seeds.
 std::vector<Modular> modular_point(const Mechanism& mechanism, const ExprGraph& graph,
                                    const std::vector<Expr>& runtime, std::uint64_t seed) {
   using namespace modular;
@@ -117,8 +119,9 @@ Independent independent_columns(const Mechanism& mechanism, const Columns& colum
 
 using Rows = std::vector<std::vector<Extended>>;
 
-/// The columns at so many random states.
-Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph& graph, unsigned states) {
+/// The columns at so many random states, at other values of `varied` in each.
+Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph& graph,
+                  const std::vector<Expr>& varied, unsigned states) {
   const std::size_t n = columns.parameters.size();
   const ExtendedFunction function(columns.entries);
   Rows rows;
@@ -128,6 +131,10 @@ Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph&
     const std::vector<double> given = state_values(mechanism, graph, 500 + seed);
     std::vector<Extended> state(given.begin(), given.end());
     state[graph.symbol_index(mechanism.time.ref().node())] = 0.37 * seed;
+    for (std::size_t k = 0; k < varied.size(); ++k) {
+      Extended& value = state[graph.symbol_index(varied[k].ref().node())];
+      value += (1 + abs(value)) * sin(Extended(seed + 3 * k));
+    }
     for (const Coordinate& coordinate : mechanism.coordinates) {
       if (coordinate.type != CoordinateType::quaternion) continue;
       Extended square = 0;
@@ -146,8 +153,9 @@ Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph&
 }
 
 /// Row reduction: rows whose first entry is 1, in a column where it is the only one. Returns the columns; what is
-/// left of all other rows is nothing but rounding, which grows where rows are divided by small entries.
-std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_first) {
+/// left of all other rows is nothing but rounding, which grows where rows are divided by small entries; or else nothing
+/// is returned: more columns are independent.
+std::optional<std::vector<std::size_t>> reduce(Rows& rows, const std::vector<char>& may_be_first) {
   std::vector<std::size_t> firsts;
   std::vector<Extended> noise(rows.size(), kRounding);
   for (std::size_t c = 0; c < may_be_first.size(); ++c) {
@@ -175,9 +183,39 @@ std::vector<std::size_t> reduce(Rows& rows, const std::vector<char>& may_be_firs
   for (std::size_t r = firsts.size(); r < rows.size(); ++r)
     for (const Extended& left : rows[r])
       // What was passed over for rounding, times what other columns have of it. A column more leaves far more.
-      if (abs(left) > 4096 * noise[r])
-        throw InternalError("base parameters: the rank of the regressor is larger");
+      if (abs(left) > 4096 * noise[r]) return std::nullopt;
   return firsts;
+}
+
+/// The columns that are independent of those before them, and the others as their sums.
+struct Reduced {
+  std::vector<std::size_t> firsts;
+  Rows rows;                    ///< one for each of these, of columns over their sizes
+  std::vector<Extended> sizes;  ///< of all columns
+};
+
+/// At given values of the runtime parameters, or for all values alike; nothing if those are special, so that what
+/// is independent at most values is not at these.
+std::optional<Reduced> reduced(const Kinematics& kinematics, const Columns& columns,
+                               const std::vector<Expr>& runtime, bool for_all_values) {
+  const Mechanism& mechanism = kinematics.mechanism;
+  ExprGraph& graph = kinematics.graph;
+  const Independent independent =
+      independent_columns(mechanism, columns, graph, for_all_values ? std::vector<Expr>() : runtime);
+  // Columns of about the same size; rounding is none.
+  Reduced out{{},
+              sampled_rows(mechanism, columns, graph, for_all_values ? runtime : std::vector<Expr>(),
+                           independent.points),
+              std::vector<Extended>(columns.parameters.size(), Extended(0))};
+  for (const auto& row : out.rows)
+    for (std::size_t c = 0; c < row.size(); ++c) out.sizes[c] = std::max<Extended>(out.sizes[c], abs(row[c]));
+  for (auto& row : out.rows)
+    for (std::size_t c = 0; c < row.size(); ++c)
+      row[c] = out.sizes[c] == 0 || independent.zero[c] ? Extended(0) : Extended(row[c] / out.sizes[c]);
+  std::optional<std::vector<std::size_t>> firsts = reduce(out.rows, independent.columns);
+  if (!firsts) return std::nullopt;
+  out.firsts = *std::move(firsts);
+  return out;
 }
 
 }  // namespace
@@ -190,17 +228,10 @@ BaseParameters base_parameters(const Kinematics& kinematics) {
   std::vector<Expr> runtime;
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime) runtime.push_back(graph.symbol(parameter.name));
-  const Independent independent = independent_columns(mechanism, columns, graph, runtime);
-
-  // Columns of about the same size; rounding is none.
-  Rows rows = sampled_rows(mechanism, columns, graph, independent.points);
-  std::vector<Extended> sizes(columns.parameters.size(), Extended(0));
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) sizes[c] = std::max<Extended>(sizes[c], abs(row[c]));
-  for (auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c)
-      row[c] = sizes[c] == 0 || independent.zero[c] ? Extended(0) : Extended(row[c] / sizes[c]);
-  const std::vector<std::size_t> firsts = reduce(rows, independent.columns);
+  std::optional<Reduced> found = reduced(kinematics, columns, runtime, false);
+  if (!found && !runtime.empty()) found = reduced(kinematics, columns, runtime, true);
+  if (!found) throw InternalError("base parameters: the rank of the regressor is larger");
+  const auto& [firsts, rows, sizes] = *found;
 
   BaseParameters out;
   std::vector<char> has_effect(kStandardParameters * mechanism.bodies.size(), 0);

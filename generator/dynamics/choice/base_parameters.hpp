@@ -23,8 +23,9 @@ struct BaseParameters {
 };
 
 /// Columns of the regressor that depend on none before them, by its rank in the field with p^2 elements (modular.hpp);
-/// the coefficients by elimination in 50 digits at random states, runtime parameters at their defaults. Throws
-/// InternalError if other states contradict them.
+/// the coefficients by elimination in 50 digits at random states, runtime parameters at their defaults. Defaults that
+/// are special, a length of 0 say, leave other columns dependent than most values do: then these are independent for
+/// all values, and the coefficients hold for all. Throws InternalError if other states contradict them.
 BaseParameters base_parameters(const Kinematics& kinematics);
 
 }  // namespace alembert

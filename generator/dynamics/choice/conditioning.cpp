@@ -20,7 +20,8 @@ constexpr double kWorse = 16;
 Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> plain) {
   for (unsigned seed = 1; seed <= kBoundedStates; ++seed)
     states_.push_back(state_values(kinematics.mechanism, kinematics.graph, seed));
-  most_ = bounds(plain);
+  plain_ = evaluate_bounded(plain, states_);
+  most_ = errors(plain_);
   const std::size_t n = static_cast<std::size_t>(kinematics.mechanism.nv);
   if (most_.size() == n * n && n > 1) {
     const std::vector<double> plain_bounds = most_;
@@ -33,19 +34,23 @@ Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> p
   for (double& x : most_) x *= kWorse;
 }
 
-std::vector<double> Conditioning::bounds(std::span<const Expr> values) const {
-  std::vector<double> worst(values.size(), 0.0);
-  for (const std::vector<Approximate>& here : evaluate_bounded(values, states_)) {
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      if (std::isfinite(here[i].value)) worst[i] = std::max(worst[i], here[i].error);
+// Constants may have been rounded before, which no bound tells: then the values differ.
+std::vector<double> Conditioning::errors(const std::vector<std::vector<Approximate>>& values) const {
+  std::vector<double> worst(values.empty() ? 0 : values.front().size(), 0.0);
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      const Approximate &here = values[s][i], &plain = plain_[s][i];
+      if (!std::isfinite(here.value)) continue;
+      worst[i] = std::max(worst[i], here.error);
+      if (std::isfinite(plain.value)) worst[i] = std::max(worst[i], std::abs(here.value - plain.value));
     }
   }
   return worst;
 }
 
 bool Conditioning::is_good(std::span<const Expr> values) const {
-  const std::vector<double> errors = bounds(values);
-  return std::equal(errors.begin(), errors.end(), most_.begin(), std::less_equal<>());
+  const std::vector<double> found = errors(evaluate_bounded(values, states_));
+  return std::equal(found.begin(), found.end(), most_.begin(), std::less_equal<>());
 }
 
 }  // namespace alembert

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 
@@ -14,16 +15,18 @@ class Conditioning {
   /// `plain` are values of the mechanism by the plain equations. The kinematics must outlive it.
   Conditioning(const Kinematics& kinematics, std::span<const Expr> plain);
 
-  /// Whether the running error bound of every entry is at most 16 times that of the plain equations: the
-  /// largest over a few states each. An entry of a matrix beside the diagonal may have that of the diagonal,
+  /// Whether the running error bound of every entry, and its difference from the plain equations' value, is at most 16
+  /// times their bound: the largest over a few states each. An entry of a matrix beside the diagonal may have that of the diagonal,
   /// m_ij < sqrt(m_ii m_jj). Not by operations alone are equations chosen: terms that are large and cancel
   /// can be few.
   bool is_good(std::span<const Expr> values) const;
 
  private:
-  std::vector<double> bounds(std::span<const Expr> values) const;
+  /// For each entry; `values` and `plain_` are for each state.
+  std::vector<double> errors(const std::vector<std::vector<Approximate>>& values) const;
 
   std::vector<std::vector<double>> states_;
+  std::vector<std::vector<Approximate>> plain_;
   std::vector<double> most_;  ///< for each entry
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "dynamics/choice/force_derivatives.hpp"
@@ -22,8 +23,14 @@ std::optional<std::vector<Expr>> articulated(const Kinematics& kinematics, const
                                              const std::vector<Expr>& right_side) {
   std::optional<std::vector<Expr>> found;
   if (!equations.articulated) return found;
-  const auto solve = [&](const MotionTree& tree) {
-    return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
+  const auto solve = [&](const MotionTree& tree) -> std::optional<std::vector<Expr>> {
+    try {
+      return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
+    } catch (
+        const std::
+            domain_error&) {  // an articulated inertia is the small difference of large ones; M need not be
+      return std::nullopt;
+    }
   };
   found = solve(*equations.articulated);
   // Regrouping may have left mass between two motions of one speed.

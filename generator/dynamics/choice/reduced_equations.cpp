@@ -104,16 +104,18 @@ class Search {
     std::vector<Expr> values = value_number(raw);
     work_ += static_cast<double>(postorder(raw).size());
     if (values == best_ || is_near(values)) return false;
-    // What was tried first is what there is if all others are worse.
-    if (!best_.empty() && !conditioning_.is_good(values)) return false;
+    const bool is_first = best_.empty(), good = conditioning_.is_good(values);
+    // What was tried first is what there is until another form is well conditioned.
+    if (!is_first && !good) return false;
     const std::size_t plain = length_of(values).first;
-    if (best_.empty()) small_ = plain <= kSmall;
+    if (is_first) small_ = plain <= kSmall;
     const std::size_t here = measure(values).first;
-    if (!best_.empty() && (here > least_ || (here == least_ && plain >= plain_))) {
+    if (good_ && (here > least_ || (here == least_ && plain >= plain_))) {
       keep_near(here, std::move(values));
       return false;
     }
-    if (!best_.empty()) keep_near(least_, std::move(best_));
+    if (good_) keep_near(least_, std::move(best_));
+    good_ = good;
     best_ = std::move(values);
     least_ = here;
     plain_ = plain;
@@ -121,6 +123,10 @@ class Search {
     return true;
   }
 
+  /// Whether equal values are as well conditioned as the plain equations.
+  bool is_good(const std::vector<Expr>& values) const { return conditioning_.is_good(values); }
+  /// Whether what was found is.
+  bool is_good() const { return good_; }
   Length measure(const std::vector<Expr>& values) const {
     return small_ ? kinematics_.lengths.of(values) : length_of(values);  // programs of long lists take long
   }
@@ -227,6 +233,7 @@ class Search {
   Equations equations_;
   bool has_pairs_;
   Conditioning conditioning_;
+  bool good_ = false;
   bool small_ = false;  ///< programs are counted, not expressions
   Form form_;
   std::vector<Expr> best_;
@@ -284,6 +291,10 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   given.tree = &tree;
   offer_both_moments(given);
   masses.offer(given);
+  Form as_described;
+  as_described.tree = &kinematics.tree;
+  if (!forces.is_good()) offer_both_moments(as_described);
+  if (!masses.is_good()) masses.offer(as_described);
   const std::vector<Expr> given_forces = forces.best();
   RegroupingChoices choices;
   if (links) {
@@ -322,17 +333,21 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   Shortest M([&](const std::vector<Expr>& values) { return masses.measure(values); });
   Shortest c([&](const std::vector<Expr>& values) { return forces.measure(values); });
   M.add(masses.best());
+  const auto add_mass_matrix_of = [&](const std::vector<Expr>& Q) {
+    std::vector<Expr> values = value_number(coefficient_mass_matrix(mechanism, Q));
+    if (masses.is_good(values)) M.add(std::move(values));
+  };
   c.add(value_number(bias_by_substitution(mechanism, equations.Q, graph)));
   // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few
   // speeds for the bodies.
   if (mechanism.nv <= 12 || mechanism.bodies.size() > 2 * static_cast<std::size_t>(mechanism.nv))
-    M.add(value_number(coefficient_mass_matrix(mechanism, equations.Q)));
+    add_mass_matrix_of(equations.Q);
   // Where little is gained by placing and regrouping for Q, M may be shorter without.
-  if (mechanism.nv <= 6) M.add(value_number(coefficient_mass_matrix(mechanism, given_forces)));
+  if (mechanism.nv <= 6) add_mass_matrix_of(given_forces);
   // The shortest c need not belong to the shortest Q, but to a much longer one it does not. Nor need the
   // shortest M.
   for (const std::vector<Expr>& Q : forces.near_ones()) {
-    if (mechanism.nv <= 6) M.add(value_number(coefficient_mass_matrix(mechanism, Q)));
+    if (mechanism.nv <= 6) add_mass_matrix_of(Q);
     c.add(value_number(bias_by_substitution(mechanism, Q, graph)));
   }
   // Of several the two that share most.
