@@ -48,6 +48,8 @@ set(again *Million* *ForAMinute Chain.* LongChains.* Random/* Seeds/* *ChainWith
           Simulate.TakesStiffForcesAtTheStepOfAFrame SimulateConstrained.ClosesALoopAndKeepsItClosed Integrate.RepeatedStepsCountTime
           Events.ADroppedBallHitsTheGroundWhenItShould Contacts.ABallThatSlidesRollsInTheEnd LockedFolders.*Killed* Generate.KilledRuns*
           JavaScript.EveryOperation C99.NamesAreTextOnly Rollout.IsTheSameInPacksAndThreads
+          Generate.DepfileNamesWhatARobotIsReadFrom Generate.HeadersExplainWhatIsThere Import.HasItsOptionsInEveryCommand
+          Import.WritesADescriptionThatOtherCommandsRead Report.SaysThatTheMassMatrixIsNearlySingular Simulate.TimeDoesNotDrift
           Import.IsWhatOtherCommandsDoBeforeTheyBegin SearchOrder.* Bench.EveryFunctionHasOperationsCodeAndTime Simplify.GivesUpInTime)
 list(JOIN again ":" again)
 set(ENV{GTEST_FILTER} "-${again}")
