@@ -227,15 +227,17 @@ class FunctionWriter {
     // What loses too many digits gives way to less of the same.
     const Formulation formulation = candidates.front().formulation;
     for (Passes passes = options_.passes; formulation == Formulation::reduced;) {
-      const bool more = passes.regrouping || passes.placement || passes.scaling || passes.peeling;
-      if (!more) break;
       passes.effort = 0;
       if (passes.regrouping) {
         passes.regrouping = false;
-      } else {
+      } else if (passes.placement || passes.scaling || passes.peeling) {
         const bool articulation = passes.articulation;
         passes = plain_passes();
         passes.articulation = articulation;
+      } else if (passes.articulation) {
+        passes.articulation = false;
+      } else {
+        break;
       }
       std::optional<std::vector<OutputExpressions>> outputs =
           outputs_of(equations_of_motion(kinematics_, formulation, passes), kind);
@@ -243,10 +245,10 @@ class FunctionWriter {
       Candidate one = candidate(kind, formulation, *std::move(outputs));
       if (is_good(one)) return written(std::move(one.function));
     }
-    // The plain equations may lose as many digits; if they do not, they are it.
-    if (explained) return written(*std::move(explained));
+    // The plain equations may lose as many digits, or not.
     Candidate plain = candidate(kind, formulation, certificate_.plain().expressions(kind));
-    if (is_good(plain) || explained) return written(std::move(plain.function));
+    if (is_good(plain)) return written(std::move(plain.function));
+    if (explained) return written(*std::move(explained));
     if (!error.without_value.empty())
       throw InternalError(
           fmt::format("{} has no value in double precision at a state where the plain equations have one",

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "oracles/alembert_process.hpp"
 #include "oracles/reference.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
@@ -161,10 +163,14 @@ bodies:
 }
 
 // 2^61 - 1, the prime of the proofs, is no 0.
-// Nearly all of its inertia belongs to the hinge before. Articulated bodies lose it; its Coriolis matrix lost seven digits.
+// Nearly all of its inertia belongs to the hinge before: the difference is left of 15 to 23 digits. In closed form.
 TEST(WrongNumbers, PointOnAHingeThatAlmostPointsAtIt) {
-  for (const std::string tilt : {"1.0e-07", "1.0e-10", "1.0e-12"})
-    expect_right(R"yaml(
+  using Vector = Eigen::Matrix<long double, 3, 1>;
+  using Matrix = Eigen::Matrix<long double, 2, 2>;
+  for (const std::string tilt : {"1.0e-07", "1.0e-10", "1.0e-12"}) {
+    const TemporaryFile file(R"yaml(alembert: 1
+gravity: [0, 0, 0]
+name: small
 coordinates: [a, b]
 bodies:
   - {name: one, transform: [{rotate: {axis: y, angle: a}}], mass: 1, inertia: {xx: 1, yy: 1, zz: 1}}
@@ -173,7 +179,35 @@ bodies:
     mass: 1
     com: [0, 0, 0.5]
     transform: [{joint: {type: revolute, coordinates: [b], axis: [)yaml" +
-                 tilt + ", 0, 1]}}]\n");
+                                 tilt + ", 0, 1]}}]\n",
+                             ".yaml");
+    std::vector<State> states = random_states(read_description(file.path()));
+    const long double t = std::stold(tilt);
+    const Vector axis = Vector(t, 0, 1).normalized(), point(0, 0, 0.5L), y = Vector::UnitY();
+    for (State& state : states) {
+      state.speeds.assign(2, 0);
+      const Eigen::AngleAxis<long double> turn(static_cast<long double>(state.q[1]), axis);
+      // axis x (R point) = R (axis x point), of which nothing cancels.
+      const Vector by_a = y.cross(turn * point), by_b = turn * Vector(axis.cross(point));
+      Matrix M;
+      M << 1 + by_a.squaredNorm(), by_a.dot(by_b), by_a.dot(by_b), by_b.squaredNorm();
+      const Eigen::Matrix<long double, 2, 1> unit = M.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::VectorXd tau = M.diagonal().cwiseSqrt().cast<double>();
+      const Eigen::VectorXd expected =
+          (M.ldlt().solve(tau.cast<long double>())).cwiseQuotient(unit).cast<double>();
+      const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.path(), {state}, {tau},
+                                       {"mass_matrix", "forward_dynamics", "mass_matrix_inverse"});
+      const Matrix mass = found[0].at("mass_matrix").at("M").cast<long double>(),
+                   inverse = found[0].at("mass_matrix_inverse").at("Minv").cast<long double>();
+      const Matrix scaled = unit.asDiagonal() * M * unit.asDiagonal();
+      EXPECT_LT((unit.asDiagonal() * mass * unit.asDiagonal() - scaled).cwiseAbs().maxCoeff(), 1e-14) << tilt;
+      const Matrix back = unit.cwiseInverse().asDiagonal() * inverse * unit.cwiseInverse().asDiagonal();
+      EXPECT_LT((back * scaled - Matrix::Identity()).cwiseAbs().maxCoeff(), 1e-13) << tilt;
+      const Eigen::VectorXd rates =
+          found[0].at("forward_dynamics").at("qdd").col(0).cwiseQuotient(unit.cast<double>());
+      EXPECT_LT((rates - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff()) << tilt;
+    }
+  }
 }
 
 // Columns of the regressor depend on each other that do not at other values of the parameters.
@@ -197,11 +231,14 @@ bodies:
 
 // To turn sin(9^100000000) by multiples of pi takes as many digits of pi.
 TEST(WrongNumbers, PowerBeyondAllNumbers) {
-  expect_right(R"yaml(
+  const std::string text = R"yaml(
 coordinates: [q]
 bodies:
   - {name: one, transform: [{rotate: {axis: y, angle: q^100000000}}, {translate: [0, 0, 1]}], mass: 1}
-)yaml");
+)yaml";
+  std::vector<State> states = random_states(parse_description("name: small\n" + text), 1);
+  states[0].q = {-1};  // elsewhere all is 0, or infinite
+  expect_right(text, states);
 }
 
 TEST(WrongNumbers, NumberThatIsAMultipleOfThePrime) {

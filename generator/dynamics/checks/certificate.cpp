@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string_view>
 
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/tree/symbols.hpp"
 #include "program/interpret.hpp"
 #include "support/operation.hpp"
 #include "symbolic/error_bound.hpp"
@@ -44,10 +46,45 @@ Extended largest_entry(const VectorXe& v) {
 
 using State = PlainEquations::State;
 
+/// By what rows and columns of an array are multiplied before they are compared; nothing: 1.
+struct Scales {
+  VectorXe rows, columns;
+  Extended row(std::size_t i) const { return rows.size() == 0 ? 1 : rows[static_cast<Eigen::Index>(i)]; }
+  Extended column(std::size_t i) const {
+    return columns.size() == 0 ? 1 : columns[static_cast<Eigen::Index>(i)];
+  }
+};
+
+/// Of matrices that act on speeds, and of rates: so that they do not depend on the units of the coordinates, and a
+/// mirror of milligrams on a stage of tonnes has its digits too. `inertia` are the roots of M's diagonal.
+struct ScaledArray {
+  std::string_view name;
+  int rows, columns;  ///< powers of the inertia that they are multiplied by
+};
+constexpr std::array kScaledArrays{
+    ScaledArray{"M", -1, -1},     ScaledArray{"C", -1, -1},   ScaledArray{"Minv", 1, 1},
+    ScaledArray{"qdd", 1, 0},     ScaledArray{"qdd_q", 1, 0}, ScaledArray{"qdd_qd", 1, 0},
+    ScaledArray{"qdd_tau", 1, 1},
+};
+
+bool is_scaled(std::string_view array) {
+  return std::ranges::find(kScaledArrays, array, &ScaledArray::name) != kScaledArrays.end();
+}
+
+Scales scales_of(std::string_view array, const VectorXe& inertia) {
+  const auto* row = std::ranges::find(kScaledArrays, array, &ScaledArray::name);
+  if (row == kScaledArrays.end()) return {};
+  const auto power = [&](int exponent) {
+    return exponent == 0 ? VectorXe() : exponent < 0 ? VectorXe(inertia.cwiseInverse()) : inertia;
+  };
+  return {power(row->rows), power(row->columns)};
+}
+
 /// The arrays of a function that is compared with the forces themselves, or with differences of them.
 struct ByForces {
   FunctionKind kind;
-  std::vector<Wanted> (*arrays)(const PlainEquations&, const State&, const VectorXe& signs);
+  std::vector<Wanted> (*arrays)(const PlainEquations&, const State&, const VectorXe& signs,
+                                const VectorXe& inertia);
 };
 
 std::vector<Wanted> with_noise(const Extended& noise, std::vector<Wanted> arrays) {
@@ -58,38 +95,44 @@ Extended rounding_of_forces(const PlainEquations& plain, const State& state) {
   return kExtendedRounding * largest_entry(plain.forces(state));
 }
 
+Wanted mass_times(const PlainEquations& plain, const State& state, const VectorXe& v) {
+  return {plain.mass_times(state, v), v, rounding_of_forces(plain, state) * largest_entry(v)};
+}
+
 /// These need no expressions of their own: what is written is compared with the forces, evaluated more often.
 /// Every other function is compared with what its builder makes of the plain equations.
 const std::array kByForces{
     ByForces{FunctionKind("inverse_dynamics"),
-             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+             [](const PlainEquations& plain, const State& state, const VectorXe&, const VectorXe&) {
                return with_noise(rounding_of_forces(plain, state), {{plain.forces(state)}});
              }},
-    ByForces{FunctionKind("mass_matrix"),
-             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
-               return with_noise(rounding_of_forces(plain, state), {{plain.mass_times(state, signs), signs}});
-             }},
+    ByForces{
+        FunctionKind("mass_matrix"),
+        [](const PlainEquations& plain, const State& state, const VectorXe& signs, const VectorXe& inertia) {
+          return std::vector<Wanted>{mass_times(plain, state, signs.cwiseQuotient(inertia))};
+        }},
     ByForces{FunctionKind("bias"),
-             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+             [](const PlainEquations& plain, const State& state, const VectorXe&, const VectorXe&) {
                return with_noise(rounding_of_forces(plain, state), {{plain.bias(state)}});
              }},
-    ByForces{FunctionKind("mass_matrix_and_bias"),
-             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
-               return with_noise(rounding_of_forces(plain, state),
-                                 {{plain.mass_times(state, signs), signs}, {plain.bias(state)}});
-             }},
+    ByForces{
+        FunctionKind("mass_matrix_and_bias"),
+        [](const PlainEquations& plain, const State& state, const VectorXe& signs, const VectorXe& inertia) {
+          return std::vector<Wanted>{mass_times(plain, state, signs.cwiseQuotient(inertia)),
+                                     {plain.bias(state), {}, rounding_of_forces(plain, state)}};
+        }},
     ByForces{FunctionKind("forward_dynamics"),
-             [](const PlainEquations& plain, const State& state, const VectorXe&) {
+             [](const PlainEquations& plain, const State& state, const VectorXe&, const VectorXe&) {
                return std::vector<Wanted>{{plain.accelerations(state)}};
              }},
     ByForces{FunctionKind("inverse_dynamics_derivatives"),
-             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs, const VectorXe&) {
                return with_noise(kDifferenceNoise * largest_entry(plain.forces(state)),
                                  {{plain.along_speeds(&PlainEquations::forces, state, signs), signs},
                                   {plain.by_speeds(&PlainEquations::forces, state, signs), signs}});
              }},
     ByForces{FunctionKind("inverse_dynamics_second_derivatives"),
-             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
+             [](const PlainEquations& plain, const State& state, const VectorXe& signs, const VectorXe&) {
                const VectorXe along = plain.along_speeds(&PlainEquations::weighted_gradient, state, signs);
                const VectorXe by_speeds = plain.by_speeds(&PlainEquations::weighted_gradient, state, signs);
                const Eigen::Index nv = signs.size();
@@ -99,21 +142,23 @@ const std::array kByForces{
                                   {by_speeds.segment(nv, nv), signs},
                                   {along.tail(nv), signs, 0, true}});
              }},
-    ByForces{FunctionKind("forward_dynamics_derivatives"),
-             [](const PlainEquations& plain, const State& state, const VectorXe& signs) {
-               const auto qdd = plain.accelerations_along(state, signs);
-               std::vector<Wanted> arrays = with_noise(kDifferenceNoise * largest_entry(qdd.values),
-                                                       {{qdd.along_speeds, signs}, {qdd.by_speeds, signs}});
-               arrays.push_back({qdd.by_forces, signs});
-               return arrays;
-             }},
+    ByForces{
+        FunctionKind("forward_dynamics_derivatives"),
+        [](const PlainEquations& plain, const State& state, const VectorXe& signs, const VectorXe& inertia) {
+          const VectorXe forces = signs.cwiseProduct(inertia);
+          const auto qdd = plain.accelerations_along(state, signs, forces);
+          std::vector<Wanted> arrays = with_noise(kDifferenceNoise * largest_entry(qdd.values),
+                                                  {{qdd.along_speeds, signs}, {qdd.by_speeds, signs}});
+          arrays.push_back({qdd.by_forces, forces});
+          return arrays;
+        }},
 };
 
 /// What the arrays of a function should be.
 std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
-                                  const State& state, const VectorXe& signs) {
+                                  const State& state, const VectorXe& signs, const VectorXe& inertia) {
   if (const auto* row = std::ranges::find(kByForces, kind, &ByForces::kind); row != kByForces.end())
-    return row->arrays(plain, state, signs);
+    return row->arrays(plain, state, signs, inertia);
   const std::vector<Extended> all = plain.outputs(kind, state);
   const Extended noise = kExtendedRounding * largest_entry(Eigen::Map<const VectorXe>(
                                                  all.data(), static_cast<Eigen::Index>(all.size())));
@@ -130,12 +175,13 @@ std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind
 /// The errors of one array at states.
 class ArrayErrors {
  public:
-  void add(std::size_t state, const Wanted& wanted, std::span<const double> found, std::size_t columns) {
+  void add(std::size_t state, const Wanted& wanted, std::span<const double> found, std::size_t columns,
+           const Scales& scales) {
     VectorXe here = VectorXe::Zero(wanted.values.size());
     Extended largest = 0, difference = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const Extended x = found[i];
-      largest = std::max(largest, Extended(abs(x)));
+      const Extended x = found[i], size = abs(x) * scales.row(i / columns) * scales.column(i % columns);
+      largest = std::max(largest, size);
       is_zero_ = is_zero_ && x == 0;
       if (wanted.times) {
         const std::size_t entry = wanted.rows ? i % columns : i / columns;
@@ -145,11 +191,14 @@ class ArrayErrors {
         here[static_cast<Eigen::Index>(i)] = x;
       }
     }
-    for (Eigen::Index i = 0; i < here.size(); ++i) {
-      if (!wanted.times) largest = std::max(largest, Extended(abs(wanted.values[i])));
-      difference = std::max(difference, Extended(abs(here[i] - wanted.values[i])));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(here.size()); ++i) {
+      const Extended& value = wanted.values[static_cast<Eigen::Index>(i)];
+      const Extended off = abs(here[static_cast<Eigen::Index>(i)] - value);
+      const Extended scale =
+          wanted.times ? scales.row(i) : Extended(scales.row(i / columns) * scales.column(i % columns));
+      if (!wanted.times) largest = std::max(largest, Extended(abs(value) * scale));
+      if (off > wanted.noise) difference = std::max(difference, Extended(off * scale));
     }
-    if (difference <= wanted.noise) difference = 0;
     const std::size_t terms = wanted.times ? found.size() / static_cast<std::size_t>(here.size()) : 1;
     states_.push_back({state, terms, difference, largest});
     size_ = std::max(size_, largest);
@@ -224,21 +273,36 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
   if (states_.empty()) states_ = std::move(undecided);
 }
 
+std::vector<double> Certificate::values_at(std::size_t state, const VectorXe& inertia) const {
+  std::vector<double> values = states_[state];
+  for (Eigen::Index k = 0; k < inertia.size(); ++k)
+    values[kinematics_.graph.symbol_index(
+        tau_symbol(kinematics_.mechanism, static_cast<int>(k), kinematics_.graph).ref().node())] *=
+        inertia[k].convert_to<double>();
+  return values;
+}
+
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
   std::vector<ArrayErrors> errors(program.outputs.size());
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
   std::size_t entries = 0;
-  for (const OutputArray& output : program.outputs) entries += output.values.size();
+  bool scaled = false;
+  for (const OutputArray& output : program.outputs) {
+    entries += output.values.size();
+    scaled = scaled || is_scaled(output.name);
+  }
   std::vector<double> inputs, found(entries), scratch;
-  for (const std::vector<double>& values : states_) {
+  for (std::size_t k = 0; k < states_.size(); ++k) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
+    const VectorXe inertia = scaled ? plain_.inertia(plain_.state(states_[k])) : VectorXe();
+    const std::vector<double> values = values_at(k, inertia);
     const State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());
-    const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs);
+    const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs, inertia);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
     inputs.clear();
@@ -246,15 +310,15 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
     interpret(program, inputs, found, scratch, rounded_correctly);
     if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
-      worst.without_value.push_back(static_cast<std::size_t>(&values - states_.data()));
+      worst.without_value.push_back(k);
       continue;
     }
     ++worst.states;
     std::size_t at = 0;
     for (std::size_t a = 0; a < arrays.size(); ++a) {
       const OutputArray& output = program.outputs[a];
-      errors[a].add(static_cast<std::size_t>(&values - states_.data()), arrays[a],
-                    {found.data() + at, output.values.size()}, output.columns);
+      errors[a].add(k, arrays[a], {found.data() + at, output.values.size()}, output.columns,
+                    scales_of(output.name, inertia));
       at += output.values.size();
     }
   }
@@ -264,8 +328,11 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
 
 bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
   const std::vector<OutputExpressions>& plain = plain_.expressions(kind);
+  const auto inertia_of = [&](const OutputExpressions& output, std::size_t state) {
+    return is_scaled(output.name) ? plain_.inertia(plain_.state(states_[state])) : VectorXe();
+  };
   const auto evaluated = [&](const OutputExpressions& output, std::size_t state) {
-    return evaluate_bounded(output.values, states_[state]);
+    return evaluate_bounded(output.values, values_at(state, inertia_of(output, state)));
   };
   for (const std::size_t state : error.without_value) {
     const bool has_value = std::ranges::all_of(plain, [&](const OutputExpressions& output) {
@@ -275,9 +342,15 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
     if (has_value) return false;
   }
   const auto rounding = [&](const OutputExpressions& output, std::size_t state) {
+    const Scales scales = scales_of(output.name, inertia_of(output, state));
+    const std::vector<Approximate> values = evaluated(output, state);
     double most = 0;
-    for (const Approximate& x : evaluated(output, state))
-      most = std::isfinite(x.value) && std::isfinite(x.error) ? std::max(most, x.error) : HUGE_VAL;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Approximate& x = values[i];
+      const double scale =
+          Extended(scales.row(i / output.columns) * scales.column(i % output.columns)).convert_to<double>();
+      most = std::isfinite(x.value) && std::isfinite(x.error) ? std::max(most, scale * x.error) : HUGE_VAL;
+    }
     return most;
   };
   return std::ranges::all_of(error.excesses, [&](const Excess& excess) {

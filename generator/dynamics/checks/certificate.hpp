@@ -1,6 +1,7 @@
 // How far a program is from the plain equations. In: a program in its final order. Out: the largest error of
 // its results at states over the coordinates' ranges, near the initial state, far out, at rest and fast, with
-// runtime parameters about their defaults, relative to the largest entry of the array.
+// runtime parameters about their defaults, relative to the largest entry of the array; of M, of its inverse and of
+// accelerations after scaling to a unit diagonal of M, so that no unit of a coordinate hides the digits of another.
 //
 // The program is run in double precision, its functions of the C library rounded correctly, so that the
 // figures are the same on every machine; the plain equations have 50 digits. M and derivatives are compared by
@@ -41,6 +42,9 @@ class Certificate {
   const PlainEquations& plain() const { return plain_; }
 
  private:
+  /// A state, its forces in proportion to the inertia: each coordinate is accelerated about as much.
+  std::vector<double> values_at(std::size_t state, const VectorXe& inertia) const;
+
   const Kinematics& kinematics_;
   const std::vector<SymbolBinding>& bindings_;
   PlainEquations plain_;

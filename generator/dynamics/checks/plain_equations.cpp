@@ -96,6 +96,15 @@ VectorXe PlainEquations::accelerations(const State& state) const {
   return mass_matrix(state).partialPivLu().solve(tau(state) - bias(state));
 }
 
+VectorXe PlainEquations::inertia(const State& state) const {
+  VectorXe diagonal = mass_matrix(state).diagonal();
+  Extended largest = 0;
+  for (const Extended& x : diagonal)
+    if (isfinite(x)) largest = std::max(largest, x);
+  for (Extended& x : diagonal) x = isfinite(x) && x > 0 ? Extended(sqrt(x / largest)) : Extended(1);
+  return diagonal;
+}
+
 VectorXe PlainEquations::weighted_gradient(const State& state) const {
   const auto left = kinematics_.graph.leave_as_written();
   if (!weighted_gradient_)
@@ -133,8 +142,8 @@ VectorXe PlainEquations::by_speeds(Function of, const State& state, const Vector
   return (moved(kStep) - moved(-kStep)) / Extended(2 * kStep);
 }
 
-PlainEquations::Accelerations PlainEquations::accelerations_along(const State& state,
-                                                                  const VectorXe& v) const {
+PlainEquations::Accelerations PlainEquations::accelerations_along(const State& state, const VectorXe& v,
+                                                                  const VectorXe& forces) const {
   const Eigen::PartialPivLU<MatrixXe> M(mass_matrix(state));
   Accelerations out;
   out.values = M.solve(tau(state) - bias(state));
@@ -142,7 +151,7 @@ PlainEquations::Accelerations PlainEquations::accelerations_along(const State& s
   set_rates(moving, &out.values);
   out.along_speeds = M.solve(-along_speeds(&PlainEquations::forces, moving, v));
   out.by_speeds = M.solve(-by_speeds(&PlainEquations::forces, moving, v));
-  out.by_forces = M.solve(v);
+  out.by_forces = M.solve(forces);
   return out;
 }
 

@@ -52,11 +52,14 @@ class PlainEquations {
   VectorXe along_speeds(Function of, const State& state, const VectorXe& v) const;
   VectorXe by_speeds(Function of, const State& state, const VectorXe& v) const;
   /// Those of the accelerations, from the forces that hold them: -M^-1 times the forces' derivatives at constant
-  /// accelerations, and M^-1 v.
+  /// accelerations, and M^-1 times forces.
   struct Accelerations {
     VectorXe values, along_speeds, by_speeds, by_forces;
   };
-  Accelerations accelerations_along(const State& state, const VectorXe& v) const;
+  Accelerations accelerations_along(const State& state, const VectorXe& v, const VectorXe& forces) const;
+  /// Roots of M's diagonal over the largest of them: what moves much when a speed is 1. 1 where nothing moves, or M has
+  /// no value.
+  VectorXe inertia(const State& state) const;
   /// A function as its builder makes it of the plain equations.
   const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;
   /// Its results, all arrays one after another.
