@@ -114,108 +114,39 @@ constexpr std::array kMacros = {"EOF"sv,   "HUGE_VAL"sv, "INFINITY"sv, "NAN"sv, 
                                 "errno"sv, "linux"sv,    "stderr"sv,   "stdin"sv, "stdout"sv, "unix"sv};
 static_assert(std::is_sorted(kMacros.begin(), kMacros.end()));
 
-// The others of the C library as C++ has it that no pattern below fits; sorted.
-constexpr std::array kOtherMacros = {"BUFSIZ"sv,
-                                     "CHAR_BIT"sv,
-                                     "CLOCKS_PER_SEC"sv,
-                                     "DECIMAL_DIG"sv,
-                                     "E2BIG"sv,
-                                     "EACCES"sv,
-                                     "EADDRINUSE"sv,
-                                     "EADDRNOTAVAIL"sv,
-                                     "EAFNOSUPPORT"sv,
-                                     "EAGAIN"sv,
-                                     "EALREADY"sv,
-                                     "EBADF"sv,
-                                     "EBADMSG"sv,
-                                     "EBUSY"sv,
-                                     "ECANCELED"sv,
-                                     "ECHILD"sv,
-                                     "ECONNABORTED"sv,
-                                     "ECONNREFUSED"sv,
-                                     "ECONNRESET"sv,
-                                     "EDEADLK"sv,
-                                     "EDESTADDRREQ"sv,
-                                     "EDOM"sv,
-                                     "EEXIST"sv,
-                                     "EFAULT"sv,
-                                     "EFBIG"sv,
-                                     "EHOSTUNREACH"sv,
-                                     "EIDRM"sv,
-                                     "EILSEQ"sv,
-                                     "EINPROGRESS"sv,
-                                     "EINTR"sv,
-                                     "EINVAL"sv,
-                                     "EIO"sv,
-                                     "EISCONN"sv,
-                                     "EISDIR"sv,
-                                     "ELOOP"sv,
-                                     "EMFILE"sv,
-                                     "EMLINK"sv,
-                                     "EMSGSIZE"sv,
-                                     "ENAMETOOLONG"sv,
-                                     "ENETDOWN"sv,
-                                     "ENETRESET"sv,
-                                     "ENETUNREACH"sv,
-                                     "ENFILE"sv,
-                                     "ENOBUFS"sv,
-                                     "ENODATA"sv,
-                                     "ENODEV"sv,
-                                     "ENOENT"sv,
-                                     "ENOEXEC"sv,
-                                     "ENOLCK"sv,
-                                     "ENOLINK"sv,
-                                     "ENOMEM"sv,
-                                     "ENOMSG"sv,
-                                     "ENOPROTOOPT"sv,
-                                     "ENOSPC"sv,
-                                     "ENOSR"sv,
-                                     "ENOSTR"sv,
-                                     "ENOSYS"sv,
-                                     "ENOTCONN"sv,
-                                     "ENOTDIR"sv,
-                                     "ENOTEMPTY"sv,
-                                     "ENOTRECOVERABLE"sv,
-                                     "ENOTSOCK"sv,
-                                     "ENOTSUP"sv,
-                                     "ENOTTY"sv,
-                                     "ENXIO"sv,
-                                     "EOPNOTSUPP"sv,
-                                     "EOVERFLOW"sv,
-                                     "EOWNERDEAD"sv,
-                                     "EPERM"sv,
-                                     "EPIPE"sv,
-                                     "EPROTO"sv,
-                                     "EPROTONOSUPPORT"sv,
-                                     "EPROTOTYPE"sv,
-                                     "ERANGE"sv,
-                                     "EROFS"sv,
-                                     "ESPIPE"sv,
-                                     "ESRCH"sv,
-                                     "ETIME"sv,
-                                     "ETIMEDOUT"sv,
-                                     "ETXTBSY"sv,
-                                     "EWOULDBLOCK"sv,
-                                     "EXDEV"sv,
-                                     "L_tmpnam"sv,
-                                     "MATH_ERREXCEPT"sv,
-                                     "MATH_ERRNO"sv,
-                                     "MB_CUR_MAX"sv,
-                                     "MB_LEN_MAX"sv,
-                                     "TIME_UTC"sv,
-                                     "WEOF"sv,
-                                     "i386"sv,
-                                     "math_errhandling"sv,
-                                     "offsetof"sv,
-                                     "setjmp"sv,
-                                     "va_arg"sv,
-                                     "va_copy"sv,
-                                     "va_end"sv,
-                                     "va_start"sv};
-static_assert(std::is_sorted(kOtherMacros.begin(), kOtherMacros.end()));
+// The others that no pattern below fits: of the C library as C++ has it, and of what the headers of libstdc++ include.
+constexpr std::string_view kOtherMacros =
+    " AIO_PRIO_DELTA_MAX BIG_ENDIAN BUFSIZ BYTE_ORDER CHARCLASS_NAME_MAX CHAR_BIT CLOCKS_PER_SEC CSIGNAL "
+    "DECIMAL_DIG DELAYTIMER_MAX E2BIG EACCES EADDRINUSE EADDRNOTAVAIL EADV EAFNOSUPPORT EAGAIN EALREADY "
+    "EBADE EBADF EBADFD EBADMSG EBADR EBADRQC EBADSLT EBFONT EBUSY ECANCELED ECHILD ECHRNG ECOMM "
+    "ECONNABORTED ECONNREFUSED ECONNRESET EDEADLK EDEADLOCK EDESTADDRREQ EDOM EDOTDOT EDQUOT EEXIST "
+    "EFAULT EFBIG EHOSTDOWN EHOSTUNREACH EHWPOISON EIDRM EILSEQ EINPROGRESS EINTR EINVAL EIO EISCONN "
+    "EISDIR EISNAM EKEYEXPIRED EKEYREJECTED EKEYREVOKED EL2HLT EL2NSYNC EL3HLT EL3RST ELIBACC ELIBBAD "
+    "ELIBEXEC ELIBMAX ELIBSCN ELNRNG ELOOP EMEDIUMTYPE EMFILE EMLINK EMSGSIZE EMULTIHOP ENAMETOOLONG "
+    "ENAVAIL ENETDOWN ENETRESET ENETUNREACH ENFILE ENOANO ENOBUFS ENOCSI ENODATA ENODEV ENOENT ENOEXEC "
+    "ENOKEY ENOLCK ENOLINK ENOMEDIUM ENOMEM ENOMSG ENONET ENOPKG ENOPROTOOPT ENOSPC ENOSR ENOSTR ENOSYS "
+    "ENOTBLK ENOTCONN ENOTDIR ENOTEMPTY ENOTNAM ENOTRECOVERABLE ENOTSOCK ENOTSUP ENOTTY ENOTUNIQ ENXIO "
+    "EOPNOTSUPP EOVERFLOW EOWNERDEAD EPERM EPFNOSUPPORT EPIPE EPROTO EPROTONOSUPPORT EPROTOTYPE ERANGE "
+    "EREMCHG EREMOTE EREMOTEIO ERESTART ERFKILL EROFS ESHUTDOWN ESOCKTNOSUPPORT ESPIPE ESRCH ESRMNT "
+    "ESTALE ESTRPIPE ETIME ETIMEDOUT ETOOMANYREFS ETXTBSY EUCLEAN EUNATCH EUSERS EWOULDBLOCK EXDEV "
+    "EXFULL EXPR_NEST_MAX FD_CLR FD_ISSET FD_SET FD_SETSIZE FD_ZERO HOST_NAME_MAX IOV_MAX LINE_MAX "
+    "LITTLE_ENDIAN LONG_BIT LONG_LONG_MAX LONG_LONG_MIN L_ctermid L_cuserid L_tmpnam MATH_ERREXCEPT "
+    "MATH_ERRNO MAXFLOAT MAX_CANON MAX_INPUT MB_CUR_MAX MB_LEN_MAX MOD_CLKA MOD_CLKB MOD_ESTERROR "
+    "MOD_FREQUENCY MOD_MAXERROR MOD_MICRO MOD_NANO MOD_OFFSET MOD_STATUS MOD_TAI MOD_TIMECONST "
+    "MQ_PRIO_MAX NAME_MAX NFDBITS NGROUPS_MAX NZERO PATH_MAX PDP_ENDIAN PIPE_BUF P_tmpdir RE_DUP_MAX "
+    "RTSIG_MAX SEM_VALUE_MAX SSIZE_MAX STA_CLK STA_CLOCKERR STA_DEL STA_FLL STA_FREQHOLD STA_INS "
+    "STA_MODE STA_NANO STA_PLL STA_PPSERROR STA_PPSFREQ STA_PPSJITTER STA_PPSSIGNAL STA_PPSTIME "
+    "STA_PPSWANDER STA_RONLY STA_UNSYNC TIMER_ABSTIME TIME_UTC TTY_NAME_MAX ULONG_LONG_MAX WEOF WNOHANG "
+    "WNOWAIT WORD_BIT WUNTRACED alloca assert_perror i386 issubnormal math_errhandling offsetof "
+    "sched_priority setjmp strdupa strndupa va_arg va_copy va_end va_start ";
+
+bool is_other_macro(std::string_view name) {
+  return kOtherMacros.find(fmt::format(" {} ", name)) != std::string_view::npos;
+}
 
 /// Macros of the C library by their forms: of <math.h>, <fenv.h>, <locale.h>, <stdlib.h>, <stdio.h>,
-/// <stdatomic.h>, <float.h>, <limits.h>, <stdint.h>, <inttypes.h>, <signal.h>.
+/// <stdatomic.h>, <float.h>, <limits.h>, <stdint.h>, <inttypes.h>, <signal.h>; of Eigen, and of <sched.h>, <pthread.h>
+/// and others that libstdc++ includes.
 bool has_form_of_macro(const std::string& name) {
   static const std::regex forms(
       "M_(E|LOG2E|LOG10E|LN2|LN10|PI|PI_2|PI_4|1_PI|2_PI|2_SQRTPI|SQRT2|SQRT1_2)[a-z0-9]*|HUGE_VAL(F|L|_F[0-"
@@ -225,7 +156,9 @@ bool has_form_of_macro(const std::string& name) {
       "FILENAME|TMP)_"
       "(MAX|MIN|WIDTH|C)|(PRI[diouxX]|SCN[dioux])(LEAST|FAST)?(8|16|32|64|MAX|PTR)|SIG(ABRT|FPE|ILL|INT|SEGV|"
       "TERM|_DFL"
-      "|_ERR|_IGN)");
+      "|_ERR|_IGN)|EIGEN_\\w+|B?F16_PACKET_FUNCTION|(CLOCK|CLONE|CPU|PTHREAD|SCHED|ADJ|RENAME)_[A-Z0-9_]+"
+      "|W(IF)?(EXIT|STOP|SIGNAL|TERM|CONTINU)[A-Z]+|(be|le)(16|32|64)toh|hto(be|le)(16|32|64)"
+      "|(vec[24][dfi]|pthread_cleanup|ei|eigen)_\\w+|(BC|NL|XATTR|COLL|LOGIN|LINE|POSIX)_[A-Z_]+MAX");
   return std::regex_match(name, forms);
 }
 
@@ -236,9 +169,7 @@ constexpr std::string_view kIsMacro = "is a macro of the C++ library";
 /// What forbids `name` as the name of a namespace, wherever that is; empty if nothing does.
 std::string objection_to_namespace(std::string_view name) {
   if (std::string objection = objection_to_name(name); !objection.empty()) return objection;
-  if (std::binary_search(kOtherMacros.begin(), kOtherMacros.end(), name) ||
-      has_form_of_macro(std::string(name)))
-    return std::string(kIsMacro);
+  if (is_other_macro(name) || has_form_of_macro(std::string(name))) return std::string(kIsMacro);
   return {};
 }
 

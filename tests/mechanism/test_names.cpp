@@ -1,4 +1,10 @@
 #include <gtest/gtest.h>
+#include <stdio.h>
+
+#include <array>
+#include <memory>
+#include <sstream>
+#include <string>
 
 #include "mechanism/names.hpp"
 
@@ -37,6 +43,34 @@ TEST(Names, OfMechanismsAreNoMacrosOfTheLibrary) {
     EXPECT_EQ(objection_to_mechanism_name(name), "") << name;
   // Coordinates and bodies are text in generated code.
   EXPECT_EQ(objection_to_name("M_PI"), "");
+}
+
+/// What a compiler prints of itself.
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  std::array<char, 4096> part;
+  while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe.get()))
+    text.append(part.data(), n);
+  return text;
+}
+
+TEST(Names, OfMechanismsAreNoMacrosOfWhatGeneratedCodeIncludes) {
+  const std::string source =
+      "'#include <Eigen/Dense>\n#include <algorithm>\n#include <array>\n#include <cmath>\n"
+      "#include <cstdint>\n#include <cstdio>\n#include <cstring>\n#include <random>\n"
+      "#include <string_view>\n#include <thread>\n#include <vector>\n'";
+  std::istringstream lines(output_of("printf " + source +
+                                     " | " ALEMBERT_HOST_CXX
+                                     " -std=c++17 -x c++ -dM -E -isystem " ALEMBERT_EIGEN " -"));
+  int macros = 0;
+  for (std::string define, name; lines >> define >> name; lines.ignore(1 << 20, '\n')) {
+    name = name.substr(0, name.find('('));
+    if (name[0] == '_' || name.find("__") != std::string::npos) continue;  // reserved
+    ++macros;
+    EXPECT_NE(objection_to_mechanism_name(name), "") << name;
+  }
+  EXPECT_GT(macros, 500);
 }
 
 TEST(Names, OfNamespacesAreNotReserved) {
