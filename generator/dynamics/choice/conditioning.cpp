@@ -21,7 +21,7 @@ Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> p
   for (unsigned seed = 1; seed <= kBoundedStates; ++seed)
     states_.push_back(state_values(kinematics.mechanism, kinematics.graph, seed));
   plain_ = evaluate_bounded(plain, states_);
-  most_ = errors(plain_);
+  most_ = errors(plain_, true);
   const std::size_t n = static_cast<std::size_t>(kinematics.mechanism.nv);
   if (most_.size() == n * n && n > 1) {
     const std::vector<double> plain_bounds = most_;
@@ -35,13 +35,14 @@ Conditioning::Conditioning(const Kinematics& kinematics, std::span<const Expr> p
 }
 
 // Constants may have been rounded before, which no bound tells: then the values differ.
-std::vector<double> Conditioning::errors(const std::vector<std::vector<Approximate>>& values) const {
+std::vector<double> Conditioning::errors(const std::vector<std::vector<Approximate>>& values,
+                                         bool with_bounds) const {
   std::vector<double> worst(values.empty() ? 0 : values.front().size(), 0.0);
   for (std::size_t s = 0; s < values.size(); ++s) {
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const Approximate &here = values[s][i], &plain = plain_[s][i];
       if (!std::isfinite(here.value)) continue;
-      worst[i] = std::max(worst[i], here.error);
+      if (with_bounds) worst[i] = std::max(worst[i], here.error);
       if (std::isfinite(plain.value)) worst[i] = std::max(worst[i], std::abs(here.value - plain.value));
     }
   }
@@ -49,7 +50,13 @@ std::vector<double> Conditioning::errors(const std::vector<std::vector<Approxima
 }
 
 bool Conditioning::is_good(std::span<const Expr> values) const {
-  const std::vector<double> found = errors(evaluate_bounded(values, states_));
+  return is_within(values, true);
+}
+bool Conditioning::has_values(std::span<const Expr> values) const {
+  return is_within(values, false);
+}
+bool Conditioning::is_within(std::span<const Expr> values, bool with_bounds) const {
+  const std::vector<double> found = errors(evaluate_bounded(values, states_), with_bounds);
   return std::equal(found.begin(), found.end(), most_.begin(), std::less_equal<>());
 }
 

@@ -20,10 +20,13 @@ class Conditioning {
   /// m_ij < sqrt(m_ii m_jj). Not by operations alone are equations chosen: terms that are large and cancel
   /// can be few.
   bool is_good(std::span<const Expr> values) const;
+  /// The same of the differences alone: bounds of long sums can be far above their errors.
+  bool has_values(std::span<const Expr> values) const;
 
  private:
+  bool is_within(std::span<const Expr> values, bool with_bounds) const;
   /// For each entry; `values` and `plain_` are for each state.
-  std::vector<double> errors(const std::vector<std::vector<Approximate>>& values) const;
+  std::vector<double> errors(const std::vector<std::vector<Approximate>>& values, bool with_bounds) const;
 
   std::vector<std::vector<double>> states_;
   std::vector<std::vector<Approximate>> plain_;

@@ -104,8 +104,9 @@ class Search {
     std::vector<Expr> values = value_number(raw);
     work_ += static_cast<double>(postorder(raw).size());
     if (values == best_ || is_near(values)) return false;
-    const bool is_first = best_.empty(), good = conditioning_.is_good(values);
-    // What was tried first is what there is until another form is well conditioned.
+    // What was tried first is what there is, unless it lost what the description says: bounds alone may be pessimistic.
+    const bool is_first = best_.empty();
+    const bool good = is_first ? conditioning_.has_values(values) : conditioning_.is_good(values);
     if (!is_first && !good) return false;
     const std::size_t plain = length_of(values).first;
     if (is_first) small_ = plain <= kSmall;
@@ -123,9 +124,9 @@ class Search {
     return true;
   }
 
-  /// Whether equal values are as well conditioned as the plain equations.
-  bool is_good(const std::vector<Expr>& values) const { return conditioning_.is_good(values); }
-  /// Whether what was found is.
+  /// Whether values that were found in another way are those of the plain equations.
+  bool has_values(const std::vector<Expr>& values) const { return conditioning_.has_values(values); }
+  /// Whether what was found has them.
   bool is_good() const { return good_; }
   Length measure(const std::vector<Expr>& values) const {
     return small_ ? kinematics_.lengths.of(values) : length_of(values);  // programs of long lists take long
@@ -335,7 +336,7 @@ EquationsOfMotion reduced_equations(const Kinematics& kinematics, Passes passes)
   M.add(masses.best());
   const auto add_mass_matrix_of = [&](const std::vector<Expr>& Q) {
     std::vector<Expr> values = value_number(coefficient_mass_matrix(mechanism, Q));
-    if (masses.is_good(values)) M.add(std::move(values));
+    if (masses.has_values(values)) M.add(std::move(values));
   };
   c.add(value_number(bias_by_substitution(mechanism, equations.Q, graph)));
   // A column of M by `coefficient` is as long as the chain: the whole is only tried where there are few

@@ -80,7 +80,7 @@ int bead_on_helix_inverse_dynamics(const double* q, const double* qd, const doub
 /* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
    M [2 x 2], row by row: in units of tau / qdd.
-   Operations: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation; relative error 1.4e-16 where it was measured).
+   Operations: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation; relative error 1.3e-16 where it was measured).
  */
 int bead_on_helix_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 

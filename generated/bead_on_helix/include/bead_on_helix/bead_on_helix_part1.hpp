@@ -88,7 +88,7 @@ void inverse_dynamics([[maybe_unused]] const S* q, [[maybe_unused]] const S* qd,
   tau[0] = S(0.16011012830188676) * qdd0 - (t44 - S(0.18428853505018536) * (S(0.8) * t42 + t40)) - S(0.15) * (S(0.18428853505018536) * t43 + S(0.9828721869343219) * t42 - S(0.25) * t29);
 }
 
-// mass_matrix: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation; relative error 1.4e-16 where it was measured).
+// mass_matrix: 10 multiplications, 7 additions, 2 sin/cos/tan (reduced formulation; relative error 1.3e-16 where it was measured).
 template <class S>
 void mass_matrix([[maybe_unused]] const S* q, [[maybe_unused]] const Inputs<S>& in, [[maybe_unused]] S* M) {
   using ::std::cos;

@@ -78,7 +78,7 @@ int cart_pole_inverse_dynamics(const double* q, const double* qd, const double* 
 /* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
    M [2 x 2], row by row: in units of tau / qdd.
-   Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 8e-17 where it was measured).
+   Operations: 1 multiplication, 0 additions, 1 sin/cos/tan (reduced formulation; relative error 9e-17 where it was measured).
  */
 int cart_pole_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches, double* M);
 

@@ -86,7 +86,7 @@ int runtime_parameters_inverse_dynamics(const double* q, const double* qd, const
 /* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
    M [2 x 2], row by row: in units of tau / qdd.
-   Operations: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation; relative error 1.8e-16 where it was measured).
+   Operations: 10 multiplications, 4 additions, 2 sin/cos/tan (reduced formulation; relative error 2.2e-16 where it was measured).
  */
 int runtime_parameters_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                    double* M);

@@ -78,7 +78,7 @@ int spherical_pendulum_inverse_dynamics(const double* q, const double* qd, const
 /* Mass matrix (joint-space inertia matrix), symmetric and in full.
      kinetic energy = 1/2 qd^T M(q) qd, where no motion is prescribed in time
    M [3 x 3], row by row: in units of tau / qdd.
-   Operations: 0 multiplications, 0 additions (reduced formulation; relative error 6.7e-17 where it was measured).
+   Operations: 0 multiplications, 0 additions (reduced formulation; relative error 7.6e-17 where it was measured).
  */
 int spherical_pendulum_mass_matrix(const double* q, double t, const double* parameters, const double* wrenches,
                                    double* M);
