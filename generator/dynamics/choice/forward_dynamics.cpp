@@ -26,9 +26,8 @@ std::optional<std::vector<Expr>> articulated(const Kinematics& kinematics, const
   const auto solve = [&](const MotionTree& tree) -> std::optional<std::vector<Expr>> {
     try {
       return articulated_solve(kinematics.mechanism, tree, right_side, kinematics.graph);
-    } catch (
-        const std::
-            domain_error&) {  // an articulated inertia is the small difference of large ones; M need not be
+    } catch (const std::domain_error&) {
+      // An articulated inertia is the small difference of large ones; M need not be.
       return std::nullopt;
     }
   };
