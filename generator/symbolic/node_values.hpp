@@ -42,8 +42,8 @@ std::vector<Real> node_values(const ExprGraph& graph, const Postorder& order, st
       if (index >= symbols.size()) throw std::out_of_range("no value for symbol " + graph.symbol_name(index));
       value = symbols[index];
     } else if (is_trigonometric(node.op) && abs(a) > std::numeric_limits<double>::max()) {
-      value = std::numeric_limits<
-          double>::quiet_NaN();  // as of infinity; arithmetic with more digits needs pi to as many
+      // As of infinity: to reduce it would take as many digits of pi as it has.
+      value = std::numeric_limits<double>::quiet_NaN();
     } else {
       value = apply(node.op, a, b);
     }
