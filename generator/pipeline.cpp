@@ -245,8 +245,8 @@ class FunctionWriter {
       Candidate one = candidate(kind, formulation, *std::move(outputs));
       if (is_good(one)) return written(std::move(one.function));
     }
-    // The plain equations may lose as many digits, or not.
-    Candidate plain = candidate(kind, formulation, certificate_.plain().expressions(kind));
+    // The plain equations may lose as many digits, or not; as they are, since what is shorter may overflow sooner.
+    Candidate plain = as_they_are(kind, formulation, certificate_.plain().expressions(kind));
     if (is_good(plain)) return written(std::move(plain.function));
     if (explained) return written(*std::move(explained));
     if (!error.without_value.empty())
@@ -282,7 +282,13 @@ class FunctionWriter {
         with_elements(outputs, kinematics_.lengths.optimized(elements(outputs)));
     for (const OutputExpressions& output : optimized)
       if (dumping("optimise")) dump_expressions(*options_.dump, output.name, output.values);
-    Program program = lower(std::string(to_string(kind)), optimized, bindings_);
+    Candidate one = as_they_are(kind, formulation, optimized);
+    one.outputs = std::move(outputs);
+    return one;
+  }
+  Candidate as_they_are(FunctionKind kind, Formulation formulation,
+                        std::vector<OutputExpressions> outputs) const {
+    Program program = lower(std::string(to_string(kind)), outputs, bindings_);
     program.formulation = to_string(formulation);
     if (dumping("lower")) *options_.dump << dump(program);
     const OperationCount operations = count(program);

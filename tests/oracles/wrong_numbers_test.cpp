@@ -241,6 +241,22 @@ bodies:
   expect_right(text, states);
 }
 
+// Parts of them underflow where the whole is 1 or 0: what rounding explains must count that.
+TEST(WrongNumbers, StepsWrittenWithExponentials) {
+  for (const std::string step :
+       {"log(1 + exp(200*b))/200", "b + (exp(100*b) - exp(-100*b))/(exp(100*b) + exp(-100*b))",
+        "b + 0.1/(1 + exp(-200*(b - 1)))", "b/(1 + exp(-100*b))"})
+    expect_right(R"yaml(
+coordinates: [a, b]
+bodies:
+  - {name: one, transform: [{rotate: {axis: z, angle: a}}], mass: 1, com: [0.1, 0, 0]}
+  - name: two
+    parent: one
+    mass: 1
+    transform: [{translate: [0, ")yaml" +
+                 step + "\", 0]}]\n");
+}
+
 TEST(WrongNumbers, NumberThatIsAMultipleOfThePrime) {
   std::vector<State> states;
   for (const double q : {4.001, 3.99, 1.0}) states.push_back({{q}, {1}, {1}, 0});
