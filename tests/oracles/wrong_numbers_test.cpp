@@ -210,7 +210,7 @@ bodies:
   }
 }
 
-// Columns of the regressor depend on each other that do not at other values of the parameters.
+// Columns of the regressor are 0, or depend on each other, that are not at other values of the parameters.
 TEST(WrongNumbers, RuntimeParametersOfDefaultZero) {
   expect_right(R"yaml(
 parameters: {l: {value: 0, runtime: true}, g: {value: 0, runtime: true}}
@@ -225,6 +225,21 @@ bodies:
     parent: one
     transform: [{translate: [0.3, 0.1, 0]}, {rotate: {axis: [1, 1, 0.3], angle: p}}, {translate: [0, 0.5, 0.2]}]
     mass: 0.7
+    inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
+)yaml");
+}
+
+TEST(WrongNumbers, ADistanceOfDefaultZero) {
+  expect_right(R"yaml(
+parameters: {l: {value: 0, runtime: true}}
+coordinates: [q, p]
+bodies:
+  - {name: one, transform: [{rotate: {axis: z, angle: q}}], mass: 1, com: [0.1, 0.2, 0.05], inertia: {xx: 1, yy: 2, zz: 2}}
+  - name: two
+    parent: one
+    transform: [{translate: [l, 0, 0]}, {rotate: {axis: z, angle: p}}]
+    mass: 0.7
+    com: [0.3, 0.1, 0]
     inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
 )yaml");
 }
@@ -244,7 +259,7 @@ bodies:
 // Parts of them underflow where the whole is 1 or 0: what rounding explains must count that.
 TEST(WrongNumbers, StepsWrittenWithExponentials) {
   for (const std::string step :
-       {"log(1 + exp(200*b))/200", "b + (exp(100*b) - exp(-100*b))/(exp(100*b) + exp(-100*b))",
+       {"log(1 + exp(300*b))/300", "b + (exp(100*b) - exp(-100*b))/(exp(100*b) + exp(-100*b))",
         "b + 0.1/(1 + exp(-200*(b - 1)))", "b/(1 + exp(-100*b))"})
     expect_right(R"yaml(
 coordinates: [a, b]

@@ -197,7 +197,8 @@ class ArrayErrors {
       const Extended scale =
           wanted.times ? scales.row(i) : Extended(scales.row(i / columns) * scales.column(i % columns));
       if (!wanted.times) largest = std::max(largest, Extended(abs(value) * scale));
-      if (off > wanted.noise) difference = std::max(difference, Extended(off * scale));
+      const bool has_digits = off > wanted.noise && off >= std::numeric_limits<double>::min();
+      if (has_digits) difference = std::max(difference, Extended(off * scale));
     }
     const std::size_t terms = wanted.times ? found.size() / static_cast<std::size_t>(here.size()) : 1;
     states_.push_back({state, terms, difference, largest});

@@ -16,6 +16,8 @@ namespace {
 
 /// Steps of central differences. Their error is that of a third derivative times its square.
 const Extended kStep = 1e-16;
+/// Of the largest entry of M's diagonal: less is out of the range of double, in M or in its inverse.
+const Extended kLeastInertia = 1e-300;
 
 Kinematics as_written(const Kinematics& kinematics) {
   const auto left = kinematics.graph.leave_as_written();
@@ -101,7 +103,8 @@ VectorXe PlainEquations::inertia(const State& state) const {
   Extended largest = 0;
   for (const Extended& x : diagonal)
     if (isfinite(x)) largest = std::max(largest, x);
-  for (Extended& x : diagonal) x = isfinite(x) && x > 0 ? Extended(sqrt(x / largest)) : Extended(1);
+  for (Extended& x : diagonal)
+    x = isfinite(x) && x > kLeastInertia * largest ? Extended(sqrt(x / largest)) : Extended(1);
   return diagonal;
 }
 

@@ -57,8 +57,8 @@ class PlainEquations {
     VectorXe values, along_speeds, by_speeds, by_forces;
   };
   Accelerations accelerations_along(const State& state, const VectorXe& v, const VectorXe& forces) const;
-  /// Roots of M's diagonal over the largest of them: what moves much when a speed is 1. 1 where nothing moves, or M has
-  /// no value.
+  /// Roots of M's diagonal over the largest of them: what moves much when a speed is 1. 1 where nothing moves that
+  /// double can tell, or M has no value.
   VectorXe inertia(const State& state) const;
   /// A function as its builder makes it of the plain equations.
   const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;

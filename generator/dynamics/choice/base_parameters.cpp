@@ -188,7 +188,7 @@ std::optional<std::vector<std::size_t>> reduce(Rows& rows, const std::vector<cha
 }
 
 /// The columns that are independent of those before them, and the others as their sums.
-struct Reduced {
+struct ReducedColumns {
   std::vector<std::size_t> firsts;
   Rows rows;                    ///< one for each of these, of columns over their sizes
   std::vector<Extended> sizes;  ///< of all columns
@@ -196,17 +196,17 @@ struct Reduced {
 
 /// At given values of the runtime parameters, or for all values alike; nothing if those are special, so that what
 /// is independent at most values is not at these.
-std::optional<Reduced> reduced(const Kinematics& kinematics, const Columns& columns,
-                               const std::vector<Expr>& runtime, bool for_all_values) {
+std::optional<ReducedColumns> reduced_columns(const Kinematics& kinematics, const Columns& columns,
+                                              const std::vector<Expr>& runtime, bool for_all_values) {
   const Mechanism& mechanism = kinematics.mechanism;
   ExprGraph& graph = kinematics.graph;
   const Independent independent =
       independent_columns(mechanism, columns, graph, for_all_values ? std::vector<Expr>() : runtime);
   // Columns of about the same size; rounding is none.
-  Reduced out{{},
-              sampled_rows(mechanism, columns, graph, for_all_values ? runtime : std::vector<Expr>(),
-                           independent.points),
-              std::vector<Extended>(columns.parameters.size(), Extended(0))};
+  ReducedColumns out{{},
+                     sampled_rows(mechanism, columns, graph, for_all_values ? runtime : std::vector<Expr>(),
+                                  independent.points),
+                     std::vector<Extended>(columns.parameters.size(), Extended(0))};
   for (const auto& row : out.rows)
     for (std::size_t c = 0; c < row.size(); ++c) out.sizes[c] = std::max<Extended>(out.sizes[c], abs(row[c]));
   for (auto& row : out.rows)
@@ -214,6 +214,8 @@ std::optional<Reduced> reduced(const Kinematics& kinematics, const Columns& colu
       row[c] = out.sizes[c] == 0 || independent.zero[c] ? Extended(0) : Extended(row[c] / out.sizes[c]);
   std::optional<std::vector<std::size_t>> firsts = reduce(out.rows, independent.columns);
   if (!firsts) return std::nullopt;
+  const auto all = static_cast<std::size_t>(std::ranges::count(independent.columns, 1));
+  if (!for_all_values && !runtime.empty() && firsts->size() < all) return std::nullopt;
   out.firsts = *std::move(firsts);
   return out;
 }
@@ -228,8 +230,8 @@ BaseParameters base_parameters(const Kinematics& kinematics) {
   std::vector<Expr> runtime;
   for (const Parameter& parameter : mechanism.parameters)
     if (parameter.runtime) runtime.push_back(graph.symbol(parameter.name));
-  std::optional<Reduced> found = reduced(kinematics, columns, runtime, false);
-  if (!found && !runtime.empty()) found = reduced(kinematics, columns, runtime, true);
+  std::optional<ReducedColumns> found = reduced_columns(kinematics, columns, runtime, false);
+  if (!found && !runtime.empty()) found = reduced_columns(kinematics, columns, runtime, true);
   if (!found) throw InternalError("base parameters: the rank of the regressor is larger");
   const auto& [firsts, rows, sizes] = *found;
 
