@@ -274,6 +274,12 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
   if (states_.empty()) states_ = std::move(undecided);
 }
 
+const VectorXe& Certificate::inertia_at(std::size_t state) const {
+  const auto [at, fresh] = inertia_.try_emplace(state);
+  if (fresh) at->second = plain_.inertia(plain_.state(states_[state]));
+  return at->second;
+}
+
 std::vector<double> Certificate::values_at(std::size_t state, const VectorXe& inertia) const {
   std::vector<double> values = states_[state];
   for (Eigen::Index k = 0; k < inertia.size(); ++k)
@@ -297,7 +303,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   std::vector<double> inputs, found(entries), scratch;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
-    const VectorXe inertia = scaled ? plain_.inertia(plain_.state(states_[k])) : VectorXe();
+    const VectorXe inertia = scaled ? inertia_at(k) : VectorXe();
     const std::vector<double> values = values_at(k, inertia);
     const State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
@@ -330,7 +336,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
 bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
   const std::vector<OutputExpressions>& plain = plain_.expressions(kind);
   const auto inertia_of = [&](const OutputExpressions& output, std::size_t state) {
-    return is_scaled(output.name) ? plain_.inertia(plain_.state(states_[state])) : VectorXe();
+    return is_scaled(output.name) ? inertia_at(state) : VectorXe();
   };
   const auto evaluated = [&](const OutputExpressions& output, std::size_t state) {
     return evaluate_bounded(output.values, values_at(state, inertia_of(output, state)));

@@ -9,6 +9,8 @@
 // two, instead of nv.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +44,8 @@ class Certificate {
   const PlainEquations& plain() const { return plain_; }
 
  private:
+  /// PlainEquations::inertia of a state, evaluated once for all functions.
+  const VectorXe& inertia_at(std::size_t state) const;
   /// A state, its forces in proportion to the inertia: each coordinate is accelerated about as much.
   std::vector<double> values_at(std::size_t state, const VectorXe& inertia) const;
 
@@ -51,6 +55,7 @@ class Certificate {
   int most_;                                 ///< states to measure at
   double work_;                              ///< nodes that may be evaluated for more than the fewest
   std::vector<std::vector<double>> states_;  ///< values of all symbols
+  mutable std::map<std::size_t, VectorXe> inertia_;
 };
 
 }  // namespace alembert

@@ -15,10 +15,10 @@ class Conditioning {
   /// `plain` are values of the mechanism by the plain equations. The kinematics must outlive it.
   Conditioning(const Kinematics& kinematics, std::span<const Expr> plain);
 
-  /// Whether the running error bound of every entry, and its difference from the plain equations' value, is at most 16
-  /// times their bound: the largest over a few states each. An entry of a matrix beside the diagonal may have that of the diagonal,
-  /// m_ij < sqrt(m_ii m_jj). Not by operations alone are equations chosen: terms that are large and cancel
-  /// can be few.
+  /// Whether the running error bound of every entry, and its difference from the plain equations' value, is at
+  /// most 16 times their bound: the largest over a few states each. An entry of a matrix beside the diagonal may
+  /// have that of the diagonal, m_ij < sqrt(m_ii m_jj). Not by operations alone are equations chosen: terms that
+  /// are large and cancel can be few.
   bool is_good(std::span<const Expr> values) const;
   /// The same of the differences alone: bounds of long sums can be far above their errors.
   bool has_values(std::span<const Expr> values) const;
