@@ -105,45 +105,66 @@ std::string argument_type(ArgumentKind kind) {
   return kind == ArgumentKind::q ? "const CoordinateVector&" : "const SpeedVector&";
 }
 
+struct MemberText {
+  std::string type, parameters;
+  std::string before, arguments, after;  // of the call
+};
+
 }  // namespace
 
 std::string eigen_member(const OutputFunction& function, std::string_view name_space) {
   const bool returned = function.results.size() == 1;
   const std::string type = returned ? result_type(function.results[0]) : "void";
-  std::string parameters, arguments, before, after;
   const auto add = [](std::string& list, const std::string& item) {
     list += (list.empty() ? "" : ", ") + item;
   };
+  MemberText of_matrices;
+  of_matrices.type = type;
   for (const ArgumentKind kind : function.arguments) {
-    add(parameters, fmt::format("{} {}", argument_type(kind), argument_name(kind)));
-    add(arguments, fmt::format("{}.data()", argument_name(kind)));
+    add(of_matrices.parameters, fmt::format("{} {}", argument_type(kind), argument_name(kind)));
+    add(of_matrices.arguments, fmt::format("{}.data()", argument_name(kind)));
   }
   if (function.takes_inputs) {
-    add(parameters, returned ? "const Inputs& in = Inputs()" : "const Inputs& in");
-    add(arguments, "in");
+    add(of_matrices.parameters, returned ? "const Inputs& in = Inputs()" : "const Inputs& in");
+    add(of_matrices.arguments, "in");
   }
+  MemberText of_rows = of_matrices;
+  bool turned = false;
   for (const ResultArray& result : function.results) {
+    add(of_rows.parameters, fmt::format("S* {}", result.name));
+    add(of_rows.arguments, std::string(result.name));
     if (returned) {
-      before += fmt::format("{} {};\n", type, result.name);
+      of_matrices.before += fmt::format("{} {};\n", type, result.name);
     } else {
-      add(parameters, fmt::format("{}& {}", result_type(result), result.name));
+      add(of_matrices.parameters, fmt::format("{}& {}", result_type(result), result.name));
     }
     if (needs_copy(result)) {
-      before += fmt::format("::alembert::SizedMatrix<S, {}, 1> {}_rows;\n", entry_count(result), result.name);
-      add(arguments, fmt::format("{}_rows.data()", result.name));
-      after += fmt::format("::alembert::from_rows({0}_rows.data(), {0});\n", result.name);
+      of_matrices.before +=
+          fmt::format("::alembert::SizedMatrix<S, {}, 1> {}_rows;\n", entry_count(result), result.name);
+      add(of_matrices.arguments, fmt::format("{}_rows.data()", result.name));
+      of_matrices.after += fmt::format("::alembert::from_rows({0}_rows.data(), {0});\n", result.name);
     } else {
-      add(arguments, fmt::format("{}.data()", result.name));
-      if (!is_vector(result) && !result.symmetric)
-        after += fmt::format("{}.transposeInPlace();\n", result.name);
+      add(of_matrices.arguments, fmt::format("{}.data()", result.name));
+      if (!is_vector(result) && !result.symmetric) {
+        of_matrices.after += fmt::format("{}.transposeInPlace();\n", result.name);
+        turned = true;
+      }
     }
   }
-  if (returned) after += fmt::format("return {};\n", function.results[0].name);
-  const std::string start = fmt::format("static {} {}(", type, function.name);
-  const std::string call = fmt::format("::{}::{}<S>(", name_space, function.name);
-  return prefix_lines(function_summary(function), "/// ") + start + wrap_behind(start, parameters) + ") {\n" +
-         prefix_lines(before + call + wrap_list(arguments, call.size() + 2, 4) + ");\n" + after, "  ") +
-         "}\n";
+  if (returned) of_matrices.after += fmt::format("return {};\n", function.results[0].name);
+  const auto member = [&](const std::string& summary, const MemberText& text) {
+    const std::string start = fmt::format("static {} {}(", text.type, function.name);
+    const std::string call = fmt::format("::{}::{}<S>(", name_space, function.name);
+    return prefix_lines(summary, "/// ") + start + wrap_behind(start, text.parameters) + ") {\n" +
+           prefix_lines(
+               text.before + call + wrap_list(text.arguments, call.size() + 2, 4) + ");\n" + text.after,
+               "  ") +
+           "}\n";
+  };
+  std::string text = member(function_summary(function), of_matrices);
+  // Who goes on by rows spares the turning.
+  if (turned && !returned) text += "\n" + member("The same into arrays, row by row.\n", of_rows);
+  return text;
 }
 
 }  // namespace alembert

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "alembert/floating_point.hpp"
@@ -26,47 +26,40 @@ class BranchSolver {
   static_assert(N > 0, "the size must be positive");
 
  public:
-  /// \param A  n x n; only the upper triangle is read
+  /// \param A  n x n; only the upper triangle is used
   /// \return   not_finite or not_positive_definite as of factor_ldlt
   template <class Square>
   [[nodiscard]] Status factor(const Square& A) {
     const S rounding = S(N) * std::numeric_limits<S>::epsilon();
-    for (int k = 0; k < N; ++k) {
-      S* const row = &rows_(0, k);
-      for (int i = 0; i <= k; ++i) row[i] = A(i, k);
-      for (int i = k + 1; i < kPadded; ++i) row[i] = S(0);
-      carrying_count_[static_cast<std::size_t>(k)] = 0;
-    }
-    int carried = 0;
+    rows_.template topRows<N>() = A;
+    rows_.template bottomRows<kPadded - N>().setZero();
+    carried_count_.fill(0);
     for (int k = N; k-- > 0;) {
-      const int first = carried;
-      for (int i = k + 1; i < N; ++i) {
-        if (rows_(k, i) == S(0)) continue;
-        const S l = rows_(k, i) * inverse_pivot_[static_cast<std::size_t>(i)];
-        carried_[static_cast<std::size_t>(carried++)] = {-l, i};
-        carrying(i)[carrying_count_[static_cast<std::size_t>(i)]++] = {-l, k};
-      }
-      carried_end_[static_cast<std::size_t>(k)] = carried;
-      // What lies beyond the diagonal is not used.
-      if (carried > first)
-        for (int at = 0; at <= k; at += 4 * kLanes)
-          add_up_to_4(std::min(4, (k - at) / kLanes + 1), carried_.data() + first, carried - first,
-                      &rows_(0, 0) + at, &rows_(0, k) + at);
-      const S pivot = rows_(k, k);
+      const S* const row = &rows_(0, k);
+      const S pivot = row[k];
       if (!is_finite(pivot)) return Status::not_finite;
       if (!(pivot > S(0)) || !(pivot > rounding * A(k, k))) return Status::not_positive_definite;
-      inverse_pivot_[static_cast<std::size_t>(k)] = S(1) / pivot;
+      const S inverse = inverse_pivot_[static_cast<std::size_t>(k)] = S(1) / pivot;
+      int count = 0;
+      for (int i = 0; i < k; ++i) {
+        if (row[i] == S(0)) continue;
+        const S l = -row[i] * inverse;
+        carrying(k)[count++] = {l, i};
+        carried(i)[carried_count_[static_cast<std::size_t>(i)]++] = {l, k};
+        // What lies beyond the diagonal is not used.
+        add_row(l, row, i / kLanes + 1, &rows_(0, i));
+      }
+      carrying_count_[static_cast<std::size_t>(k)] = count;
     }
     return Status::ok;
   }
 
   /// x = A^-1 x.
   void solve(Eigen::Matrix<S, N, 1>& x) const {
-    for (int k = N - 1, e = 0; k-- > 0;) {
-      S sum = x(k);
-      for (; e < carried_end_[static_cast<std::size_t>(k)]; ++e)
-        sum += carried_[static_cast<std::size_t>(e)].value * x(carried_[static_cast<std::size_t>(e)].row);
-      x(k) = sum;
+    for (int k = N; k-- > 1;) {
+      const S of_k = x(k);
+      for (int e = 0; e < carrying_count_[static_cast<std::size_t>(k)]; ++e)
+        x(carrying(k)[e].row) += carrying(k)[e].value * of_k;
     }
     for (int k = 0; k < N; ++k) {
       S sum = x(k) * inverse_pivot_[static_cast<std::size_t>(k)];
@@ -76,31 +69,39 @@ class BranchSolver {
     }
   }
 
-  /// X = A^-1 X for each of these matrices, n x any, column by column one after the other in memory.
-  template <class Columns>
-  void solve(std::initializer_list<Columns*> matrices) const {
-    alignas(64) S rows[N * kWidth];
-    S* columns[kWidth];
-    int width = 0;
-    const auto finish = [&] {
-      const auto of_block = [&](int first) { return std::clamp(width - first, 0, kLanes); };
-      for (int first = 0; first < kWidth; first += kLanes)
-        load(columns + first, of_block(first), rows + first);
-      if (width > kWidth / 2) {
-        sweep(rows, kAll);
-      } else {
-        sweep(rows, kHalf);
-      }
-      for (int first = 0; first < width; first += kLanes)
-        store(rows + first, of_block(first), columns + first);
-      width = 0;
-    };
-    for (Columns* const X : matrices)
-      for (Eigen::Index j = 0; j < X->cols(); ++j) {
-        columns[width] = &(*X)(0, j);
-        if (++width == kWidth) finish();
-      }
-    if (width > 0) finish();
+  /// An n x n matrix B, row by row, or the identity if null; and where the solution goes, column by column.
+  struct Sides {
+    const S* rows;
+    S* columns;
+  };
+  /// A^-1 for the identity, -A^-1 B for others.
+  /// \return not_finite, with all solutions left as they were, if a solution has such entries
+  template <std::size_t count>
+  [[nodiscard]] Status solve(const Sides (&sides)[count]) const {
+    // Columns that are done together, in so many registers: sums that do not wait for each other.
+    constexpr int kMostPackets = 8;
+    constexpr int kColumns = static_cast<int>(count) * N, kPackets = (kColumns + kLanes - 1) / kLanes;
+    constexpr int kBlocks = (kPackets + kMostPackets - 1) / kMostPackets;
+    constexpr int kInBlock = (kPackets + kBlocks - 1) / kBlocks,
+                  kInLast = kPackets - (kBlocks - 1) * kInBlock;
+    Rows<kPackets * kLanes> all;
+    S* const rows = all.data();
+    for (int side = 0; side < static_cast<int>(count); ++side)
+      load<kPackets * kLanes>(sides[side].rows, rows + side * N);
+    for (int i = 0; i < N; ++i)
+      std::fill(rows + i * kPackets * kLanes + kColumns, rows + (i + 1) * kPackets * kLanes, S(0));
+    for (int block = 0; block < kBlocks - 1; ++block)
+      sweep<kPackets * kLanes>(rows + block * kInBlock * kLanes, std::make_index_sequence<kInBlock>());
+    sweep<kPackets * kLanes>(rows + (kBlocks - 1) * kInBlock * kLanes, std::make_index_sequence<kInLast>());
+    if (!all_finite(static_cast<std::size_t>(N) * kPackets * kLanes, static_cast<const S*>(rows)))
+      return Status::not_finite;
+    for (int column = 0; column < kColumns; column += kLanes) {
+      S* to[kLanes];
+      const int width = std::min(kLanes, kColumns - column);
+      for (int j = 0; j < width; ++j) to[j] = sides[(column + j) / N].columns + (column + j) % N * N;
+      store<kPackets * kLanes>(rows + column, width, to);
+    }
+    return Status::ok;
   }
 
  private:
@@ -119,10 +120,6 @@ class BranchSolver {
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
-  /// Columns that are done together, in so many registers: sums that do not wait for each other.
-  static constexpr std::make_index_sequence<8> kAll{};
-  static constexpr std::make_index_sequence<4> kHalf{};
-  static constexpr int kWidth = 8 * kLanes;
   static constexpr int kPadded = (N + kLanes - 1) / kLanes * kLanes;
   static constexpr std::size_t kMost = N > 1 ? static_cast<std::size_t>(N) * (N - 1) / 2 : 1;
 
@@ -133,88 +130,97 @@ class BranchSolver {
   const Entry* carrying(int k) const {
     return carrying_.data() + k * (k - 1) / 2;
   }
+  /// Column k of L: what k carries.
+  Entry* carried(int k) {
+    return carried_.data() + k * (2 * N - 1 - k) / 2;
+  }
+  const Entry* carried(int k) const {
+    return carried_.data() + k * (2 * N - 1 - k) / 2;
+  }
 
-  /// Up to kLanes columns, and zeros for the others, turned into rows kWidth apart; and back.
-  static void load(S* const* columns, int count, S* rows) {
+  /// Rows of some columns, on the stack where M is.
+  template <int columns>
+  struct RowsOnStack {
+    S* data() { return entries; }
+    alignas(64) S entries[static_cast<std::size_t>(N) * columns];
+  };
+  template <int columns>
+  using Rows = std::conditional_t<fits_stack_v<S, N, N>, RowsOnStack<columns>, HeapMatrix<S, columns, N>>;
+
+  /// The negative of a matrix that stands row by row, or the identity if null, into rows so far apart.
+  template <int apart>
+  static void load(const S* from, S* rows) {
     using namespace Eigen::internal;
-    const bool whole = for_blocks(count, [&](int first) {
-      Block block;
-      for (int j = 0; j < kLanes; ++j) block.packet[j] = ploadu<Packet>(columns[j] + first);
-      ptranspose(block);
-      for (int i = 0; i < kLanes; ++i) pstoreu(rows + (first + i) * kWidth, block.packet[i]);
-    });
-    if (whole) return;
-    for (int j = 0; j < kLanes; ++j)
-      for (int i = 0; i < N; ++i) rows[i * kWidth + j] = j < count ? columns[j][i] : S(0);
+    for (int i = 0; i < N; ++i, rows += apart) {
+      if (!from) {
+        std::fill(rows, rows + N, S(0));
+        rows[i] = S(1);
+        continue;
+      }
+      const S* const row = from + i * N;
+      int j = 0;
+      for (; j + kLanes <= N; j += kLanes) pstoreu(rows + j, pnegate(ploadu<Packet>(row + j)));
+      for (; j < N; ++j) rows[j] = -row[j];
+    }
   }
-  static void store(const S* rows, int count, S* const* columns) {
+  /// Up to kLanes columns.
+  template <int apart>
+  static void store(const S* rows, int width, S* const* to) {
     using namespace Eigen::internal;
-    const bool whole = for_blocks(count, [&](int first) {
+    if (N < kLanes || width < kLanes) {
+      for (int j = 0; j < width; ++j)
+        for (int i = 0; i < N; ++i) to[j][i] = rows[i * apart + j];
+      return;
+    }
+    const auto turn = [&](int first) {
       Block block;
-      for (int i = 0; i < kLanes; ++i) block.packet[i] = ploadu<Packet>(rows + (first + i) * kWidth);
+      for (int i = 0; i < kLanes; ++i) block.packet[i] = pload<Packet>(rows + (first + i) * apart);
       ptranspose(block);
-      for (int j = 0; j < kLanes; ++j) pstoreu(columns[j] + first, block.packet[j]);
-    });
-    if (whole) return;
-    for (int j = 0; j < count; ++j)
-      for (int i = 0; i < N; ++i) columns[j][i] = rows[i * kWidth + j];
-  }
-  /// The first rows of square blocks of so many columns, the last of which may overlap the one before; false if
-  /// there are none.
-  template <class Do>
-  static bool for_blocks(int count, const Do& block) {
-    if (N < kLanes || count < kLanes) return false;
+      for (int j = 0; j < kLanes; ++j) pstoreu(to[j] + first, block.packet[j]);
+    };
     int first = 0;
-    for (; first + kLanes <= N; first += kLanes) block(first);
-    if (first < N) block(N - kLanes);
-    return true;
+    for (; first + kLanes <= N; first += kLanes) turn(first);
+    if (first < N) turn(N - kLanes);
   }
 
-  template <class Packets>
+  template <int apart, class Packets>
   void sweep(S* rows, Packets packets) const {
-    for (int k = N, first = 0; k-- > 0;) {
-      const int last = carried_end_[static_cast<std::size_t>(k)];
-      if (last > first)
-        add(packets, carried_.data() + first, last - first, S(1), rows, kWidth, rows + k * kWidth);
-      first = last;
+    for (int k = N; k-- > 0;) {
+      const int count = carried_count_[static_cast<std::size_t>(k)];
+      if (count > 0) add<apart>(packets, carried(k), count, S(1), rows, rows + k * apart);
     }
     for (int k = 0; k < N; ++k)
-      add(packets, carrying(k), carrying_count_[static_cast<std::size_t>(k)],
-          inverse_pivot_[static_cast<std::size_t>(k)], rows, kWidth, rows + k * kWidth);
+      add<apart>(packets, carrying(k), carrying_count_[static_cast<std::size_t>(k)],
+                 inverse_pivot_[static_cast<std::size_t>(k)], rows, rows + k * apart);
   }
 
-  /// row = scale row + (entries times their rows, so far apart), for some packets.
-  template <std::size_t... p>
+  /// row = scale row + (entries times their rows), for some packets.
+  template <int apart, std::size_t... p>
   static void add(std::index_sequence<p...>, const Entry* entries, int count, S scale, const S* rows,
-                  int stride, S* row) {
+                  S* row) {
     using namespace Eigen::internal;
     const Packet factor = pset1<Packet>(scale);
-    Packet x[] = {pmul(factor, ploadu<Packet>(row + p * kLanes))...};
+    Packet x[] = {pmul(factor, pload<Packet>(row + p * kLanes))...};
     for (int e = 0; e < count; ++e) {
       const Packet l = pset1<Packet>(entries[e].value);
-      const S* const from = rows + entries[e].row * stride;
-      ((x[p] = pmadd(l, ploadu<Packet>(from + p * kLanes), x[p])), ...);
+      const S* const from = rows + entries[e].row * apart;
+      ((x[p] = pmadd(l, pload<Packet>(from + p * kLanes), x[p])), ...);
     }
-    (pstoreu(row + p * kLanes, x[p]), ...);
+    (pstore(row + p * kLanes, x[p]), ...);
   }
 
-  static void add_up_to_4(int packets, const Entry* entries, int count, const S* rows, S* row) {
-    switch (packets) {
-      case 1:
-        return add(std::make_index_sequence<1>(), entries, count, S(1), rows, kPadded, row);
-      case 2:
-        return add(std::make_index_sequence<2>(), entries, count, S(1), rows, kPadded, row);
-      case 3:
-        return add(std::make_index_sequence<3>(), entries, count, S(1), rows, kPadded, row);
-      default:
-        return add(std::make_index_sequence<4>(), entries, count, S(1), rows, kPadded, row);
-    }
+  /// row += l times another one, for some packets.
+  static void add_row(S l, const S* from, int packets, S* row) {
+    using namespace Eigen::internal;
+    const Packet factor = pset1<Packet>(l);
+    for (int at = 0; at < packets * kLanes; at += kLanes)
+      pstoreu(row + at, pmadd(factor, ploadu<Packet>(from + at), ploadu<Packet>(row + at)));
   }
 
   SizedMatrix<S, kPadded, N> rows_;  // row k of A, then of L times its pivot, in column k up to the diagonal
   std::array<S, static_cast<std::size_t>(N)> inverse_pivot_;
-  std::array<Entry, kMost> carrying_, carried_;  // the other way round: what k carries, from the last row up
-  std::array<int, static_cast<std::size_t>(N)> carrying_count_, carried_end_;
+  std::array<Entry, kMost> carrying_, carried_;  // the latter from the last row up
+  std::array<int, static_cast<std::size_t>(N)> carrying_count_, carried_count_;
 };
 
 }  // namespace detail

@@ -86,6 +86,12 @@ bool is_finite(const S& x) {
   using std::isfinite;
   return isfinite(x);
 }
+template <class S>
+bool all_finite(std::size_t n, const S* x) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (!is_finite(x[i])) return false;
+  return true;
+}
 
 /// Finite or +infinity: a bound, which nothing reaches if it is infinite.
 template <class S>

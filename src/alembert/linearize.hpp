@@ -19,18 +19,41 @@ struct Linearization {
 
 namespace detail {
 
-/// Measured: of more speeds, M::forward_dynamics_derivatives is longer than a cache of code, and solving with M
-/// is faster.
-inline constexpr int kMostWrittenOut = 20;
+/// Measured: of more speeds, M::forward_dynamics_derivatives is longer and takes longer than solving with M for
+/// all columns at once.
+inline constexpr int kMostWrittenOut = 4;
 template <class M>
 inline constexpr bool kLinearizesByWriting = HasForwardDerivatives<M>::value &&
                                              (M::kNv <= kMostWrittenOut || !HasDerivatives<M>::value);
+
+template <class M, class = void>
+struct HasDerivativesByRows : std::false_type {};
+
+template <class M>
+struct HasDerivativesByRows<
+    M, std::void_t<decltype(M::inverse_dynamics_derivatives(
+           std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
+           std::declval<typename M::Scalar*>(), std::declval<typename M::Scalar*>()))>> : std::true_type {};
+
+/// Derivatives of inverse dynamics, which stand in the matrices row by row.
+template <class M>
+void derivatives_by_rows(const CoordinateVector<M>& q, const SpeedVector<M>& qd, const SpeedVector<M>& qdd,
+                         const typename M::Inputs& in, SpeedMatrix<M>& tau_q, SpeedMatrix<M>& tau_qd) {
+  if constexpr (HasDerivativesByRows<M>::value) {
+    M::inverse_dynamics_derivatives(q, qd, qdd, in, tau_q.data(), tau_qd.data());
+  } else {
+    M::inverse_dynamics_derivatives(q, qd, qdd, in, tau_q, tau_qd);
+    tau_q.transposeInPlace();
+    tau_qd.transposeInPlace();
+  }
+}
 
 }  // namespace detail
 
 /// Linearizes forward dynamics, as if there were no constraints: with qdd = M^-1 (tau - c),
 /// d qdd = M^-1 (d tau - tau_q d q - tau_qd d qd), where tau_q and tau_qd are the derivatives of inverse
-/// dynamics at this qdd. Of up to 20 speeds by the generated M::forward_dynamics_derivatives where M has it,
+/// dynamics at this qdd. Of up to 4 speeds by the generated M::forward_dynamics_derivatives where M has it,
 /// otherwise for all right-hand sides at once.
 ///
 /// \param q    coordinates, n_q x 1
@@ -46,34 +69,33 @@ template <class M>
   static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
   static_assert(has_derivatives_v<M> || detail::HasForwardDerivatives<M>::value,
                 "generate M with inverse_dynamics_derivatives or forward_dynamics_derivatives");
-  Linearization<M> result;
   if constexpr (detail::kLinearizesByWriting<M>) {
+    Linearization<M> result;
     if (const Status status = forward_dynamics<M>(q, qd, tau, in, result.qdd); status != Status::ok)
       return status;
     M::forward_dynamics_derivatives(q, qd, tau, in, result.qdd_q, result.qdd_qd, result.qdd_tau);
+    for (const SpeedMatrix<M>* X : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau})
+      if (!detail::all_finite(*X)) return Status::not_finite;
+    out = result;
   } else {
     if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
-    SpeedMatrix<M>& mass = result.qdd_tau;
-    M::mass_matrix_and_bias(q, qd, in, mass, result.qdd);
+    SpeedMatrix<M> tau_q, tau_qd;
+    SpeedMatrix<M>& mass = tau_q;
+    SpeedVector<M> qdd;
+    M::mass_matrix_and_bias(q, qd, in, mass, qdd);
     if (!detail::all_finite(mass)) return Status::not_finite;
     detail::BranchSolver<typename M::Scalar, M::kNv> solver;
     if (const Status status = solver.factor(mass); status != Status::ok) return status;
-    result.qdd = tau - result.qdd;
-    solver.solve(result.qdd);
-    if (!detail::all_finite(result.qdd)) return Status::not_finite;
-    M::inverse_dynamics_derivatives(q, qd, result.qdd, in, result.qdd_q, result.qdd_qd);
-    result.qdd_tau.setIdentity();
-    solver.solve({&result.qdd_q, &result.qdd_qd, &result.qdd_tau});
-  }
-  for (const SpeedMatrix<M>* X : {&result.qdd_q, &result.qdd_qd, &result.qdd_tau})
-    if (!detail::all_finite(*X)) return Status::not_finite;
-  if constexpr (detail::kLinearizesByWriting<M>) {
-    out = result;
-  } else {
-    out.qdd = result.qdd;
-    out.qdd_q = -result.qdd_q;
-    out.qdd_qd = -result.qdd_qd;
-    out.qdd_tau = result.qdd_tau;
+    qdd = tau - qdd;
+    solver.solve(qdd);
+    if (!detail::all_finite(qdd)) return Status::not_finite;
+    detail::derivatives_by_rows<M>(q, qd, qdd, in, tau_q, tau_qd);
+    if (const Status status = solver.solve({{tau_q.data(), out.qdd_q.data()},
+                                            {tau_qd.data(), out.qdd_qd.data()},
+                                            {nullptr, out.qdd_tau.data()}});
+        status != Status::ok)
+      return status;
+    out.qdd = qdd;
   }
   return Status::ok;
 }

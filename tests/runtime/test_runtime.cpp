@@ -204,14 +204,21 @@ void expect_branches_solved() {
     }
   }
   const Matrix A = L.transpose() * D * L;
-  Matrix upper = A, X = Matrix::NullaryExpr([&] { return uniform(random); }), Y = Matrix::Identity();
+  Matrix upper = A, B = Matrix::NullaryExpr([&] { return uniform(random); }), X, Y;
   upper.template triangularView<Eigen::StrictlyLower>().setConstant(kNan);  // only the upper is read
-  const Matrix B = X;
+  Eigen::Matrix<double, N, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> rows = B;
   alembert::detail::BranchSolver<double, N> solver;
   ASSERT_EQ(solver.factor(upper), Status::ok);
-  solver.solve({&X, &Y});
-  EXPECT_LT((A * X - B).norm(), 1e-12) << N;
+  ASSERT_EQ(solver.solve({{rows.data(), X.data()}, {nullptr, Y.data()}}), Status::ok);
+  EXPECT_LT((A * X + B).norm(), 1e-12) << N;
   EXPECT_LT((A * Y - Matrix::Identity()).norm(), 1e-12) << N;
+  Eigen::Matrix<double, N, 1> x = B.col(0);
+  solver.solve(x);
+  EXPECT_LT((A * x - B.col(0)).norm(), 1e-12) << N;
+  rows(0, N - 1) = kInfinity;
+  const Matrix kept = X;
+  EXPECT_EQ(solver.solve({{rows.data(), X.data()}}), Status::not_finite);
+  EXPECT_EQ(X, kept);
   upper = A;
   upper.row(N / 2).setZero();
   upper.col(N / 2).setZero();
