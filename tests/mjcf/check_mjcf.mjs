@@ -339,7 +339,6 @@ function compare(alembert, model) {
   const m = compiled(model), d = new mujoco.MjData(m);
   m.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT.value | mujoco.mjtDisableBit.mjDSBL_CONTACT.value;
   m.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY.value;
-  for (let j = 0; j < m.njnt; ++j) m.jnt_actfrcrange.set([-1e9, 1e9], 2 * j);
   const following = followers(m, names_in(description, "coordinates"));
   const inputs = new Set(names_in(description, "inputs")), states = new Set(names_in(description, "states"));
   // Where every sensor is taken.

@@ -180,6 +180,7 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
   MjcfActuator actuator;
   actuator.name = of.string("name");
   actuator.where = of.has("name") ? of.where("name") : of.where();
+  actuator.group = static_cast<int>(of.number("group", 0));
   std::string left_out = law.left_out;
   if (left_out.empty()) left_out = find_target(context, of, law, actuator);
   if (left_out.empty() && (of.number("armature", 0) != 0 || of.list("damping", 1, 3) > std::vector{0.0}))
@@ -208,6 +209,14 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
                        fmt::format("the delay of {} is left out: its input acts at once", of.what()),
                        {},
                        "delay"});
+  if (law.dynamics != 0 && of.flag("actearly", false))
+    context.text.warn(
+        {of.where("actearly"),
+         fmt::format("actearly of {} is left out: its force is that of the activation now, not of "
+                     "MuJoCo's next time step",
+                     of.what()),
+         {},
+         "actearly"});
   actuator.inputs = context.range(of, "ctrlrange", "ctrllimited");
   actuator.forces = context.range(of, "forcerange", "forcelimited");
   actuator.activations = context.range(of, "actrange", "actlimited");

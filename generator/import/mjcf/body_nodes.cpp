@@ -107,7 +107,10 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
     number("stiffness", joint.stiffness);
     if (joint.stiffness != 0 && joint.rest != 0)
       nodes_.put(node, "rest", nodes_.text(text(joint.rest), where));
-    if (joint.effort) nodes_.put(node, "effort", nodes_.text(number_text(*joint.effort), where));
+    if (joint.drive)
+      nodes_.put(node, "effort",
+                 nodes_.text(number_text(std::max(std::abs((*joint.drive)[0]), std::abs((*joint.drive)[1]))),
+                             where));
     if (options_.resistance && joint.friction != 0) {
       nodes_.put_friction(node, joint.friction, where);
     }

@@ -186,6 +186,7 @@ void read_tendons(MjcfContext& context) {
       if (!values.empty()) *to = values[0];
     }
     tendon.friction = of.number("frictionloss", 0);
+    tendon.drive = context.range(of, "actuatorfrcrange", "actuatorfrclimited");
     if (of.number("armature", 0) != 0)
       throw of.error("armature", fmt::format("the armature of {} cannot be expressed", of.what()));
     if (context.range(of, "range", "limited"))

@@ -1,9 +1,11 @@
 #include "import/mjcf/force_nodes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "import/common/mass_nodes.hpp"
@@ -82,21 +84,43 @@ std::string MjcfForceNodes::rate(std::size_t tendon) const {
   return sum_text(terms);
 }
 
+namespace {
+
+// A step of `simulate`: activations stop at the ends of their ranges over no shorter time.
+constexpr double kShortestStop = 1e-3;
+
+std::string within(const std::string& force, const std::optional<std::array<double, 2>>& range) {
+  if (!range || force.empty()) return force;
+  return fmt::format("clamp({}, {}, {})", force, number_text((*range)[0]), number_text((*range)[1]));
+}
+
+}  // namespace
+
 /// `pull`: what actuators add along its length, or nothing.
 void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull) {
   const MjcfTendon& of = model_.tendons[tendon];
   const std::string& name = naming_.tendon(tendon);
   std::vector<SumTerm> along;
-  if (!pull.empty()) along.push_back({1, pull});
   if (options_.resistance && of.damping != 0) along.push_back({-of.damping, factor_text(rate(tendon))});
   if (options_.resistance && of.friction != 0) along.push_back({1, tanh_of(of.friction, rate(tendon))});
-  std::string sum;
-  for (const SumTerm& term : along) sum += (sum.empty() ? "" : " + ") + product_text(term.factor, term.of);
+  std::string passive, sum = pull;
+  for (const SumTerm& term : along) {
+    const std::string text = product_text(term.factor, term.of);
+    passive += (passive.empty() ? "" : " + ") + text;
+    sum += (sum.empty() ? "" : " + ") + text;
+  }
   if (of.fixed) {
-    for (const MjcfTerm& term : of.terms)
-      if (!sum.empty() && term.factor != 0)
-        add_on(list, naming_.new_force(fmt::format("{}_{}", name, naming_.coordinates(term.joint)[0])),
-               term.joint, product_text(term.factor, sum), of.where);
+    for (const MjcfTerm& term : of.terms) {
+      if (term.factor == 0) continue;
+      const std::string force =
+          naming_.new_force(fmt::format("{}_{}", name, naming_.coordinates(term.joint)[0]));
+      const bool driven = !pull.empty() && model_.joints[term.joint].drive;
+      if (driven) drives_[term.joint].push_back({force, product_text(term.factor, pull), of.where});
+      const std::string& left = driven ? passive : sum;
+      if (!left.empty())
+        add_on(list, driven ? naming_.new_force(force + "_passive") : force, term.joint,
+               product_text(term.factor, left), of.where);
+    }
   } else {
     for (std::size_t b = 0; b < of.branches.size(); ++b) {
       YamlNode& force = nodes_.add_named(list, paths_[tendon][b], of.where);
@@ -183,9 +207,32 @@ std::string MjcfForceNodes::law(std::size_t actuator) const {
   if (of.gain[2] != 0 && v != "0") add(of.gain[2], of_input(v));
   add(of.bias[0], "");
   add(of.bias[2], v);
-  if (of.forces && !out.empty())
-    return fmt::format("clamp({}, {}, {})", out, number_text((*of.forces)[0]), number_text((*of.forces)[1]));
-  return out.empty() ? "0" : out;
+  return out.empty() ? "0" : within(out, of.forces);
+}
+
+/// What actuators exert along the length of a tendon: where the sum of their forces leaves its range, MuJoCo makes
+/// them smaller by one factor, before the gears.
+std::string MjcfForceNodes::pull_of(const MjcfTendon& tendon,
+                                    const std::vector<std::size_t>& actuators) const {
+  std::vector<std::string> laws, geared;
+  bool alike = true;
+  for (const std::size_t a : actuators) {
+    const double gear = model_.actuators[a].gear[0];
+    laws.push_back(law(a));
+    geared.push_back(product_text(gear, laws.back()));
+    alike = alike && gear == model_.actuators[actuators[0]].gear[0];
+  }
+  if (!tendon.drive || actuators.empty()) return fmt::format("{}", fmt::join(geared, " + "));
+  const std::string sum = fmt::format("{}", fmt::join(laws, " + "));
+  if (alike) return product_text(model_.actuators[actuators[0]].gear[0], within(sum, tendon.drive));
+  const auto [low, high] = *tendon.drive;
+  if (!(low < 0 && high > 0))
+    throw InputError(tendon.where,
+                     fmt::format("the actuatorfrcrange of tendon '{}', {} to {}, is without 0, and gears "
+                                 "of its actuators differ: that is not taken",
+                                 printable(tendon.name), low, high));
+  return fmt::format("min({1}/max({1}, {0}), {2}/min({2}, {0}))*({3})", sum, number_text(high),
+                     number_text(low), fmt::join(geared, " + "));
 }
 
 void MjcfForceNodes::add_actuator(YamlNode& list, std::size_t actuator) {
@@ -270,13 +317,24 @@ void MjcfForceNodes::add_forces(YamlNode& list) {
         paths.push_back(b == 0 ? naming_.tendon(t)
                                : naming_.new_force(fmt::format("{}_branch{}", naming_.tendon(t), b + 1)));
     }
-    std::string pull;
-    for (const std::size_t a : pulling[t])
-      pull += (pull.empty() ? "" : " + ") + product_text(model_.actuators[a].gear[0], law(a));
-    add_tendon(list, t, pull);
+    add_tendon(list, t, pull_of(of, pulling[t]));
   }
-  for (std::size_t a = 0; a < model_.actuators.size(); ++a)
-    if (model_.actuators[a].through != MjcfTransmission::tendon && acts(a)) add_actuator(list, a);
+  for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
+    const MjcfActuator& of = model_.actuators[a];
+    if (of.through == MjcfTransmission::tendon || !acts(a)) continue;
+    if (of.through == MjcfTransmission::joint && model_.joints[of.of].drive)
+      drives_[of.of].push_back({naming_.actuator(a), product_text(of.gear[0], law(a)), of.where});
+    else
+      add_actuator(list, a);
+  }
+  for (const auto& [joint, parts] : drives_) {
+    std::vector<std::string> forces;
+    for (const DrivePart& part : parts) forces.push_back(part.force);
+    add_on(list,
+           parts.size() == 1 ? parts[0].name : naming_.new_force(naming_.coordinates(joint)[0] + "_drive"),
+           joint, within(fmt::format("{}", fmt::join(forces, " + ")), model_.joints[joint].drive),
+           parts[0].where);
+  }
   add_borne_weight(list);
   add_fluid(list);
 }
@@ -304,12 +362,18 @@ void MjcfForceNodes::add_states(YamlNode& list) const {
     if (of.activation == MjcfActivation::none || !acts(a)) continue;
     const std::string &input = naming_.input(a), &state = naming_.state(a);
     YamlNode& node = nodes_.add_named(list, state, of.where);
-    nodes_.put(node, "rate",
-               nodes_.text(of.activation == MjcfActivation::integrator
-                               ? input
-                               : fmt::format("({} - {})/{}", input, state, number_text(of.time_constant)),
-                           of.where));
-    const double initial = of.activations ? std::clamp(0.0, (*of.activations)[0], (*of.activations)[1]) : 0;
+    std::string rate = of.activation == MjcfActivation::integrator
+                           ? input
+                           : fmt::format("({} - {})/{}", input, state, number_text(of.time_constant));
+    double initial = of.start;
+    if (of.activations) {
+      // Within a time step of MuJoCo, which moves it back, it does not leave its range.
+      const std::string time = number_text(std::max(model_.time_step, kShortestStop));
+      rate = fmt::format("clamp({}, ({} - {})/{}, ({} - {})/{})", rate, number_text((*of.activations)[0]),
+                         state, time, number_text((*of.activations)[1]), state, time);
+      initial = std::clamp(initial, (*of.activations)[0], (*of.activations)[1]);
+    }
+    nodes_.put(node, "rate", nodes_.text(rate, of.where));
     if (initial != 0) nodes_.put(node, "initial", nodes_.text(number_text(initial), of.where));
     if (of.activations)
       nodes_.put(

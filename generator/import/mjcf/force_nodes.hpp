@@ -37,6 +37,7 @@ class MjcfForceNodes {
   void add_on(YamlNode& list, const std::string& name, std::size_t joint, const std::string& value,
               const SourceLocation& where);
   std::string law(std::size_t actuator) const;
+  std::string pull_of(const MjcfTendon& tendon, const std::vector<std::size_t>& actuators) const;
   bool acts(std::size_t actuator) const;
   bool moves(std::size_t body) const;
 
@@ -46,6 +47,12 @@ class MjcfForceNodes {
   const DescribeOptions& options_;
   const MjcfBodyNodes& bodies_;
   YamlNode& frames_;
+  /// A force of an actuator on a joint where what all exert is limited.
+  struct DrivePart {
+    std::string name, force;
+    SourceLocation where;
+  };
+  std::map<std::size_t, std::vector<DrivePart>> drives_;   ///< by joint
   std::map<std::size_t, std::vector<std::string>> paths_;  ///< by spatial tendon: names of its branches
 };
 

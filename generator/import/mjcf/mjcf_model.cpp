@@ -14,7 +14,13 @@
 namespace alembert {
 namespace {
 
-void read_option(const MjcfText& text, MjcfModel& model, std::vector<std::string>& disabled) {
+/// What an option switches off.
+struct Disabled {
+  std::vector<std::string> flags;
+  std::vector<double> actuator_groups;
+};
+
+void read_option(const MjcfText& text, MjcfModel& model, Disabled& disabled) {
   for (const pugi::xml_node node : text.children(text.root(), "option")) {
     const MjcfElement of(text, {node}, "the option");
     check_attributes(text, node);
@@ -22,15 +28,23 @@ void read_option(const MjcfText& text, MjcfModel& model, std::vector<std::string
     model.wind = of.vector("wind", model.wind);
     model.density = of.number("density", model.density);
     model.viscosity = of.number("viscosity", model.viscosity);
+    model.time_step = of.number("timestep", model.time_step);
+    if (of.has("actuatorgroupdisable")) disabled.actuator_groups = of.list("actuatorgroupdisable", 0, 31);
     for (const pugi::xml_node flag : text.children(node, "flag"))
       for (const pugi::xml_attribute each : flag.attributes())
-        if (std::string_view(each.value()) == "disable") disabled.emplace_back(each.name());
+        if (std::string_view(each.value()) == "disable") disabled.flags.emplace_back(each.name());
   }
 }
 
-/// What the option's flags switch off.
-void disable(MjcfModel& model, const std::vector<std::string>& disabled) {
-  const auto is = [&](const char* name) { return std::ranges::find(disabled, name) != disabled.end(); };
+void disable(MjcfModel& model, const Disabled& disabled) {
+  const auto is = [&](const char* name) {
+    return std::ranges::find(disabled.flags, name) != disabled.flags.end();
+  };
+  for (MjcfActuator& actuator : model.actuators)
+    if (std::ranges::find(disabled.actuator_groups, actuator.group) != disabled.actuator_groups.end()) {
+      actuator.gain = {};
+      actuator.bias = {};
+    }
   const bool passive = is("passive"), springs = passive || is("spring"), dampers = passive || is("damper");
   const bool constraint = is("constraint"), friction = constraint || is("frictionloss");
   if (is("gravity")) model.gravity.setZero();
@@ -68,6 +82,12 @@ void read_start(const MjcfText& text, MjcfModel& model) {
   read("qpos", positions, model.start);
   read("qvel", speeds, model.start_speeds);
   read("ctrl", model.actuators.size(), model.start_inputs);
+  std::vector<double*> states;
+  for (MjcfActuator& actuator : model.actuators)
+    if (actuator.activation != MjcfActivation::none) states.push_back(&actuator.start);
+  std::vector<double> activations;
+  read("act", states.size(), activations);
+  for (std::size_t i = 0; i < activations.size(); ++i) *states[i] = activations[i];
 }
 
 void check_sections(const MjcfText& text) {
@@ -130,7 +150,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, Warnings& warnings
   model.name = name ? name.value() : "model";
   model.where = name ? text.where(name) : text.where(root);
   model.places = text.places();
-  std::vector<std::string> disabled;
+  Disabled disabled;
   read_option(text, model, disabled);
   const MjcfCompiler compiler = read_compiler(text);
   const MjcfDefaults defaults(text);

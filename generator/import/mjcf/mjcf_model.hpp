@@ -23,7 +23,7 @@ struct MjcfJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< likewise
   double reference = 0, rest = 0, stiffness = 0, damping = 0, armature = 0, friction = 0;
   std::optional<std::array<double, 2>> limits;
-  std::optional<double> effort;
+  std::optional<std::array<double, 2>> drive;  ///< of what all actuators exert together
   SourceLocation where;
 };
 
@@ -67,7 +67,8 @@ struct MjcfTendon {
   std::vector<MjcfTerm> terms;       ///< if fixed
   std::vector<MjcfBranch> branches;  ///< if not
   double stiffness = 0, damping = 0, friction = 0;
-  std::array<double, 2> rest{};  ///< between these lengths no spring acts
+  std::array<double, 2> rest{};                ///< between these lengths no spring acts
+  std::optional<std::array<double, 2>> drive;  ///< of what all actuators pull together
   SourceLocation where;
 };
 
@@ -80,10 +81,11 @@ struct MjcfActuator {
   MjcfTransmission through = MjcfTransmission::joint;
   bool in_parent = false;  ///< of a ball or free joint: the torque is in the axes of the parent
   std::size_t of = 0;
+  int group = 0;
   std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
   std::array<double, 3> gain{1, 0, 0}, bias{};
   MjcfActivation activation = MjcfActivation::none;
-  double time_constant = 1;
+  double time_constant = 1, start = 0;
   std::optional<std::array<double, 2>> inputs, forces, activations;
   SourceLocation where;
 };
@@ -111,9 +113,10 @@ struct MjcfModel {
   std::string name;
   Eigen::Vector3d gravity{0, 0, -9.81}, wind = Eigen::Vector3d::Zero();
   double density = 0, viscosity = 0;  ///< of what is around
-  std::vector<MjcfBody> bodies;       ///< the first is the world
-  std::vector<MjcfJoint> joints;      ///< in the order of their coordinates
-  std::vector<MjcfPlace> sites;       ///< and other places, behind them
+  double time_step = 0.002;
+  std::vector<MjcfBody> bodies;   ///< the first is the world
+  std::vector<MjcfJoint> joints;  ///< in the order of their coordinates
+  std::vector<MjcfPlace> sites;   ///< and other places, behind them
   std::vector<MjcfTendon> tendons;
   std::vector<MjcfActuator> actuators;
   std::vector<MjcfEquality> equalities;

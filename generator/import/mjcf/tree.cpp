@@ -265,8 +265,7 @@ void MjcfTree::read_ranges(const MjcfElement& of, MjcfJoint& joint, bool single)
       joint.limits = {hinge ? compiler_.angle(range[0]) : range[0],
                       hinge ? compiler_.angle(range[1]) : range[1]};
   }
-  if (single && is_limited("actuatorfrclimited", drive))
-    joint.effort = std::max(std::abs(drive[0]), std::abs(drive[1]));
+  if (single && is_limited("actuatorfrclimited", drive)) joint.drive = {drive[0], drive[1]};
 }
 
 void MjcfTree::add_joint(pugi::xml_node element, const Scope& scope, MjcfJoint joint) {
