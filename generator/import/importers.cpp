@@ -31,6 +31,14 @@ std::string_view root_of(std::string_view text) {
   return {};
 }
 
+/// Behind white space and the mark that some editors put first.
+bool begins_with_element(std::string_view text) {
+  if (constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf"; text.starts_with(kByteOrderMark))
+    text.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
 constexpr unsigned options_of(std::initializer_list<ImportOption> options) {
   unsigned out = 0;
   for (const ImportOption option : options) out |= static_cast<unsigned>(option);
@@ -95,8 +103,7 @@ const Importer& importer_of(const SourceText& source) {
 
 const Importer* importer_unless_description(const SourceText& source) {
   if (const Importer* const by_name = importer_by_name(source)) return by_name;
-  const std::size_t first = source.text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && source.text[first] == '<' ? &importer_of(source) : nullptr;
+  return begins_with_element(source.text) ? &importer_of(source) : nullptr;
 }
 
 void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string_view format, unsigned taken,
@@ -115,6 +122,10 @@ void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string
 
 DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
                                const DescribeOptions& options, Warnings& warnings) {
+  if (importer_by_name(*source) == nullptr && !begins_with_element(source->text))
+    throw InputError({source, 1, 1},
+                     fmt::format("expected a file of {}, which are XML", importable_formats()),
+                     "what is a description already needs no import: the other commands take it as it is");
   const Importer& importer = importer_of(*source);
   warn_of_unused(source, importer.format, importer.options, options, warnings);
   DescribeOptions all = options;

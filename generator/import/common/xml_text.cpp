@@ -127,11 +127,19 @@ SourceLocation XmlText::where(pugi::xml_attribute attribute) const {
   return place_of(attribute.value()[0] == '\0' ? attribute.name() : attribute.value(), 0);
 }
 
-/// Whether a name is of xacro, of which a warning tells, or has another prefix.
+/// What adds to the inertia of a joint.
+constexpr std::string_view kOfDrake[] = {"drake:rotor_inertia", "drake:gear_ratio"};
+
+/// Whether a name is of xacro or Drake, of which a warning tells, or has another prefix.
 bool XmlText::passed_over(std::string_view name, SourceLocation where) const {
   if (name.starts_with(kXacroPrefix))
     warn({std::move(where), fmt::format("<{}> is of xacro, not of URDF; it is passed over", printable(name)),
           kExpandXacro, std::string(name)});
+  if (std::ranges::find(kOfDrake, name) != std::end(kOfDrake))
+    warn({std::move(where),
+          fmt::format("<{}> is of Drake alone; it is passed over", printable(name)),
+          {},
+          std::string(name)});
   return name.find(':') != std::string_view::npos;
 }
 

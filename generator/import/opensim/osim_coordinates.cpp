@@ -139,7 +139,7 @@ void add_osim_coordinates(OsimDescription& out) {
 
 std::vector<pugi::xml_node> osim_constraints(const OsimDescription& of) {
   std::vector<pugi::xml_node> out = of.xml.objects(of.model.element, "ConstraintSet");
-  for (const pugi::xml_node element : OsimXml::elements(of.model.element.child("components")))
+  for (const pugi::xml_node element : of.xml.components(of.model.element))
     if (std::string_view(element.name()).ends_with("Constraint")) out.push_back(element);
   return out;
 }

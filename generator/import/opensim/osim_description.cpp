@@ -27,7 +27,12 @@ void collect_words(const YamlNode& node, std::set<std::string>& out) {
       word.clear();
     }
   }
-  for (const YamlNode* item : node.items) collect_words(*item, out);
+  const bool mapping = node.kind == YamlNode::Kind::mapping;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    // A name is no use of it.
+    if (mapping && i % 2 == 1 && node.items[i - 1]->text == "name") continue;
+    collect_words(*node.items[i], out);
+  }
 }
 
 std::string counts(const std::map<std::string, std::size_t>& of) {

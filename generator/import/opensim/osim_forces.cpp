@@ -223,11 +223,22 @@ const ForceType* force_type(pugi::xml_node element) {
   return type == std::end(kForceTypes) ? nullptr : type;
 }
 
-/// Of the ForceSet, and of the model's components those that are known.
+/// Whether a component of a model is none of the forces: bodies, joints, constraints, frames and what only looks.
+bool is_no_force(pugi::xml_node component) {
+  const std::string_view name = component.name();
+  for (const char* known : {"Body", "Marker", "Station", "ControlSet"})
+    if (name == known) return true;
+  for (const char* end : {"Joint", "Constraint", "Frame", "Reporter", "Geometry", "Mesh", "Controller",
+                          "Probe", "WrapObject", "ContactSphere", "ContactHalfSpace"})
+    if (name.ends_with(end)) return true;
+  return false;
+}
+
+/// Of the ForceSet, and of the model's components all that may be forces.
 std::vector<pugi::xml_node> acting_elements(const OsimDescription& of) {
   std::vector<pugi::xml_node> all = of.xml.objects(of.model.element, "ForceSet"), out;
-  for (const pugi::xml_node element : OsimXml::elements(of.model.element.child("components")))
-    if (force_type(element) != nullptr) all.push_back(element);
+  for (const pugi::xml_node element : of.xml.components(of.model.element))
+    if (!is_no_force(element)) all.push_back(element);
   for (const pugi::xml_node force : all)
     if (of.xml.flag(force, "appliesForce", true) && !of.xml.flag(force, "isDisabled", false))
       out.push_back(force);

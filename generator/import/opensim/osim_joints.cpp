@@ -48,18 +48,18 @@ OsimFunction axis_function(const OsimXml& xml, pugi::xml_node axis,
   return out;
 }
 
-/// An angle, unless it shifts its body in proportion and turns it not so.
+/// Whether OpenSim counts it among angles: where it is one about an axis, or its negative, without a curve between.
 bool turns(const OsimXml& xml, pugi::xml_node joint, const std::string& coordinate) {
   const std::array<pugi::xml_node, 6> axes = transform_axes(joint);
-  bool turns = false, shifts = false;
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<std::string> names = OsimXml::words(axes[i], "coordinates");
     if (std::ranges::find(names, coordinate) == names.end()) continue;
-    (i < 3 ? turns : shifts) = true;
-    const OsimFunction function = axis_function(xml, axes[i], names);
-    if (function.linear && std::abs((*function.linear)[0]) == 1) return i < 3;
+    const pugi::xml_node function = find_osim_function(axes[i], "function");
+    if (function && std::string_view(function.name()) != "LinearFunction") continue;
+    const OsimFunction of = axis_function(xml, axes[i], names);
+    if (of.linear && std::abs((*of.linear)[0]) == 1) return true;
   }
-  return turns || !shifts;
+  return false;
 }
 
 std::array<double, 3> unit(const OsimXml& xml, pugi::xml_node axis, const std::array<double, 3>& otherwise) {
@@ -106,7 +106,7 @@ void read_osim_coordinates(const OsimXml& xml, OsimJoint& joint, std::size_t ind
     out.where = element ? xml.where(element) : joint.where;
     out.value = xml.number(element, "default_value", 0);
     out.speed = xml.number(element, "default_speed_value", 0);
-    if (element.child("range")) out.range = xml.vector<2>(element, "range", {0, 0});
+    if (element.child("range")) out.range = xml.range(element, "range");
     out.locked = xml.flag(element, "locked", false);
     if (xml.flag(element, "prescribed", false))
       out.prescribed = find_osim_function(element, "prescribed_function");

@@ -53,8 +53,8 @@ class SkeletonReader {
     ground.element = model_.element.child("Ground");
     ground.where = ground.element ? xml_.where(ground.element) : model_.where;
     std::vector<pugi::xml_node> elements = xml_.objects(model_.element, "BodySet");
-    for (const pugi::xml_node element : model_.element.child("components").children("Body"))
-      elements.push_back(element);
+    for (const pugi::xml_node element : xml_.components(model_.element))
+      if (std::string_view(element.name()) == "Body") elements.push_back(element);
     std::set<std::string> names;
     for (const pugi::xml_node element : elements) {
       const std::string name = OsimXml::name_of(element);
@@ -162,7 +162,7 @@ class SkeletonReader {
     for (const OsimBody& body : model_.bodies)
       for (const pugi::xml_node joint : OsimXml::elements(body.element.child("Joint"))) out.push_back(joint);
     for (const pugi::xml_node joint : xml_.objects(model_.element, "JointSet")) out.push_back(joint);
-    for (const pugi::xml_node joint : OsimXml::elements(model_.element.child("components")))
+    for (const pugi::xml_node joint : xml_.components(model_.element))
       if (std::string_view(joint.name()).ends_with("Joint")) out.push_back(joint);
     return out;
   }

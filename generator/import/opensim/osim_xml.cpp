@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 namespace alembert {
 namespace {
@@ -81,12 +83,28 @@ double OsimXml::number(pugi::xml_node element, const char* property, double othe
   return vector<1>(element, property, {otherwise})[0];
 }
 
+namespace {
+
+/// Of "Inf", "-Infinity" and the like.
+std::optional<double> infinity_of(std::string_view word) {
+  const std::size_t letter = word.find_first_of("iI");
+  if (letter == std::string_view::npos) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return word.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
+}
+
+}  // namespace
+
 double OsimXml::number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const {
   const std::string value = text_of_element(this->property(element, property));
-  const std::size_t letter = value.find_first_of("iI");
-  if (letter == std::string::npos) return number(element, property, otherwise);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return value.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
+  const std::optional<double> infinity = infinity_of(value);
+  return infinity ? *infinity : number(element, property, otherwise);
+}
+
+std::optional<std::array<double, 2>> OsimXml::range(pugi::xml_node element, const char* property) const {
+  const auto infinite = [](const std::string& word) { return infinity_of(word).has_value(); };
+  if (std::ranges::any_of(words(element, property), infinite)) return std::nullopt;
+  return vector<2>(element, property, {0, 0});
 }
 
 double OsimXml::required_number(pugi::xml_node element, const char* property) const {
@@ -123,6 +141,13 @@ std::vector<pugi::xml_node> OsimXml::objects(pugi::xml_node parent, const char* 
         fmt::format("<{}> stands in another file, '{}', which is not read", set, printable(file.value())),
         "write it into this file");
   return elements(found.child("objects"));
+}
+
+std::vector<pugi::xml_node> OsimXml::components(pugi::xml_node model) const {
+  std::vector<pugi::xml_node> out = elements(model.child("components"));
+  for (const char* set : {"ComponentSet", "MiscModelComponentSet"})
+    std::ranges::copy(objects(model, set), std::back_inserter(out));
+  return out;
 }
 
 std::vector<pugi::xml_node> OsimXml::elements(pugi::xml_node parent) {

@@ -49,11 +49,15 @@ class OsimXml {
     std::ranges::copy(values, out.begin());
     return out;
   }
+  /// Two numbers; nothing if one of them is infinite.
+  std::optional<std::array<double, 2>> range(pugi::xml_node element, const char* property) const;
   /// All numbers of an element; exactly `count`, unless that is 0.
   std::vector<double> numbers(pugi::xml_node element, std::size_t count = 0) const;
 
   /// Elements of a set, such as BodySet: those of its <objects>. Throws InputError at a set in another file.
   std::vector<pugi::xml_node> objects(pugi::xml_node parent, const char* set) const;
+  /// Of a model: what stands in <components> and in its sets of components.
+  std::vector<pugi::xml_node> components(pugi::xml_node model) const;
   /// Elements that are no text or comment.
   static std::vector<pugi::xml_node> elements(pugi::xml_node parent);
 

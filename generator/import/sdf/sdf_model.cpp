@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string_view>
 
 #include "import/sdf/sdf_joints.hpp"
 #include "import/sdf/sdf_links.hpp"
@@ -103,14 +107,19 @@ class SdfReader {
     if (depth > kMaximumNesting)
       throw InputError(files_.where(element),
                        fmt::format("models are nested more than {} deep", kMaximumNesting));
+    NamesOfKinds names;
+    for (const pugi::xml_node child : element.children())
+      names[child.name()].emplace(child.attribute("name").value());
     for (const pugi::xml_node child : element.children()) {
       const std::string_view kind = child.name();
       if (kind == "model") {
-        read_model(child, scope, base, minor, depth, {});
+        SdfOverride by;
+        if (scope != 0) by.name = distinct_name(child, names, {"link"}, minor);
+        read_model(child, scope, base, minor, depth, by);
       } else if (kind == "include") {
         read_include(child, scope, base, minor, depth);
       } else if (kind == "link" || kind == "frame" || kind == "joint") {
-        read_named(child, kind, scope, base, minor);
+        read_named(child, kind, scope, base, minor, names);
       } else if (kind == "plugin" || kind == "light" || kind == "actor" || kind == "gripper") {
         ++model_.left_out[std::string(kind)];
       } else if (kind.starts_with("drake:")) {
@@ -122,14 +131,32 @@ class SdfReader {
     }
   }
 
-  void read_named(pugi::xml_node node, std::string_view kind, std::size_t scope, std::size_t base,
-                  int minor) {
+  /// Names of siblings by the kind of element.
+  using NamesOfKinds = std::map<std::string_view, std::set<std::string_view>>;
+
+  /// Up to version 1.6 siblings of two kinds could have one name: libsdformat tells them apart as this does.
+  static std::string distinct_name(pugi::xml_node node, const NamesOfKinds& names,
+                                   std::initializer_list<const char*> before, int minor) {
+    std::string name = node.attribute("name").value();
+    const auto taken = [&](const char* kind) {
+      const auto of = names.find(kind);
+      return of != names.end() && of->second.contains(name);
+    };
+    const std::string_view kind = node.name();
+    if (minor < 7 && std::ranges::any_of(before, taken))
+      name += kind == "model" ? "_nested_model" : fmt::format("_{}", kind);
+    return name;
+  }
+
+  void read_named(pugi::xml_node node, std::string_view kind, std::size_t scope, std::size_t base, int minor,
+                  const NamesOfKinds& names) {
     SdfNamed named = begin(node, base, minor);
     if (kind == "link") {
       named.kind = SdfKind::link;
       named.index = link_count_++;
     } else if (kind == "joint") {
       named.kind = SdfKind::joint;
+      named.name = distinct_name(node, names, {"link", "model"}, minor);
       named.index = joint_count_++;
       const pugi::xml_node child = node.child("child");
       named.attached_to = SdfFiles::text(child);
@@ -137,6 +164,7 @@ class SdfReader {
     } else {
       check_sdf_spelling(files_, node);
       named.kind = SdfKind::frame;
+      named.name = distinct_name(node, names, {"link", "model", "joint"}, minor);
       named.attached_to = node.attribute("attached_to").value();
       named.attached_where = files_.where(node, "attached_to");
     }
@@ -202,6 +230,10 @@ class SdfReader {
       ++model_.left_out["scenery"];
       return;
     }
+    if (const pugi::xml_node changes = node.child("experimental:params"))
+      throw InputError(files_.where(changes),
+                       "what <experimental:params> changes of the included model is not read",
+                       "write the changed model into a file of its own");
     const pugi::xml_node root = files_.include(node);
     const int minor = version_of(root);
     const pugi::xml_node model = root.child("model");
