@@ -190,7 +190,8 @@ class FunctionWriter {
     try {
       return shortest(kind, candidates);
     } catch (const std::logic_error&) {  // a defect, or a division by zero
-      if (kind.row().needs == Needs::regular_mass_matrix)
+      const Needs needs = kind.row().needs;
+      if (needs == Needs::regular_mass_matrix || needs == Needs::regular_constrained_motion)
         check_mass_matrix(kinematics_, certificate_.plain(), kNearlySingular);
       throw;
     }
@@ -236,6 +237,8 @@ class FunctionWriter {
         passes.articulation = articulation;
       } else if (passes.articulation) {
         passes.articulation = false;
+      } else if (!passes.augmentation && kind.row().needs == Needs::regular_constrained_motion) {
+        passes.augmentation = true;
       } else {
         break;
       }
@@ -327,9 +330,12 @@ void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
     std::erase_if(kinds, [&](FunctionKind kind) { return !has_results(kind.row(), kinematics.mechanism); });
   }
   for (const FunctionKind kind : kinds) {
-    if (kind.row().needs != Needs::mass || has_results(kind.row(), kinematics.mechanism)) continue;
+    const Needs needs = kind.row().needs;
+    if ((needs != Needs::mass && needs != Needs::inertia) || has_results(kind.row(), kinematics.mechanism))
+      continue;
     throw InputError(kinematics.mechanism.bodies.front().where,
-                     fmt::format("{} has no value: no body has a mass", to_string(kind)));
+                     fmt::format("{} has no value: no body has a mass{}", to_string(kind),
+                                 needs == Needs::inertia ? " or an inertia" : ""));
   }
   try {
     check_mass_matrix(kinematics, plain);

@@ -101,6 +101,7 @@ EquationsOfMotion equations_without_forces(const Kinematics& kinematics, Formula
 
 EquationsOfMotion equations_of_motion(const Kinematics& kinematics, Formulation formulation, Passes passes) {
   EquationsOfMotion equations = equations_without_forces(kinematics, formulation, passes);
+  equations.augmented = passes.augmentation;
   if (kinematics.applied.Q.empty()) return equations;
   equations.Q = value_number(less_applied(std::move(equations.Q), kinematics.applied));
   equations.c = value_number(less_applied(std::move(equations.c), kinematics.applied));

@@ -376,7 +376,11 @@ std::vector<OutputExpressions> function_outputs(const Kinematics& kinematics,
 std::vector<OutputExpressions> plain_function_outputs(const Kinematics& kinematics, FunctionKind kind) {
   const Builder& builder = builder_of(kind);
   std::optional<EquationsOfMotion> equations;
-  if (builder.of_equations) equations = equations_of_motion(kinematics, Formulation::reduced, plain_passes());
+  if (builder.of_equations) {
+    Passes passes = plain_passes();
+    passes.augmentation = true;
+    equations = equations_of_motion(kinematics, Formulation::reduced, passes);
+  }
   return with_shapes(kinematics.mechanism, kind,
                      builder.build({kinematics, {&kinematics.tree}, equations ? &*equations : nullptr}));
 }

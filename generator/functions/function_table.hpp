@@ -83,7 +83,15 @@ struct ResultArray {
 enum class Topic : std::uint8_t { dynamics, kinematics, derivatives };
 
 /// What a mechanism must have for a function to be of any use, besides what its results are sized by.
-enum class Needs : std::uint8_t { nothing, forces, outputs_of_position, mass, regular_mass_matrix };
+enum class Needs : std::uint8_t {
+  nothing,
+  forces,
+  outputs_of_position,
+  mass,
+  inertia,  ///< or mass
+  regular_mass_matrix,
+  regular_constrained_motion,
+};
 
 /// A row of the table. The function takes the arrays of `arguments` in this order, then the inputs (time,
 /// parameters, wrenches) if `takes_inputs`, then its results, whether a given mechanism uses them or not.
@@ -249,7 +257,7 @@ inline constexpr OutputFunction kOutputFunctions[] = {
      "A row that follows from those before it is left out; its lambda is 0. In double precision that is told to an angle of about "
      "1e-7; in float leave such rows out of the description. Where rows contradict each other, the first ones are kept and nothing "
      "tells: alembert::constrained_forward_dynamics of the runtime does. Where M is singular, results are not finite.",
-     "", Needs::regular_mass_matrix},
+     "", Needs::regular_constrained_motion},
     {"body_jacobians", Topic::kinematics, false, {ArgumentKind::q}, true,
      "Geometric Jacobians of the bodies' centres of mass: angular rows first, in world axes.",
      "J(q) qd = (angular velocity x y z, velocity of the centre of mass x y z), less what motion prescribed in time adds",
@@ -300,7 +308,7 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        "origin of its frame, in its axes, xx yy zz xy xz yz, kg m^2", kPerSpeed, kPerStandardParameter}},
      "Columns of bodies without mass, and those of the inertia of a point mass in its origin, are zero.",
      "Atkeson, An and Hollerbach, Estimation of inertial parameters of manipulator loads and links, Int. J. Robotics Research 5, 1986",
-     Needs::mass},
+     Needs::inertia},
     {"base_regressor", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
      "Regressor of inverse dynamics in the base parameters: independent columns, of which the others are combinations.",
      "inverse_dynamics = Y theta_base, less applied forces and wrenches, and the forces that armatures take",
@@ -308,17 +316,17 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        "that each joins", kPerSpeed, kPerBaseParameter}},
      "The columns are those of regressor that depend on none before them.",
      "Gautier and Khalil, Direct calculation of minimum set of inertial parameters of serial robots, IEEE Trans. Robotics and "
-     "Automation 6, 1990", Needs::mass},
+     "Automation 6, 1990", Needs::inertia},
     {"static_regressor", Topic::dynamics, false, {ArgumentKind::q}, true,
      "Regressor of the gravity forces: what regressor is at rest.",
      "gravity = Y theta",
      {{"Y", "columns as those of regressor", kPerSpeed, kPerStandardParameter}},
-     "", "", Needs::mass},
+     "", "", Needs::inertia},
     {"energy_regressor", Topic::dynamics, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Regressor of the energies: both are linear in the masses, first moments and inertias of the bodies.",
      "energy = Y theta, less that of armatures and of applied forces",
      {{"Y", "a row for the kinetic, one for the potential energy; columns as those of regressor", 2, kPerStandardParameter}},
-     "", "", Needs::mass},
+     "", "", Needs::inertia},
     {"inverse_dynamics_derivatives", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd, ArgumentKind::qdd}, true,
      "Partial derivatives of inverse dynamics: along the speeds, that is by the coordinates, and by the speeds.",
      "tau_q[.][k] = change of tau(q, qd, qdd) as q changes by N(q) e_k, tau_qd = d tau / d qd",
@@ -369,7 +377,7 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"lambda_tau", "by the forces", kPerConstraintRow, kPerSpeed}},
      "Of the rows that constrained_forward_dynamics takes, whether or not the state keeps them. Where M is singular, they are not "
      "finite.",
-     "", Needs::regular_mass_matrix},
+     "", Needs::regular_constrained_motion},
     {"input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Derivatives of the applied forces by the inputs: the input matrix of a linearisation.",
      "B = dQ/d(inputs), where tau = M(q) qdd + c and c contains -Q",

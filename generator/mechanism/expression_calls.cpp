@@ -71,7 +71,8 @@ ExpressionReader::Operand ExpressionReader::call(const Reading& reading, const P
       out.value.expr = apply(*op, x.value.expr, y.value.expr);
     } else {
       choose(function, arguments, out);
-      if (moves(out.value.dependence))
+      // Between values that move, a condition that does not chooses once and for all.
+      if (moves(function == "select" ? x.value.dependence : out.value.dependence))
         make_rough(out, fmt::format("'{}', which has a kink or a step", text_of(reading, out)));
     }
   } catch (const std::domain_error&) {

@@ -36,13 +36,14 @@ Ref Builder::intern_product(Ref a, Ref b) {
   return intern(Operation::mul, a, b);
 }
 
-// Product of two numbers, unless it has no exact form of its own (pi * pi).
+// Product of two numbers, unless it has no exact form of its own (pi * pi), or what is left as it was written has none.
 std::optional<Ref> Builder::fold_product(Ref a, Ref b) {
   if (op(a) == Operation::pi_multiple && op(b) == Operation::pi_multiple) return std::nullopt;
   if (op(a) != Operation::real && op(b) != Operation::real) {
     const auto exact = mul(rational_of(a), rational_of(b));
     if (exact) return rational(a) && rational(b) ? number(*exact) : pi(*exact);
   }
+  if (!graph.simplifies_) return std::nullopt;
   return real(numeric_value(a) * numeric_value(b));
 }
 
@@ -108,6 +109,7 @@ std::optional<Ref> Builder::constant_product(Ref a, Ref b) {
     return std::nullopt;
   }
   if (numeric(a) && numeric(b)) return fold_product(a, b);
+  if (!graph.simplifies_) return std::nullopt;
   const Term tb = term(b);
   if (numeric(a)) {
     if (tb.coefficient != kOne) {

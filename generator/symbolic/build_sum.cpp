@@ -73,7 +73,7 @@ Ref Builder::intern_sum(Ref a, Ref b) {
   return a.negative() ? -intern(Operation::add, -a, -b) : intern(Operation::add, a, b);
 }
 
-// Sum of two numbers, unless it has no exact form of its own (1 + pi).
+// Sum of two numbers, unless it has no exact form of its own (1 + pi), or what is left as it was written has none.
 std::optional<Ref> Builder::fold_sum(Ref a, Ref b) {
   if (op(a) == op(b) && op(a) != Operation::real) {
     if (const auto exact = add(rational_of(a), rational_of(b)))
@@ -81,6 +81,7 @@ std::optional<Ref> Builder::fold_sum(Ref a, Ref b) {
   } else if (op(a) != Operation::real && op(b) != Operation::real) {
     return std::nullopt;
   }
+  if (!graph.simplifies_) return std::nullopt;
   const double x = numeric_value(a), sum = x + numeric_value(b);
   return std::abs(sum) < kCancellation * std::abs(x) ? kZero : real(sum);
 }
@@ -97,6 +98,7 @@ Ref Builder::sum(Ref a, Ref b) {
     if (const auto folded = fold_sum(a, b)) return *folded;
     return intern_sum(a, b);
   }
+  if (constant(a) && constant(b) && !graph.simplifies_) return intern_sum(a, b);
   const Operation oa = op(a), ob = op(b);
   if (graph.keeps_brackets_) {
     if (numeric(a) && ob == Operation::add) {

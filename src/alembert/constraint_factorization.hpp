@@ -16,7 +16,7 @@ namespace alembert {
 ///   M = L D L^T,  Y = L^-1 P^T,  S = Y^T D^-1 Y = P M^-1 P^T,  S = G E G^T over the rows that are
 ///   independent.
 ///
-/// S is factored with diagonal pivoting. A pivot of S over its diagonal entry is the square of the sine of
+/// S is factored by Gram-Schmidt's method with pivoting. A pivot of S over its diagonal entry is the square of the sine of
 /// the angle, in the metric of M^-1, between a row of P and the rows taken before it. A row is *redundant* if
 /// that is at most 16 max(n, k) epsilon (an angle of about 1e-7 in double precision), or if the row is zero:
 /// shorter than 64 max(n, k) epsilon times the longest row, both over the lengths that the caller gives. A
@@ -31,7 +31,7 @@ namespace alembert {
 /// 1e12 in double and 1e4 in single precision.
 ///
 /// S scalar, N speeds n, K rows k of constraints; N and K may be Eigen::Dynamic.
-/// Golub and Van Loan, Matrix Computations, 4.2.8 and 4.4.6; one step of refinement as in the corrected
+/// Golub and Van Loan, Matrix Computations, 5.2.8 and 5.4.1; one step of refinement as in the corrected
 /// semi-normal equations, Bjoerck, Linear Algebra and its Applications 88/89 (1987).
 template <class S, int N, int K>
 class ConstraintFactorization {
@@ -60,15 +60,10 @@ class ConstraintFactorization {
     for (int r = 0; r < k; ++r)
       for (int j = 0; j < n; ++j)
         for (int i = j + 1; i < n; ++i) Y_(i, r) -= mass_(i, j) * Y_(j, r);
-    rest_.resize(k, k);
-    for (int r = 0; r < k; ++r) {
-      for (int s = 0; s <= r; ++s) {
-        S sum(0);
-        for (int i = 0; i < n; ++i) sum += Y_(i, r) * Y_(i, s) / mass_(i, i);
-        rest_(r, s) = rest_(s, r) = sum;
-      }
-    }
-    if (!detail::all_finite(rest_)) return Status::not_finite;
+    rest_ = Y_;
+    diagonal_.resize(k);
+    for (int r = 0; r < k; ++r) diagonal_(r) = product(r, r);
+    if (!detail::all_finite(diagonal_)) return Status::not_finite;
     factor_schur_complement(n, k);
     return Status::ok;
   }
@@ -149,10 +144,18 @@ class ConstraintFactorization {
  private:
   static S threshold(int n, int k) { return S(16) * S(n > k ? n : k) * std::numeric_limits<S>::epsilon(); }
 
-  /// LDL^T of rest_ = S with diagonal pivoting; spoils rest_.
+  /// Of columns of rest_, in the metric of D^-1.
+  S product(int r, int s) const {
+    S sum(0);
+    for (int i = 0; i < rest_.rows(); ++i) sum += rest_(i, r) * rest_(i, s) / mass_(i, i);
+    return sum;
+  }
+
+  /// G and E of S = rest_^T D^-1 rest_ by modified Gram-Schmidt with pivoting: of rows that are nearly parallel, what
+  /// the others leave keeps its digits, which a difference of entries of S would lose. Spoils rest_.
   void factor_schur_complement(int n, int k) {
     using std::sqrt;
-    diagonal_ = rest_.diagonal();
+    ConstraintVector left = diagonal_;
     factor_.setZero(k, k);
     pivots_.setZero(k);
     order_.setZero(k);
@@ -162,7 +165,7 @@ class ConstraintFactorization {
     const auto length = [&](int i) { return S(sqrt(diagonal_(i)) / lengths_(i)); };
     for (int i = 0; i < k; ++i) longest = length(i) > longest ? length(i) : longest;
     const S zero = S(4) * threshold(n, k) * longest;
-    const auto share = [&](int i) { return length(i) > zero ? S(rest_(i, i) / diagonal_(i)) : S(0); };
+    const auto share = [&](int i) { return length(i) > zero ? S(left(i) / diagonal_(i)) : S(0); };
     for (int step = 0; step < k; ++step) {
       S best(0);
       for (int i = 0; i < k; ++i)
@@ -171,15 +174,16 @@ class ConstraintFactorization {
       int chosen = 0;
       while (!redundant_(chosen) || !(S(4) * share(chosen) >= best) || !(share(chosen) > threshold(n, k)))
         ++chosen;
-      const S pivot = rest_(chosen, chosen);
+      const S pivot = left(chosen);
       redundant_(chosen) = false;
       order_(step) = chosen;
       pivots_(step) = pivot;
-      for (int i = 0; i < k; ++i)
-        if (redundant_(i)) factor_(i, step) = rest_(i, chosen) / pivot;
-      for (int i = 0; i < k; ++i)
-        for (int j = 0; j < k; ++j)
-          if (redundant_(i) && redundant_(j)) rest_(i, j) -= factor_(i, step) * rest_(chosen, j);
+      for (int i = 0; i < k; ++i) {
+        if (!redundant_(i)) continue;
+        factor_(i, step) = product(i, chosen) / pivot;
+        for (int j = 0; j < n; ++j) rest_(j, i) -= factor_(i, step) * rest_(j, chosen);
+        left(i) = product(i, i);
+      }
       rank_ = step + 1;
     }
   }
@@ -213,7 +217,7 @@ class ConstraintFactorization {
 
   SpeedMatrix mass_;                // L and D of M
   SizedMatrix<S, N, K> Y_;          // L^-1 P^T
-  SizedMatrix<S, K, K> rest_;       // what is left of S while it is factored
+  SizedMatrix<S, N, K> rest_;       // what those before leave of Y's columns
   SizedMatrix<S, K, K> factor_;     // G: rows as in P, columns in the order of the pivots
   ConstraintVector diagonal_;       // of S
   ConstraintVector lengths_;        // those that the caller gives

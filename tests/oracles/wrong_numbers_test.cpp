@@ -210,6 +210,73 @@ bodies:
   }
 }
 
+// m (x^2 + y^2), beside which m z^2 is so large that double loses it in the difference of two moments.
+TEST(WrongNumbers, InertiaAboutAnAxisOfAPointFarAlongIt) {
+  struct Case {
+    std::string x, y, z, mass;
+  };
+  for (const auto& [x, y, z, mass] : {Case{"52", "0.03791", "575700", "192000"},
+                                      Case{"0.012345678", "0.0023456789", "123.456789", "1.2345678"},
+                                      Case{"0.0001234567", "0.0002345678", "12345.6789", "1.2345678"},
+                                      Case{"1.2345678e-6", "2.345678e-6", "12.3456789", "1.2345678"}}) {
+    const TemporaryFile file(
+        "alembert: 1\nname: far\ncoordinates: [q]\nbodies:\n  - name: point\n    mass: " + mass +
+            "\n    transform: [{rotate: {axis: z, angle: q}}, {translate: [" + x + ", " + y + ", " + z +
+            "]}]\n",
+        ".yaml");
+    const std::vector<State> states = random_states(read_description(file.path()));
+    const long double inertia =
+        std::stold(mass) * (std::stold(x) * std::stold(x) + std::stold(y) * std::stold(y));
+    const std::vector<Eigen::VectorXd> tau(states.size(),
+                                           Eigen::VectorXd::Constant(1, static_cast<double>(inertia)));
+    const auto found = ask_functions(ALEMBERT_EXECUTABLE, file.path(), states, tau,
+                                     {"mass_matrix", "forward_dynamics", "energy"});
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const double moved = found[i].at("mass_matrix").at("M")(0, 0),
+                   rate = found[i].at("forward_dynamics").at("qdd")(0, 0),
+                   kinetic = found[i].at("energy").at("e")(0, 0);
+      const long double speed = states[i].speeds[0];
+      EXPECT_NEAR(moved, static_cast<double>(inertia), 1e-14 * static_cast<double>(inertia)) << z;
+      EXPECT_NEAR(rate, 1, 1e-13) << z;
+      EXPECT_NEAR(kinetic, static_cast<double>(inertia * speed * speed / 2), 1e-14 * std::abs(kinetic)) << z;
+    }
+  }
+}
+
+// A carriage without an inertia worth the name, held by a constraint: what is singular is M, not the motion.
+TEST(WrongNumbers, ConstrainedCoordinatesOfNextToNoInertia) {
+  const std::string head = "alembert: 1\nname: light\ngravity: [0, 0, 0]\ncoordinates: [a, b]\nbodies:\n";
+  for (const std::string mass : {"1e-3", "1e-6", "1e-9", "1e-12", "1e-16", "0"}) {
+    const std::string apart = head + "  - {name: bead, transform: [{translate: [a, 0, 0]}], mass: " + mass +
+                              "}\n  - {name: slide, transform: [{translate: [b, 0, 1]}], mass: 2}\n"
+                              "constraints:\n  - {name: drive, type: holonomic, equations: [a - 0.3*b]}\n";
+    const std::string carried =
+        head + "  - {name: carriage, transform: [{translate: [a, 0, 0]}], mass: " + mass +
+        "}\n  - {name: load, parent: carriage, transform: [{translate: [b, 0, 0]}], mass: 1.3}\n"
+        "constraints:\n  - {name: gear, type: holonomic, equations: [b - 0.7*a]}\n";
+    State state;
+    state.q = {0.3, 1};
+    state.speeds = {0.1, 0.2};
+    state.rates = {0, 0};
+    const Eigen::VectorXd tau = Eigen::Vector2d(1.37, -0.41);
+    const auto compare = [&](const std::string& text, long double a, long double b, long double lambda) {
+      SCOPED_TRACE(text);
+      const TemporaryFile file(text, ".yaml");
+      const auto found =
+          ask_functions(ALEMBERT_EXECUTABLE, file.path(), {state}, {tau}, {"constrained_forward_dynamics"});
+      const auto& of = found[0].at("constrained_forward_dynamics");
+      EXPECT_NEAR(of.at("qdd")(0, 0), static_cast<double>(a), 1e-9 * std::abs(static_cast<double>(a)));
+      EXPECT_NEAR(of.at("qdd")(1, 0), static_cast<double>(b), 1e-9 * std::abs(static_cast<double>(b)));
+      EXPECT_NEAR(of.at("lambda")(0, 0), static_cast<double>(lambda), 1e-12);
+    };
+    const long double m = std::stold(mass), x = tau(0), y = tau(1);
+    const long double slide = (y + 0.3L * x) / (2 + 0.09L * m);
+    compare(apart, 0.3L * slide, slide, 0.3L * m * slide - x);
+    const long double carriage = (x + 0.7L * y) / (m + 1.3L * 1.7L * 1.7L);
+    compare(carried, carriage, 0.7L * carriage, 1.3L * 1.7L * carriage - y);
+  }
+}
+
 // Columns of the regressor are 0, or depend on each other, that are not at other values of the parameters.
 TEST(WrongNumbers, RuntimeParametersOfDefaultZero) {
   expect_right(R"yaml(

@@ -80,6 +80,17 @@ Scales scales_of(std::string_view array, const VectorXe& inertia) {
   return {power(row->rows), power(row->columns)};
 }
 
+/// Arrays as they are compared: whole, but for the energies, of which a small one has its digits beside a large one.
+std::vector<MeasuredPart> measured_parts(const Program& program) {
+  std::vector<MeasuredPart> parts;
+  for (std::size_t a = 0; a < program.outputs.size(); ++a) {
+    const std::size_t size = program.outputs[a].values.size();
+    const std::size_t step = program.outputs[a].name == "e" ? 1 : size;
+    for (std::size_t first = 0; first < size; first += step) parts.push_back({a, first, step});
+  }
+  return parts;
+}
+
 /// The arrays of a function that is compared with the forces themselves, or with differences of them.
 struct ByForces {
   FunctionKind kind;
@@ -207,13 +218,13 @@ class ArrayErrors {
 
   /// Adds what is no small part of the entries at its state (which may be next to nothing there: of a thousandth
   /// of what they are elsewhere, then), and the largest part.
-  void report(std::size_t array, const std::string& name, MeasuredError& error) const {
+  void report(const MeasuredPart& part, const std::string& name, MeasuredError& error) const {
     for (const AtState& at : states_) {
       if (at.difference < std::numeric_limits<double>::min()) continue;  // below, double has no digits
       const double relative =
           Extended(at.difference / std::max(at.largest, Extended(size_ / 1000))).convert_to<double>();
       if (relative > kLargestError)
-        error.excesses.push_back({at.state, array, at.terms, at.difference.convert_to<double>(), is_zero_});
+        error.excesses.push_back({at.state, part, at.terms, at.difference.convert_to<double>(), is_zero_});
       if (is_zero_ && error.array.empty()) error.array = name;
       if (is_zero_ || relative <= error.relative) continue;
       error.relative = relative;
@@ -274,9 +285,13 @@ Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolB
   if (states_.empty()) states_ = std::move(undecided);
 }
 
-const VectorXe& Certificate::inertia_at(std::size_t state) const {
-  const auto [at, fresh] = inertia_.try_emplace(state);
-  if (fresh) at->second = plain_.inertia(plain_.state(states_[state]));
+const VectorXe& Certificate::inertia_at(std::size_t state, FunctionKind kind) const {
+  const bool constrained = kind.row().needs == Needs::regular_constrained_motion;
+  const auto [at, fresh] = inertia_.try_emplace({state, constrained});
+  if (fresh) {
+    const State here = plain_.state(states_[state]);
+    at->second = constrained ? plain_.constrained_inertia(here) : plain_.inertia(here);
+  }
   return at->second;
 }
 
@@ -290,7 +305,8 @@ std::vector<double> Certificate::values_at(std::size_t state, const VectorXe& in
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
-  std::vector<ArrayErrors> errors(program.outputs.size());
+  const std::vector<MeasuredPart> parts = measured_parts(program);
+  std::vector<ArrayErrors> errors(parts.size());
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
@@ -303,7 +319,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
   std::vector<double> inputs, found(entries), scratch;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
-    const VectorXe inertia = scaled ? inertia_at(k) : VectorXe();
+    const VectorXe inertia = scaled ? inertia_at(k, kind) : VectorXe();
     const std::vector<double> values = values_at(k, inertia);
     const State state = plain_.state(values);
     VectorXe signs(kinematics_.mechanism.nv);
@@ -321,22 +337,27 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
       continue;
     }
     ++worst.states;
-    std::size_t at = 0;
-    for (std::size_t a = 0; a < arrays.size(); ++a) {
-      const OutputArray& output = program.outputs[a];
-      errors[a].add(k, arrays[a], {found.data() + at, output.values.size()}, output.columns,
-                    scales_of(output.name, inertia));
-      at += output.values.size();
+    const double* at = found.data();
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const auto [array, first, count] = parts[p];
+      const OutputArray& output = program.outputs[array];
+      Wanted wanted = arrays[array];
+      if (count < output.values.size())
+        wanted.values = VectorXe(
+            wanted.values.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count)));
+      errors[p].add(k, wanted, {at, count}, output.columns, scales_of(output.name, inertia));
+      at += count;
     }
   }
-  for (std::size_t a = 0; a < errors.size(); ++a) errors[a].report(a, program.outputs[a].name, worst);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    errors[p].report(parts[p], program.outputs[parts[p].array].name, worst);
   return worst;
 }
 
 bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const {
   const std::vector<OutputExpressions>& plain = plain_.expressions(kind);
   const auto inertia_of = [&](const OutputExpressions& output, std::size_t state) {
-    return is_scaled(output.name) ? inertia_at(state) : VectorXe();
+    return is_scaled(output.name) ? inertia_at(state, kind) : VectorXe();
   };
   const auto evaluated = [&](const OutputExpressions& output, std::size_t state) {
     return evaluate_bounded(output.values, values_at(state, inertia_of(output, state)));
@@ -348,11 +369,12 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
     });
     if (has_value) return false;
   }
-  const auto rounding = [&](const OutputExpressions& output, std::size_t state) {
+  const auto rounding = [&](const OutputExpressions& output, std::size_t first, std::size_t count,
+                            std::size_t state) {
     const Scales scales = scales_of(output.name, inertia_of(output, state));
     const std::vector<Approximate> values = evaluated(output, state);
     double most = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t i = first; i < first + count; ++i) {
       const Approximate& x = values[i];
       const double scale =
           Extended(scales.row(i / output.columns) * scales.column(i % output.columns)).convert_to<double>();
@@ -361,12 +383,14 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
     return most;
   };
   return std::ranges::all_of(error.excesses, [&](const Excess& excess) {
-    double most = rounding(plain[excess.array], excess.state);
+    const auto& [array, first, count] = excess.part;
+    double most = rounding(plain[array], first, count, excess.state);
     // The numbers of a description are rounded too. An axis has not quite the length 1: what is 0 where it has is
     // then as large as the rounding errors of forces.
-    if (excess.of_zeros)
-      most = std::max(most,
-                      rounding(plain_.expressions(FunctionKind("inverse_dynamics")).front(), excess.state));
+    if (excess.of_zeros) {
+      const OutputExpressions& forces = plain_.expressions(FunctionKind("inverse_dynamics")).front();
+      most = std::max(most, rounding(forces, 0, forces.values.size(), excess.state));
+    }
     return excess.difference <= static_cast<double>(excess.terms) * most;
   });
 }

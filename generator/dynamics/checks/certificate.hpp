@@ -45,7 +45,7 @@ class Certificate {
 
  private:
   /// PlainEquations::inertia of a state, evaluated once for all functions.
-  const VectorXe& inertia_at(std::size_t state) const;
+  const VectorXe& inertia_at(std::size_t state, FunctionKind kind) const;
   /// A state, its forces in proportion to the inertia: each coordinate is accelerated about as much.
   std::vector<double> values_at(std::size_t state, const VectorXe& inertia) const;
 
@@ -55,7 +55,7 @@ class Certificate {
   int most_;                                 ///< states to measure at
   double work_;                              ///< nodes that may be evaluated for more than the fewest
   std::vector<std::vector<double>> states_;  ///< values of all symbols
-  mutable std::map<std::size_t, VectorXe> inertia_;
+  mutable std::map<std::pair<std::size_t, bool>, VectorXe> inertia_;  ///< by state; of constrained motion
 };
 
 }  // namespace alembert

@@ -7,9 +7,15 @@
 
 namespace alembert {
 
-/// A difference from the plain equations that is no small part of its array, at one state.
+/// Entries of one array that are compared with the largest of them.
+struct MeasuredPart {
+  std::size_t array, first, count;
+};
+
+/// A difference from the plain equations that is no small part of its entries, at one state.
 struct Excess {
-  std::size_t state, array;
+  std::size_t state;
+  MeasuredPart part;
   std::size_t terms;  ///< entries that were summed before they were compared
   double difference;
   bool of_zeros;  ///< the array is 0 at each state

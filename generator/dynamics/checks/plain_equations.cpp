@@ -1,10 +1,12 @@
 // Plain equations in 50 digits (see the header).
 #include "dynamics/checks/plain_equations.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "dynamics/choice/second_derivatives.hpp"
 #include "dynamics/function_builders.hpp"
+#include "dynamics/recursions/constraints.hpp"
 #include "dynamics/recursions/mass_matrix.hpp"
 #include "dynamics/recursions/reduced.hpp"
 #include "dynamics/tree/symbols.hpp"
@@ -18,6 +20,8 @@ namespace {
 const Extended kStep = 1e-16;
 /// Of the largest entry of M's diagonal: less is out of the range of double, in M or in its inverse.
 const Extended kLeastInertia = 1e-300;
+/// Of rows in the units of M's diagonal.
+const Extended kDependentRows = 1e-20;
 
 Kinematics as_written(const Kinematics& kinematics) {
   const auto left = kinematics.graph.leave_as_written();
@@ -106,6 +110,38 @@ VectorXe PlainEquations::inertia(const State& state) const {
   for (Extended& x : diagonal)
     x = isfinite(x) && x > kLeastInertia * largest ? Extended(sqrt(x / largest)) : Extended(1);
   return diagonal;
+}
+
+VectorXe PlainEquations::constrained_inertia(const State& state) const {
+  const Eigen::Index nv = kinematics_.mechanism.nv;
+  const MatrixXe M = mass_matrix(state);
+  if (!rows_) {
+    const auto left = kinematics_.graph.leave_as_written();
+    rows_.emplace(constraint_equations(kinematics_.mechanism, kinematics_.tree, kinematics_.derivatives,
+                                       kinematics_.graph)
+                      .P);
+  }
+  const std::vector<Extended> entries = (*rows_)(state);
+  const MatrixXe P =
+      Eigen::Map<const Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+          entries.data(), static_cast<Eigen::Index>(entries.size()) / nv, nv);
+  // In N z, with P N = 0, what moves has the inertia N^T M N: the rates are N (N^T M N)^-1 N^T times the forces.
+  const VectorXe units = inertia(state).cwiseInverse();
+  Eigen::FullPivLU<MatrixXe> rows(P * units.asDiagonal());
+  rows.setThreshold(kDependentRows);
+  VectorXe out = inertia(state);
+  if (P.rows() == 0 || rows.dimensionOfKernel() == 0) return out;
+  const MatrixXe N = units.asDiagonal() * rows.kernel();
+  const Eigen::LDLT<MatrixXe> moving(N.transpose() * M * N);
+  const MatrixXe response = N * moving.solve(MatrixXe(N.transpose()));
+  Extended largest = 0;
+  for (Eigen::Index k = 0; k < nv; ++k)
+    if (isfinite(response(k, k))) largest = std::max(largest, response(k, k));
+  // What the constraints hold keeps its own.
+  for (Eigen::Index k = 0; k < nv; ++k)
+    if (isfinite(response(k, k)) && response(k, k) > kLeastInertia * largest)
+      out[k] = 1 / sqrt(Extended(response(k, k)));
+  return out / Extended(out.maxCoeff());
 }
 
 VectorXe PlainEquations::weighted_gradient(const State& state) const {

@@ -60,6 +60,8 @@ class PlainEquations {
   /// Roots of M's diagonal over the largest of them: what moves much when a speed is 1. 1 where nothing moves that
   /// double can tell, or M has no value.
   VectorXe inertia(const State& state) const;
+  /// The same where others move as the constraints want: the root of what a force along a coordinate moves.
+  VectorXe constrained_inertia(const State& state) const;
   /// A function as its builder makes it of the plain equations.
   const std::vector<OutputExpressions>& expressions(FunctionKind kind) const;
   /// Its results, all arrays one after another.
@@ -75,7 +77,7 @@ class PlainEquations {
   Kinematics kinematics_;  ///< without simplification
   ExtendedFunction forces_;
   ExtendedFunction coordinate_rates_;  ///< N, nq x nv
-  mutable std::optional<ExtendedFunction> mass_matrix_, weighted_gradient_;
+  mutable std::optional<ExtendedFunction> mass_matrix_, weighted_gradient_, rows_;
   mutable std::map<FunctionKind, std::vector<OutputExpressions>> expressions_;
   mutable std::map<FunctionKind, ExtendedFunction> others_;
 };

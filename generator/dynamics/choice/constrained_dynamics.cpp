@@ -9,6 +9,11 @@
 // rounding, over its length (row_lengths.hpp) next to all rows over theirs. (The runtime's constraint_factorization.hpp
 // compares with S_rr alone, and takes rows that are nearly dependent last.)
 //
+// Where a coordinate has next to no inertia of its own, or M is singular and the constraints leave no motion without
+// inertia, M^-1 (tau - c) is large and what the constraints leave of it is small. Then the rows are added to M, which
+// changes no solution: with M + P^T W P for M and tau - c - P^T W gamma for tau - c, X, S and v are of one size. W, a
+// weight for each row, makes the diagonal of P^T W P about that of M. (The augmented Lagrangian of Bayo and others, 1988.)
+//
 // Either R and Y are made, by modified Gram-Schmidt, or S is eliminated. What rounding leaves grows with the condition of
 // the rows, or with its square (Bjoerck, BIT 7, 1967). Elimination keeps rows short that concern few speeds, as those of
 // the legs of a platform: it is taken where it is much shorter.
@@ -26,6 +31,7 @@
 #include "dynamics/choice/forward_dynamics.hpp"
 #include "dynamics/choice/row_lengths.hpp"
 #include "dynamics/recursions/constraints.hpp"
+#include "dynamics/recursions/mass_matrix.hpp"
 #include "symbolic/count_operations.hpp"
 #include "symbolic/substitute.hpp"
 #include "symbolic/value_number.hpp"
@@ -138,30 +144,85 @@ class IndependentRows {
 class ConstrainedSystem {
  public:
   ConstrainedSystem(const Kinematics& kinematics, const EquationsOfMotion& equations)
-      : rows_(constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives,
+      : kinematics_(kinematics),
+        equations_(equations),
+        rows_(constraint_equations(kinematics.mechanism, kinematics.tree, kinematics.derivatives,
                                    kinematics.graph)) {
     const auto nv = static_cast<std::ptrdiff_t>(kinematics.mechanism.nv);
-    Columns P, right{driving_forces(kinematics, equations)};
-    for (auto row = rows_.P.begin(); row != rows_.P.end(); row += nv) P.emplace_back(row, row + nv);
-    right.insert(right.end(), P.begin(), P.end());
-    Columns X = solved_for_columns(kinematics, equations, right);
+    for (auto row = rows_.P.begin(); row != rows_.P.end(); row += nv) P_.emplace_back(row, row + nv);
+    if (equations.augmented) augment();
+    for (const Expr& gamma : rows_.gamma) g_.push_back(-gamma);
+    Columns right{driving_forces(kinematics, equations)};
+    add_rows(right.front(), g_);
+    right.insert(right.end(), P_.begin(), P_.end());
+    Columns X = inverse_times(right);
     free_ = std::move(X.front());
     X.erase(X.begin());
-    const std::vector<double> lengths = row_lengths(kinematics, rows_, equations.M);
-    independent_.emplace(P, X, lengths, RowMethod::gram_schmidt);
-    IndependentRows eliminated(std::move(P), std::move(X), lengths, RowMethod::elimination);
+    const std::vector<double> lengths =
+        row_lengths(kinematics, rows_, augmented_.empty() ? equations.M : augmented_);
+    independent_.emplace(P_, X, lengths, RowMethod::gram_schmidt);
+    IndependentRows eliminated(P_, std::move(X), lengths, RowMethod::elimination);
     if (2 * operations(motion(eliminated)) < operations(motion())) independent_ = std::move(eliminated);
   }
 
   const ConstraintEquations& rows() const { return rows_; }
-  const IndependentRows& independent() const { return *independent_; }
   ConstrainedMotion motion() const { return motion(*independent_); }
+  /// x and y of M x = f + P^T y, P x = g, for each column of f and g.
+  std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> solved(Columns f, Columns g) const {
+    for (std::size_t k = 0; k < f.size(); ++k) add_rows(f[k], g[k]);
+    Columns free = inverse_times(f);
+    std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> out;
+    for (std::size_t k = 0; k < f.size(); ++k)
+      out.push_back(independent_->solved(std::move(free[k]), std::move(g[k])));
+    return out;
+  }
+  /// The same for g = 0 and f each column of the identity.
+  std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> solved_for_forces() const {
+    const std::size_t nv = static_cast<std::size_t>(kinematics_.mechanism.nv);
+    Columns inverse;
+    if (augmented_.empty()) {
+      const std::vector<Expr> entries = inverse_mass_matrix(kinematics_, equations_);
+      for (auto column = entries.begin(); column != entries.end(); column += static_cast<std::ptrdiff_t>(nv))
+        inverse.emplace_back(column, column + static_cast<std::ptrdiff_t>(nv));
+    } else {
+      inverse.assign(nv, std::vector<Expr>(nv, kinematics_.graph.zero()));
+      for (std::size_t k = 0; k < nv; ++k) inverse[k][k] = kinematics_.graph.one();
+      inverse = inverse_times(inverse);
+    }
+    std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> out;
+    for (std::size_t k = 0; k < nv; ++k)
+      out.push_back(independent_->solved_for_force(k, std::move(inverse[k])));
+    return out;
+  }
 
  private:
+  void augment() {
+    const std::size_t nv = static_cast<std::size_t>(kinematics_.mechanism.nv);
+    augmented_ = equations_.M;
+    for (const double weight : row_weights(kinematics_, rows_, equations_.M))
+      weights_.push_back(kinematics_.graph.real(weight));
+    for (std::size_t r = 0; r < P_.size(); ++r)
+      for (std::size_t i = 0; i < nv; ++i)
+        for (std::size_t j = 0; j <= i; ++j) augmented_[i * nv + j] += weights_[r] * (P_[r][i] * P_[r][j]);
+    for (std::size_t i = 0; i < nv; ++i)
+      for (std::size_t j = 0; j < i; ++j) augmented_[j * nv + i] = augmented_[i * nv + j];
+  }
+  /// f += P^T W g, where the rows are in M.
+  void add_rows(std::vector<Expr>& f, const std::vector<Expr>& g) const {
+    for (std::size_t r = 0; r < weights_.size(); ++r) {
+      const Expr weighted = weights_[r] * g[r];
+      for (std::size_t k = 0; k < f.size(); ++k) f[k] += P_[r][k] * weighted;
+    }
+  }
+  /// Columns of M^-1 times these.
+  Columns inverse_times(const Columns& columns) const {
+    if (augmented_.empty()) return solved_for_columns(kinematics_, equations_, columns);
+    Columns out;
+    for (const std::vector<Expr>& column : columns) out.push_back(straight_line_solve(augmented_, column));
+    return out;
+  }
   ConstrainedMotion motion(const IndependentRows& independent) const {
-    std::vector<Expr> g;
-    for (const Expr& gamma : rows_.gamma) g.push_back(-gamma);
-    auto [rates, lambdas] = independent.solved(free_, std::move(g));
+    auto [rates, lambdas] = independent.solved(free_, g_);
     return {std::move(rates), std::move(lambdas)};
   }
   static std::size_t operations(const ConstrainedMotion& motion) {
@@ -170,9 +231,13 @@ class ConstrainedSystem {
     return count_operations(all).total();
   }
 
+  const Kinematics& kinematics_;
+  const EquationsOfMotion& equations_;
   ConstraintEquations rows_;
+  Columns P_;                              ///< rows
+  std::vector<Expr> augmented_, weights_;  ///< M + P^T W P and W, or nothing
   std::optional<IndependentRows> independent_;
-  std::vector<Expr> free_;  ///< M^-1 (tau - c)
+  std::vector<Expr> free_, g_;  ///< M^-1 (tau - c), -gamma
 };
 
 /// What the changes of P^T lambda (forces) and of P du/dt + gamma (rows) are at constant du/dt and lambda, for which
@@ -251,19 +316,16 @@ ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics
     for (Expr& row : changes.rows[k]) row = *next++;
   }
 
-  Columns free = solved_for_columns(kinematics, equations, changes.forces);
   Columns rates, reactions;
-  const auto add = [&](std::pair<std::vector<Expr>, std::vector<Expr>> solution) {
-    rates.push_back(std::move(solution.first));
-    reactions.push_back(std::move(solution.second));
-  };
-  const IndependentRows& rows = system.independent();
-  for (std::size_t k = 0; k < 2 * nv; ++k) add(rows.solved(std::move(free[k]), std::move(changes.rows[k])));
+  for (auto& [x, y] : system.solved(std::move(changes.forces), std::move(changes.rows))) {
+    rates.push_back(std::move(x));
+    reactions.push_back(std::move(y));
+  }
   // By the forces. The rates' are symmetric.
-  const std::vector<Expr> inverse = inverse_mass_matrix(kinematics, equations);
-  for (std::size_t k = 0; k < nv; ++k) {
-    const auto column = inverse.begin() + static_cast<std::ptrdiff_t>(k * nv);
-    add(rows.solved_for_force(k, {column, column + static_cast<std::ptrdiff_t>(nv)}));
+  for (auto& [x, y] : system.solved_for_forces()) {
+    const std::size_t k = rates.size() - 2 * nv;
+    rates.push_back(std::move(x));
+    reactions.push_back(std::move(y));
     for (std::size_t i = 0; i < k; ++i) rates.back()[i] = rates[2 * nv + i][k];
   }
 

@@ -39,12 +39,13 @@ struct Passes {
   bool regrouping = true;    ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
   bool scaling = true;       ///< components scaled by constant turns (scaled_vectors.hpp)
   bool articulation = true;  ///< forward dynamics by articulated bodies (articulated_bodies.cpp)
+  bool augmentation = false;  ///< constrained dynamics with rows of constraints in M (constrained_dynamics.cpp)
   double effort = 1;         ///< work spent on trying further choices of these, one after another; 0: none
 };
 
 /// None of them: the equations as they are.
 constexpr Passes plain_passes() {
-  return {false, false, false, false, true, 0};
+  return {false, false, false, false, true, false, 0};
 }
 
 /// Equations of motion by one formulation.
@@ -57,6 +58,7 @@ struct EquationsOfMotion {
   std::optional<MotionTree> articulated = {};
   /// Motions and masses that Q is of, in the reduced form.
   std::optional<WrittenTree> tree = {};
+  bool augmented = false;  ///< Passes::augmentation
 };
 
 }  // namespace alembert

@@ -13,6 +13,10 @@
 namespace alembert {
 namespace {
 
+constexpr unsigned kStates = 4;
+// No power of two, which rows often are apart, lies where rounding changes.
+constexpr double kOffCentre = 0.137;
+
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The diagonal of M's inverse; empty where M has none. M = D C D with D the square roots of M's diagonal, so that
@@ -47,11 +51,33 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
 
 }  // namespace
 
+std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
+                                const std::vector<Expr>& M) {
+  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
+  std::vector<double> weights(rows.position.size(), 0.0);
+  for (unsigned seed = 0; seed < kStates; ++seed) {
+    const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, seed);
+    const std::vector<double> inertia = evaluate(M, state), P = evaluate(rows.P, state);
+    for (std::size_t r = 0; r < weights.size(); ++r) {
+      double fit = 0, fourth = 0;
+      for (std::size_t k = 0; k < nv; ++k) {
+        const double square = P[r * nv + k] * P[r * nv + k];
+        fit += inertia[k * nv + k] * square;
+        fourth += square * square;
+      }
+      if (const double weight = fit / fourth; std::isfinite(weight))
+        weights[r] = std::max(weights[r], weight);
+    }
+  }
+  for (double& weight : weights)
+    weight = weight > 0 ? std::exp2(std::round(std::log2(weight) + kOffCentre)) : 1;
+  return weights;
+}
+
 std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M) {
-  constexpr unsigned kStates = 4;
-  // Exponents of two. No power of two, which rows often are apart, lies where rounding changes.
-  constexpr double kAlike = -12.7, kOffCentre = 0.137;
+  // Exponents of two.
+  constexpr double kAlike = -12.7;
   constexpr double kLeast = -60;  // single precision holds its square and that square's inverse
   const Eigen::Index count = static_cast<Eigen::Index>(rows.position.size());
   std::vector<double> lengths(rows.position.size(), 1.0);

@@ -176,11 +176,10 @@ NodeMass mass_at_node(const Body& body, const BodyPlace& place, ExprGraph& graph
   const Vec3 c = center_at_node(body, place);
   const Expr m = properties.mass;
   Mat3 inertia = pose.rotation * properties.inertia * transpose(pose.rotation);
-  const Expr square = dot(c, c);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const Expr outer = c[i] * c[j];
-      const Expr part = i == j ? square - outer : -outer;
+      const Expr &y = c[(i + 1) % 3], &z = c[(i + 2) % 3];
+      const Expr part = i == j ? y * y + z * z : -(c[i] * c[j]);
       inertia(i, j) += m * part;
     }
   }

@@ -202,16 +202,17 @@ class Describer {
       if (robot_.joints[of].mimic) continue;  // stands still
       const std::string& coordinate = joint_names_[of][0];
       const auto add = [&](const char* what, const std::string& value) {
-        YamlNode& force = nodes_.add_named(out, fmt::format("{}_{}", joint_names_[i][0], what), joint.where);
+        YamlNode& force =
+            nodes_.add_named(out, force_names_.add(joint_names_[i][0], joint.where, what), joint.where);
         nodes_.put(force, "on", nodes_.text(coordinate, joint.where));
         nodes_.put(force, "value", nodes_.text(value, joint.where));
       };
       if (joint.damping != 0)
-        add("damping",
+        add("_damping",
             fmt::format("{}*d({})", number_text(-multiplier * multiplier * joint.damping), coordinate));
       if (joint.friction != 0)
-        add("friction", fmt::format("{}*tanh({}*d({}))", number_text(-multiplier * joint.friction),
-                                    number_text(multiplier / kFrictionVelocity), coordinate));
+        add("_friction", fmt::format("{}*tanh({}*d({}))", number_text(-multiplier * joint.friction),
+                                     number_text(multiplier / kFrictionVelocity), coordinate));
     }
   }
 
@@ -299,7 +300,7 @@ class Describer {
   std::vector<bool> massless_;            ///< by joint
   std::vector<double> rotors_{rotors()};  ///< likewise
   Warnings warnings_;
-  FitNames names_{"joint", warnings_};
+  FitNames names_{"joint", warnings_}, force_names_{"force", warnings_};
   bool root_is_world_ = false;
   std::vector<std::string> link_names_;                ///< by link
   std::vector<std::string> root_names_;                ///< coordinates of a floating root
