@@ -225,6 +225,15 @@ class FunctionWriter {
     };
     for (Candidate& one : found)
       if (is_good(one)) return written(std::move(one.function));
+    // Of what comes late, nothing that fails keeps what is explained from being written.
+    const auto is_better = [&](Candidate& one) {
+      try {
+        return is_good(one);
+      } catch (const InternalError&) {
+        if (!explained) throw;
+        return false;
+      }
+    };
     // What loses too many digits gives way to less of the same.
     const Formulation formulation = candidates.front().formulation;
     for (Passes passes = options_.passes; formulation == Formulation::reduced;) {
@@ -246,11 +255,11 @@ class FunctionWriter {
           outputs_of(equations_of_motion(kinematics_, formulation, passes), kind);
       if (!outputs) continue;
       Candidate one = candidate(kind, formulation, *std::move(outputs));
-      if (is_good(one)) return written(std::move(one.function));
+      if (is_better(one)) return written(std::move(one.function));
     }
     // The plain equations may lose as many digits, or not; as they are, since what is shorter may overflow sooner.
     Candidate plain = as_they_are(kind, formulation, certificate_.plain().expressions(kind));
-    if (is_good(plain)) return written(std::move(plain.function));
+    if (is_better(plain)) return written(std::move(plain.function));
     if (explained) return written(*std::move(explained));
     if (!error.without_value.empty())
       throw InternalError(

@@ -53,24 +53,27 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
 
 std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M) {
-  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
-  std::vector<double> weights(rows.position.size(), 0.0);
+  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv), count = rows.position.size();
+  std::vector<double> exponents(count, 0.0), states(count, 0.0);
   for (unsigned seed = 0; seed < kStates; ++seed) {
     const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, seed);
     const std::vector<double> inertia = evaluate(M, state), P = evaluate(rows.P, state);
-    for (std::size_t r = 0; r < weights.size(); ++r) {
+    for (std::size_t r = 0; r < count; ++r) {
       double fit = 0, fourth = 0;
       for (std::size_t k = 0; k < nv; ++k) {
         const double square = P[r * nv + k] * P[r * nv + k];
         fit += inertia[k * nv + k] * square;
         fourth += square * square;
       }
-      if (const double weight = fit / fourth; std::isfinite(weight))
-        weights[r] = std::max(weights[r], weight);
+      const double exponent = std::log2(fit / fourth);
+      if (!std::isfinite(exponent)) continue;
+      exponents[r] += exponent;
+      ++states[r];
     }
   }
-  for (double& weight : weights)
-    weight = weight > 0 ? std::exp2(std::round(std::log2(weight) + kOffCentre)) : 1;
+  std::vector<double> weights;
+  for (std::size_t r = 0; r < count; ++r)
+    weights.push_back(states[r] > 0 ? std::exp2(std::round(exponents[r] / states[r] + kOffCentre)) : 1);
   return weights;
 }
 
