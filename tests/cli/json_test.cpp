@@ -58,7 +58,7 @@ TEST(Report, SaysThatTheMassMatrixIsNearlySingular) {
 name: ball
 coordinates: [{name: spin, type: quaternion}]
 bodies:
-  - {name: bob, transform: [{joint: {type: spherical, coordinates: [spin]}}, {translate: [-0.3682814349173409, 8.985427233295437e-08, 8.806301437759541e-05]}], mass: 0.5974296991789654, com: [0, 0, -0.6860673730765727]}
+  - {name: bob, transform: [{joint: {type: spherical, coordinates: [spin]}}, {translate: [-0.3682814349173409, 8.985427233295437e-08, 8.806301437759541e-05]}], mass: 0.5974296991789654, com: [0, 0, -0.6860673730765727], inertia: {xx: 1e-32, yy: 1e-32, zz: 1e-32}}
 )");
   const CommandResult refused = alembert(folder, "report " + file + " --functions forward_dynamics");
   EXPECT_EQ(refused.exit_code, 1);
