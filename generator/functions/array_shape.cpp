@@ -100,13 +100,10 @@ std::size_t argument_size(ArgumentKind kind, const Mechanism& mechanism) {
 
 bool has_results(const OutputFunction& function, const Mechanism& mechanism) {
   if (function.needs == Needs::forces && mechanism.forces.empty()) return false;
-  const auto has_mass = [](const Body& body) { return !body.mass_properties.mass.is_zero(); };
-  const auto has_inertia = [&](const Body& body) {
-    return has_mass(body) || std::ranges::any_of(body.mass_properties.inertia.entries,
-                                                 [](const Expr& entry) { return !entry.is_zero(); });
-  };
-  if (function.needs == Needs::mass && std::ranges::none_of(mechanism.bodies, has_mass)) return false;
-  if (function.needs == Needs::inertia && std::ranges::none_of(mechanism.bodies, has_inertia)) return false;
+  const auto has_no_mass = [](const Body& body) { return body.mass_properties.mass.is_zero(); };
+  const auto has_no_inertia = [](const Body& body) { return body.mass_properties.is_zero(); };
+  if (function.needs == Needs::mass && std::ranges::all_of(mechanism.bodies, has_no_mass)) return false;
+  if (function.needs == Needs::inertia && std::ranges::all_of(mechanism.bodies, has_no_inertia)) return false;
   if (function.needs == Needs::outputs_of_position &&
       std::ranges::any_of(mechanism.outputs, &Output::of_speeds))
     return false;

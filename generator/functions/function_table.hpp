@@ -256,7 +256,7 @@ inline constexpr OutputFunction kOutputFunctions[] = {
       {"lambda", "for each name of kConstraintNames its reaction: P^T lambda are generalized forces", kPerConstraintRow}},
      "A row that follows from those before it is left out; its lambda is 0. In double precision that is told to an angle of about "
      "1e-7; in float leave such rows out of the description. Where rows contradict each other, the first ones are kept and nothing "
-     "tells: alembert::constrained_forward_dynamics of the runtime does. Where M is singular, results are not finite.",
+     "tells: alembert::constrained_forward_dynamics of the runtime does. Where M is singular, results may not be finite.",
      "", Needs::regular_constrained_motion},
     {"body_jacobians", Topic::kinematics, false, {ArgumentKind::q}, true,
      "Geometric Jacobians of the bodies' centres of mass: angular rows first, in world axes.",
@@ -375,8 +375,8 @@ inline constexpr OutputFunction kOutputFunctions[] = {
        kPerSpeed},
       {"lambda_qd", "by the speeds", kPerConstraintRow, kPerSpeed},
       {"lambda_tau", "by the forces", kPerConstraintRow, kPerSpeed}},
-     "Of the rows that constrained_forward_dynamics takes, whether or not the state keeps them. Where M is singular, they are not "
-     "finite.",
+     "Of the rows that constrained_forward_dynamics takes, whether or not the state keeps them. Where M is singular, they may "
+     "not be finite.",
      "", Needs::regular_constrained_motion},
     {"input_jacobian", Topic::derivatives, false, {ArgumentKind::q, ArgumentKind::qd}, true,
      "Derivatives of the applied forces by the inputs: the input matrix of a linearisation.",

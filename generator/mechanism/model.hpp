@@ -4,6 +4,7 @@
 // in.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -119,6 +120,10 @@ struct MassProperties {
   Expr mass;
   Vec3 com;
   Mat3 inertia;  ///< symmetric
+  bool is_point() const {
+    return std::ranges::all_of(inertia.entries, [](const Expr& entry) { return entry.is_zero(); });
+  }
+  bool is_zero() const { return mass.is_zero() && is_point(); }
 };
 
 enum class ShapeKind { box, sphere, ellipsoid, cylinder, capsule, torus, tube, surface, mesh };

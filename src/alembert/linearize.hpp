@@ -26,16 +26,6 @@ template <class M>
 inline constexpr bool kLinearizesByWriting = HasForwardDerivatives<M>::value &&
                                              (M::kNv <= kMostWrittenOut || !HasDerivatives<M>::value);
 
-template <class M, class = void>
-struct HasDerivativesByRows : std::false_type {};
-
-template <class M>
-struct HasDerivativesByRows<
-    M, std::void_t<decltype(M::inverse_dynamics_derivatives(
-           std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
-           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
-           std::declval<typename M::Scalar*>(), std::declval<typename M::Scalar*>()))>> : std::true_type {};
-
 /// Derivatives of inverse dynamics, which stand in the matrices row by row.
 template <class M>
 void derivatives_by_rows(const CoordinateVector<M>& q, const SpeedVector<M>& qd, const SpeedVector<M>& qdd,

@@ -117,6 +117,16 @@ struct HasDerivatives<M,
     : std::true_type {};
 
 template <class M, class = void>
+struct HasDerivativesByRows : std::false_type {};
+
+template <class M>
+struct HasDerivativesByRows<
+    M, std::void_t<decltype(M::inverse_dynamics_derivatives(
+           std::declval<const CoordinateVector<M>&>(), std::declval<const SpeedVector<M>&>(),
+           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
+           std::declval<typename M::Scalar*>(), std::declval<typename M::Scalar*>()))>> : std::true_type {};
+
+template <class M, class = void>
 struct HasForwardDynamics : std::false_type {};
 
 template <class M>

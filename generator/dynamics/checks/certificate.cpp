@@ -325,7 +325,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());
-    const std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs, inertia);
+    std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs, inertia);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
     inputs.clear();
@@ -341,11 +341,14 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const auto [array, first, count] = parts[p];
       const OutputArray& output = program.outputs[array];
-      Wanted wanted = arrays[array];
-      if (count < output.values.size())
-        wanted.values = VectorXe(
-            wanted.values.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count)));
-      errors[p].add(k, wanted, {at, count}, output.columns, scales_of(output.name, inertia));
+      Wanted& wanted = arrays[array];
+      const Wanted part = count == output.values.size()
+                              ? std::move(wanted)
+                              : Wanted{wanted.values.segment(static_cast<Eigen::Index>(first),
+                                                             static_cast<Eigen::Index>(count)),
+                                       {},
+                                       wanted.noise};
+      errors[p].add(k, part, {at, count}, output.columns, scales_of(output.name, inertia));
       at += count;
     }
   }

@@ -39,9 +39,8 @@ struct Passes {
   bool regrouping = true;    ///< parts of inertias handed from link to link (regrouping.cpp); needs placement
   bool scaling = true;       ///< components scaled by constant turns (scaled_vectors.hpp)
   bool articulation = true;  ///< forward dynamics by articulated bodies (articulated_bodies.cpp)
-  bool augmentation =
-      false;          ///< constrained dynamics with rows of constraints in M (constrained_dynamics.cpp)
-  double effort = 1;  ///< work spent on trying further choices of these, one after another; 0: none
+  bool augmentation = false;  ///< rows of constraints added to M (constrained_dynamics.cpp)
+  double effort = 1;          ///< work spent on trying further choices of these, one after another; 0: none
 };
 
 /// None of them: the equations as they are.

@@ -82,11 +82,11 @@ std::array<Expr, kStandardParameters> powers(const FrameMotion& of, const Twist&
 }  // namespace
 
 std::size_t parameters_of(const Body& body) {
-  const auto& [mass, com, inertia] = body.mass_properties;
-  const auto zero = [](const Expr& entry) { return entry.is_zero(); };
-  const bool point = std::ranges::all_of(inertia.entries, zero);
-  if (point && mass.is_zero()) return 0;
-  return point && std::ranges::all_of(com.entries, zero) ? 4 : kStandardParameters;
+  const MassProperties& properties = body.mass_properties;
+  if (properties.is_zero()) return 0;
+  const bool centred =
+      std::ranges::all_of(properties.com.entries, [](const Expr& entry) { return entry.is_zero(); });
+  return properties.is_point() && centred ? 4 : kStandardParameters;
 }
 
 std::vector<Expr> force_regressor(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {

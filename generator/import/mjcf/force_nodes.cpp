@@ -15,6 +15,14 @@
 namespace alembert {
 namespace {
 
+// A step of `simulate`: activations stop at the ends of their ranges over no shorter time.
+constexpr double kShortestStop = 1e-3;
+
+std::string within(const std::string& force, const std::optional<std::array<double, 2>>& range) {
+  if (!range || force.empty()) return force;
+  return fmt::format("clamp({}, {}, {})", force, number_text((*range)[0]), number_text((*range)[1]));
+}
+
 std::string tanh_of(double force, const std::string& speed) {
   return fmt::format("{}*tanh({}*{})", number_text(-force), number_text(1 / kFrictionVelocity),
                      factor_text(speed));
@@ -83,18 +91,6 @@ std::string MjcfForceNodes::rate(std::size_t tendon) const {
       terms.push_back({1 / of.branches[b].divisor, fmt::format("rate({})", paths_.at(tendon)[b])});
   return sum_text(terms);
 }
-
-namespace {
-
-// A step of `simulate`: activations stop at the ends of their ranges over no shorter time.
-constexpr double kShortestStop = 1e-3;
-
-std::string within(const std::string& force, const std::optional<std::array<double, 2>>& range) {
-  if (!range || force.empty()) return force;
-  return fmt::format("clamp({}, {}, {})", force, number_text((*range)[0]), number_text((*range)[1]));
-}
-
-}  // namespace
 
 /// `pull`: what actuators add along its length, or nothing.
 void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull) {

@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
 
+/// Of "Inf", "-Infinity" and the like.
+std::optional<double> infinity_of(std::string_view word) {
+  const std::size_t letter = word.find_first_of("iI");
+  if (letter == std::string_view::npos) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return word.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
+}
+
 std::vector<std::string> split(std::string_view text) {
   std::vector<std::string> out;
   for (std::size_t at = text.find_first_not_of(kBlank); at != std::string_view::npos;) {
@@ -82,18 +90,6 @@ bool OsimXml::flag(pugi::xml_node element, const char* property, bool otherwise)
 double OsimXml::number(pugi::xml_node element, const char* property, double otherwise) const {
   return vector<1>(element, property, {otherwise})[0];
 }
-
-namespace {
-
-/// Of "Inf", "-Infinity" and the like.
-std::optional<double> infinity_of(std::string_view word) {
-  const std::size_t letter = word.find_first_of("iI");
-  if (letter == std::string_view::npos) return std::nullopt;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return word.substr(0, letter).find('-') == std::string_view::npos ? kInfinity : -kInfinity;
-}
-
-}  // namespace
 
 double OsimXml::number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const {
   const std::string value = text_of_element(this->property(element, property));
