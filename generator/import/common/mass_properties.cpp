@@ -3,9 +3,13 @@
 namespace alembert {
 namespace {
 
-/// Inertia of a unit mass at an offset.
+/// Inertia of a unit mass at an offset: moments are sums of two squares, since in a difference from all three a large
+/// one takes the others' digits.
 Eigen::Matrix3d of_point(const Eigen::Vector3d& offset) {
-  return offset.squaredNorm() * Eigen::Matrix3d::Identity() - offset * offset.transpose();
+  const Eigen::Vector3d squares = offset.cwiseAbs2();
+  Eigen::Matrix3d inertia = -offset * offset.transpose();
+  inertia.diagonal() << squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y();
+  return inertia;
 }
 
 }  // namespace
