@@ -12,10 +12,15 @@
 #include "simulation/event_watch.hpp"
 #include "simulation/frame_monitor.hpp"
 #include "simulation/interpreted_mechanism.hpp"
+#include "simulation/step_check.hpp"
 
 namespace alembert {
 
 namespace {
+
+/// Steps of a motion that are compared with shorter ones, and how many of those make one: two would chatter alike.
+constexpr long kSteps = 100;
+constexpr int kParts = 8;
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -94,6 +99,18 @@ class MovingMechanism {
     std::optional<EvaluationState> there;
     if (!step(method, h)) there = state();
     set_state(here);
+    return there;
+  }
+
+  /// Where shorter steps lead that make one together, if anywhere; nothing is changed.
+  std::optional<EvaluationState> after_parts(IntegrationMethod method, double h) {
+    const double t = time();
+    std::optional<EvaluationState> there = state();
+    for (int i = 0; i < kParts && there; ++i) {
+      set_time(there->t = t + i * h / kParts);
+      there = after(*there, method, h / kParts);
+    }
+    set_time(t);
     return there;
   }
 
@@ -238,7 +255,17 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
                   [&](double part) { return motion.after(before, options.method, part * h); });
     return stopped;
   };
-  const auto tell_events = [&](std::optional<InputError> stopped) {
+  StepCheck check(*compiled.mechanism);
+  const auto checked = [&](double h) {
+    const EvaluationState before = motion.state();
+    const std::optional<EvaluationState> parts = motion.after_parts(options.method, h);
+    std::optional<InputError> stopped = go_on(h);
+    if (parts && !stopped) check.add(before, motion.state(), *parts);
+    return stopped;
+  };
+  const auto tell_end = [&](std::optional<InputError> stopped) {
+    if (const std::optional<std::string> finding = check.finding(options.step); finding && options.note)
+      options.note(*finding);
     if (watch)
       for (const std::string& line : watch->summary()) options.event(line);
     return stopped;
@@ -269,18 +296,19 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   for (long i = 1; i <= *count; ++i) {
     const double rest = options.duration - static_cast<double>(*count - 1) * options.step;
     const double h = i == *count ? std::min(rest, options.step) : options.step;
-    if (std::optional<InputError> stopped = go_on(h)) {
+    const bool is_checked = options.note && i % std::max(1L, *count / kSteps) == 0;
+    if (std::optional<InputError> stopped = is_checked ? checked(h) : go_on(h)) {
       if ((i - 1) % options.every != 0) give(i - 1);  // the last state that is good
-      return tell_events(std::move(stopped));
+      return tell_end(std::move(stopped));
     }
     motion.set_time(time_after(i));
     if (i % options.every == 0 || i == *count) {
-      if (std::optional<InputError> stopped = give(i)) return tell_events(std::move(stopped));
+      if (std::optional<InputError> stopped = give(i)) return tell_end(std::move(stopped));
     }
     if (options.progress && i % std::max(1L, *count / 100) == 0)
       options.progress(static_cast<double>(i) / static_cast<double>(*count));
   }
-  return tell_events(std::nullopt);
+  return tell_end(std::nullopt);
 }
 
 }  // namespace alembert
