@@ -136,7 +136,8 @@ class ContactReader {
     const Expr deep = if_positive(contact_.depth, contact_.depth);
     const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
-    const Expr strength = positive("stiffness") * (deep * sqrt(deep)) * if_positive(damped, damped);
+    const Expr strength = coefficient(section_.require("stiffness"), of("the stiffness"), false) *
+                          (deep * sqrt(deep)) * if_positive(damped, damped);
     contact_.strength = strength;
     const Expr friction = or_zero("friction");
     if (friction.is_zero()) return strength * contact_.normal;

@@ -73,9 +73,7 @@ void Scope::check_used(Warnings& warnings) const {
     if (entry.used || entry.kind == NameKind::coordinate || entry.kind == NameKind::quaternion ||
         entry.kind == NameKind::state)
       continue;
-    const std::string message = fmt::format("{} '{}' is not used", noun(entry.kind), name);
-    if (entry.kind != NameKind::input) throw InputError(entry.where, message);
-    warnings.push_back({entry.where, message});
+    warnings.push_back({entry.where, fmt::format("{} '{}' is not used", noun(entry.kind), name)});
   }
 }
 

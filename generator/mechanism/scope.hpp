@@ -76,7 +76,7 @@ class Scope {
   std::vector<std::string> names() const;
   /// Names of coordinates only.
   std::vector<std::string> coordinate_names() const;
-  /// Throws at the first parameter or definition, in file order, that nothing uses; warns of such inputs.
+  /// Warns of parameters, definitions and inputs that nothing uses, in file order.
   void check_used(Warnings& warnings) const;
 
  private:

@@ -267,6 +267,18 @@ TEST(Contacts, ABallThatSlidesRollsInTheEnd) {
   EXPECT_NEAR(row[6], 50.0 / 7, 1e-3);
 }
 
+TEST(Contacts, StiffnessMayBeZeroAtFirst) {
+  const std::string text = R"(alembert: 1
+name: soft
+parameters: {k: {value: 0, runtime: true}}
+coordinates: [{name: z, initial: 0.01}]
+bodies: [{name: ball, transform: [{translate: [0, 0, z]}], mass: 1}]
+frames: [{name: center, body: ball}]
+forces: [{name: floor, contact: {frame: center, radius: 0.02, plane: {normal: [0, 0, 1]}, stiffness: k}}]
+)";
+  EXPECT_NEAR(moved(text, "--duration 0.1")[2], -9.81 * 0.1, 1e-12);
+}
+
 TEST(Contacts, SpheresExchangeMomentum) {
   const std::string text = R"(alembert: 1
 name: spheres
