@@ -214,8 +214,9 @@ void add_examples(CLI::App& app) {
       {"generate", "alembert generate arm.yaml --out-dir arm --functions inverse_dynamics,forward_dynamics"},
       {"report", "alembert report arm.yaml"},
       {"bench", "alembert bench robot.urdf --functions inverse_dynamics --compiler 'g++ -O3 -march=native'"},
-      {"evaluate", "echo '{\"q\": [0, 1], \"qd\": [0, 0], \"qdd\": [0, 0]}' | alembert evaluate arm.yaml"},
-      {"simulate", "alembert simulate arm.yaml --q 0.5,1 --duration 5 --html arm.html"},
+      {"evaluate",
+       "echo '{\"q\": [0, 1, 0], \"qd\": [0, 0, 0], \"qdd\": [0, 0, 0]}' | alembert evaluate arm.yaml"},
+      {"simulate", "alembert simulate arm.yaml --q 0.5,1,0 --duration 5 --html arm.html"},
       {"check", "alembert check arm.yaml --states 1000"},
       {"identify", "alembert identify arm.yaml --example ."},
       {"import", "alembert import robot.urdf --root floating --out robot.yaml"}};
