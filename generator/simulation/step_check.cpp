@@ -49,8 +49,7 @@ std::optional<std::string> StepCheck::finding(double step) const {
       std::prev(std::ranges::upper_bound(mechanism_.coordinates, k, {}, &Coordinate::first_speed));
   return fmt::format(
       "steps of {:.9g} s are too long for coordinate '{}': {} of {} that were tried change its speed "
-      "otherwise "
-      "than shorter ones do; choose a shorter --step or, for stiff forces, --integrator implicit",
+      "otherwise than shorter ones do; choose a shorter --step or, for stiff forces, --integrator implicit",
       step, coordinate->name, worst->differ, compared_);
 }
 
