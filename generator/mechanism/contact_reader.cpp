@@ -51,10 +51,6 @@ class ContactReader {
     if (node == nullptr) return loading_.graph.zero();
     return coefficient(*node, of(fmt::format("the {}", key)), false);
   }
-  Expr positive(std::string_view key) {
-    return coefficient(section_.require(key),
-                       of(key == "slip_velocity" ? "the slip velocity" : fmt::format("the {}", key)), true);
-  }
   Expr coefficient(const YamlNode& node, const std::string& what, bool positive) {
     const Quantity value = loading_.reader.read(node, Allowed::parameters, what);
     if (positive ? !(value.initial > 0) : value.initial < 0)
@@ -141,7 +137,7 @@ class ContactReader {
     contact_.strength = strength;
     const Expr friction = or_zero("friction");
     if (friction.is_zero()) return strength * contact_.normal;
-    const Expr slow = positive("slip_velocity");
+    const Expr slow = coefficient(section_.require("slip_velocity"), of("the slip velocity"), true);
     const Vec3 slip = velocity - speed * contact_.normal;
     const Expr size = sqrt(dot(slip, slip) + slow * slow);
     return strength * (contact_.normal - (friction / size) * slip);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "dynamics/tree/frame_normals.hpp"
@@ -21,6 +22,10 @@ class FrameMonitor {
   /// their lengths or has no value, or if it turned by more than a right angle since the state before: so it
   /// does where the motion crossed an inflection or a pole. Names body, coordinates and cure.
   std::optional<InputError> check(const EvaluationState& state);
+
+  /// At the state before: to go back to after a step that is only tried.
+  const std::vector<Eigen::Vector3d>& normals() const { return before_; }
+  void set_normals(std::vector<Eigen::Vector3d> normals) { before_ = std::move(normals); }
 
  private:
   const Mechanism& mechanism_;

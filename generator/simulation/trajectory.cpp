@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
@@ -18,8 +19,9 @@ namespace alembert {
 
 namespace {
 
-/// Steps of a motion that are compared with shorter ones, and how many of those make one: two would chatter alike.
-constexpr long kSteps = 100;
+/// So often progress is told, and a step compared with shorter ones.
+constexpr long kHundred = 100;
+/// Shorter steps that make one: two chatter as one does.
 constexpr int kParts = 8;
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -95,22 +97,19 @@ class MovingMechanism {
   /// Where a step from a state leads, if anywhere; nothing is changed.
   std::optional<EvaluationState> after(const EvaluationState& before, IntegrationMethod method, double h) {
     const EvaluationState here = state();
+    std::vector<Eigen::Vector3d> normals = monitor_.normals();
     set_state(before);
     std::optional<EvaluationState> there;
     if (!step(method, h)) there = state();
     set_state(here);
+    monitor_.set_normals(std::move(normals));
     return there;
   }
 
   /// Where shorter steps lead that make one together, if anywhere; nothing is changed.
   std::optional<EvaluationState> after_parts(IntegrationMethod method, double h) {
-    const double t = time();
     std::optional<EvaluationState> there = state();
-    for (int i = 0; i < kParts && there; ++i) {
-      set_time(there->t = t + i * h / kParts);
-      there = after(*there, method, h / kParts);
-    }
-    set_time(t);
+    for (int i = 0; i < kParts && there; ++i) there = after(*there, method, h / kParts);
     return there;
   }
 
@@ -296,8 +295,8 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
   for (long i = 1; i <= *count; ++i) {
     const double rest = options.duration - static_cast<double>(*count - 1) * options.step;
     const double h = i == *count ? std::min(rest, options.step) : options.step;
-    const bool is_checked = options.note && i % std::max(1L, *count / kSteps) == 0;
-    if (std::optional<InputError> stopped = is_checked ? checked(h) : go_on(h)) {
+    const bool is_hundredth = i % std::max(1L, *count / kHundred) == 0;
+    if (std::optional<InputError> stopped = options.note && is_hundredth ? checked(h) : go_on(h)) {
       if ((i - 1) % options.every != 0) give(i - 1);  // the last state that is good
       return tell_end(std::move(stopped));
     }
@@ -305,7 +304,7 @@ std::optional<InputError> integrate(const CompiledMechanism& compiled, const Eva
     if (i % options.every == 0 || i == *count) {
       if (std::optional<InputError> stopped = give(i)) return tell_end(std::move(stopped));
     }
-    if (options.progress && i % std::max(1L, *count / 100) == 0)
+    if (options.progress && is_hundredth)
       options.progress(static_cast<double>(i) / static_cast<double>(*count));
   }
   return tell_end(std::nullopt);

@@ -36,8 +36,7 @@ struct TrajectoryOptions {
   IntegrationMethod method = IntegrationMethod::rk4;
   InputTable inputs;                          ///< what inputs are over time
   std::function<void(double done)> progress;  ///< called now and then with the fraction that is done, 0 to 1
-  std::function<void(const std::string&)>
-      note;  ///< told what is worth knowing: redundant rows; steps that are too long
+  std::function<void(const std::string&)> note;   ///< told of redundant rows, and of steps that are too long
   std::function<void(const std::string&)> event;  ///< told at the end what happened (event_watch.hpp)
 };
 
