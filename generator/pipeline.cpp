@@ -359,6 +359,29 @@ void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
   }
 }
 
+/// A warning where few digits are right: in which functions, and the coordinate that the others leave no inertia.
+Warnings doubtful_functions(const Kinematics& kinematics, const PlainEquations& plain,
+                            const std::vector<CompiledFunction>& functions) {
+  std::vector<std::string> errors;
+  bool divides = false;
+  for (const CompiledFunction& function : functions) {
+    if (!(function.error.relative > kDoubtfulError)) continue;
+    errors.push_back(fmt::format("{:.1e} in {}", function.error.relative, to_string(function.kind)));
+    divides |= function.kind.row().needs == Needs::regular_mass_matrix;
+  }
+  if (errors.empty()) return {};
+  const std::string message =
+      fmt::format("double precision leaves few right digits, in the plain equations too: errors are {}, ",
+                  fmt::join(errors, ", ")) +
+      "relative to the largest entry";
+  std::string note;
+  if (const auto light = divides ? light_coordinate(kinematics, plain, kNearlySingular) : std::nullopt)
+    note = fmt::format("of the inertia along '{}' {:.1g} is left while the others move; ",
+                       light->coordinate->name, light->fraction) +
+           "an `armature` there (a rotor's inertia) gives digits back";
+  return {{kinematics.mechanism.where, message, note}};
+}
+
 CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const CompileOptions& options) {
   CompiledMechanism compiled;
   compiled.graph = std::make_unique<ExprGraph>();
@@ -426,6 +449,7 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
       if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
     }
   }
+  if (options.warn) options.warn(doubtful_functions(kinematics, certificate.plain(), compiled.functions));
   return compiled;
 }
 

@@ -70,6 +70,30 @@ bodies:
   EXPECT_THAT(others.out, HasSubstr("mass_matrix_and_bias"));
 }
 
+TEST(Report, TellsWhereFewDigitsAreRight) {
+  const TemporaryFolder folder;
+  const auto report = [&](const std::string& inertia, const std::string& options) {
+    const std::string file =
+        folder.write("ball.yaml", R"(alembert: 1
+name: ball
+coordinates: [{name: spin, type: quaternion}]
+bodies:
+  - {name: bob, transform: [{joint: {type: spherical, coordinates: [spin]}}, {translate: [-0.3682814349173409, 8.985427233295437e-08, 8.806301437759541e-05]}], mass: 0.5974296991789654, com: [0, 0, -0.6860673730765727], inertia: {xx: )" +
+                                      inertia + ", yy: " + inertia + ", zz: " + inertia + "}}\n");
+    return alembert(folder, "report " + file + " --functions inverse_dynamics,forward_dynamics" + options);
+  };
+  const CommandResult told = report("1e-18", "");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(
+      told.err,
+      HasSubstr("ball.yaml:2:7: warning: double precision leaves few right digits, in the plain equations "
+                "too: errors are 1.6e-02 in forward_dynamics, relative to the largest entry"));
+  EXPECT_THAT(told.err, HasSubstr("of the inertia along 'spin' 2e-17 is left while the others move"));
+  EXPECT_THAT(told.out, HasSubstr("forward_dynamics"));
+  EXPECT_EQ(report("1e-18", " --strict").exit_code, 1);
+  EXPECT_EQ(report("1e-3", " --strict").err, "");
+}
+
 TEST(Report, TellsWhichFunctionsHaveLoops) {
   const TemporaryFolder folder;
   const auto report = [&](const std::string& options) {

@@ -24,6 +24,8 @@ namespace alembert {
 
 /// Errors above it are too large, unless those of the plain equations in double precision are as large.
 inline constexpr double kLargestError = 1e-10;
+/// Users are told of larger ones.
+inline constexpr double kDoubtfulError = 1e-6;
 
 class Certificate {
  public:

@@ -117,9 +117,10 @@ std::optional<WithoutInertia> coordinate_without_inertia(const Mechanism& mechan
                         least);
 }
 
-void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain, double least) {
+std::optional<WithoutInertia> light_coordinate(const Kinematics& kinematics, const PlainEquations& plain,
+                                               double least) {
   const Mechanism& mechanism = kinematics.mechanism;
-  std::optional<WithoutInertia> culprit;
+  std::optional<WithoutInertia> lightest;
   // Where nothing is near the initial state there may be something elsewhere.
   std::vector<std::vector<double>> states;
   for (unsigned k = 0; k < 5; ++k) states.push_back(state_values(mechanism, kinematics.graph, k));
@@ -128,12 +129,18 @@ void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain
     const MatrixXe M = plain.mass_matrix(plain.state(state));
     if (!std::all_of(M.reshaped().begin(), M.reshaped().end(), [](const Extended& x) { return isfinite(x); }))
       continue;
-    culprit = smallest_pivot(mechanism, M, least);
-    if (!culprit) return;
+    lightest = smallest_pivot(mechanism, M, least);
+    if (!lightest) return {};
   }
-  if (!culprit) {
+  if (!lightest) {
     throw InputError(mechanism.where, "the mass matrix has no finite value at the initial state nor near it");
   }
+  return lightest;
+}
+
+void check_mass_matrix(const Kinematics& kinematics, const PlainEquations& plain, double least) {
+  const std::optional<WithoutInertia> culprit = light_coordinate(kinematics, plain, least);
+  if (!culprit) return;
   const std::string& name = culprit->coordinate->name;
   throw SingularMassMatrix(
       culprit->coordinate->where,
