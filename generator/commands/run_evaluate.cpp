@@ -4,17 +4,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "commands/common_options.hpp"
 #include "commands/state_reader.hpp"
 #include "functions/array_shape.hpp"
 #include "simulation/dynamics_evaluator.hpp"
 #include "simulation/interpreted_mechanism.hpp"
+#include "support/error.hpp"
 
 namespace alembert {
 
@@ -44,6 +50,13 @@ std::string text_row(std::string_view name, std::span<const double> values) {
   std::string out = fmt::format("{:<8}", name);
   for (const double value : values) out += fmt::format(" {:>14.7g}", value);
   return out + "\n";
+}
+
+/// Names of the arrays of one state that are not finite.
+using Lost = std::vector<std::string>;
+void look_at(std::string name, std::span<const double> values, Lost& lost) {
+  if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
+    lost.push_back(std::move(name));
 }
 
 constexpr std::size_t kPoseSize = 12;  // rows [R | p]
@@ -143,7 +156,7 @@ class WholeDynamics {
             FunctionKind("coordinate_rates"), FunctionKind("body_poses"), FunctionKind("constraints")};
   }
 
-  std::string at(const EvaluationState& state, bool json) {
+  std::string at(const EvaluationState& state, bool json, Lost& lost) {
     Answer answer;
     answer.nv = static_cast<std::size_t>(compiled_.mechanism->nv);
     answer.nc = system_.rows().size();
@@ -153,6 +166,12 @@ class WholeDynamics {
     answer.rates = evaluator_(FunctionKind("coordinate_rates"), state);
     answer.poses = evaluator_(FunctionKind("body_poses"), state);
     answer.forward = forward_dynamics(system_, state, state.tau.empty() ? answer.tau : state.tau);
+    look_at("tau", answer.tau, lost);
+    look_at("M", answer.M(), lost);
+    look_at("c", answer.c(), lost);
+    if (answer.forward.status == Status::ok) look_at("qdd", answer.qdd(), lost);
+    look_at("constraints", answer.constraints, lost);
+    look_at("poses", answer.poses, lost);
     return json ? json_answer(answer) : text_answer(answer);
   }
 
@@ -163,7 +182,8 @@ class WholeDynamics {
 };
 
 /// Results of each compiled function: arrays as the generated function fills them, by function and name.
-std::string function_results(const CompiledMechanism& compiled, const EvaluationState& state, bool json) {
+std::string function_results(const CompiledMechanism& compiled, const EvaluationState& state, bool json,
+                             Lost& lost) {
   DynamicsEvaluator evaluator(compiled);
   std::string out;
   for (const CompiledFunction& function : compiled.functions) {
@@ -174,6 +194,7 @@ std::string function_results(const CompiledMechanism& compiled, const Evaluation
       const TableShape shape = table_shape(result, *compiled.mechanism);
       const std::span<const double> array = left.first(shape.rows * shape.columns);
       left = left.subspan(array.size());
+      look_at(fmt::format("{} of {}", result.name, to_string(function.kind)), array, lost);
       const bool is_vector = result.per == Per::mechanism && result.columns == 1;
       if (json) {
         arrays += fmt::format("{}\"{}\": {}", arrays.empty() ? "" : ", ", result.name,
@@ -204,6 +225,7 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
   if (all_at_once) whole.emplace(compiled, defaults);
   const StateReader reader(*compiled.mechanism, defaults);
 
+  std::size_t without_value = 0;
   std::string text;
   for (int line = 1; std::getline(std::cin, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -212,10 +234,18 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
                        "this line is too long for a state");
     }
     const EvaluationState state = reader.read(text, line);
-    fmt::print("{}",
-               whole ? whole->at(state, options.json) : function_results(compiled, state, options.json));
+    Lost lost;
+    fmt::print("{}", whole ? whole->at(state, options.json, lost)
+                           : function_results(compiled, state, options.json, lost));
     std::fflush(stdout);
+    if (!lost.empty() && ++without_value == 1) {
+      tell(warning_text({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), line, 1},
+                        fmt::format("no finite value at this state: {}", fmt::join(lost, ", "))) +
+           "\n");
+    }
   }
+  if (without_value > 1)
+    tell(fmt::format("note: {} states in all have results without a finite value\n", without_value));
   return 0;
 }
 

@@ -94,6 +94,30 @@ bodies:
   EXPECT_EQ(report("1e-3", " --strict").err, "");
 }
 
+TEST(Evaluate, TellsOfStatesWithoutValues) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("growing.yaml", R"(alembert: 1
+name: growing
+coordinates: [x, y]
+bodies:
+  - {name: bob, transform: [{translate: [x, 'exp(y)', 0]}], mass: 1}
+)");
+  const std::string states = R"({"q": [1, 2]}
+{"q": [1, 800]}
+{"q": [1, 801]}
+{"q": [1, 3]}
+)";
+  const CommandResult some =
+      alembert(folder, "evaluate " + file + " --functions body_poses,mass_matrix,gravity --json", states);
+  EXPECT_EQ(some.exit_code, 0);
+  EXPECT_THAT(some.err, HasSubstr("<stdin>:2:1: warning: no finite value at this state: "));
+  EXPECT_THAT(some.err, HasSubstr("W of body_poses"));
+  EXPECT_THAT(some.err, HasSubstr("note: 2 states in all have results without a finite value"));
+  EXPECT_THAT(alembert(folder, "evaluate " + file, states).err,
+              HasSubstr("<stdin>:2:1: warning: no finite value at this state: tau, M, c, poses"));
+  EXPECT_EQ(alembert(folder, "evaluate " + file, "{}").err, "");
+}
+
 TEST(Report, TellsWhichFunctionsHaveLoops) {
   const TemporaryFolder folder;
   const auto report = [&](const std::string& options) {
