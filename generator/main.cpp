@@ -394,6 +394,10 @@ int run(int argc, char** argv) {
       ->check(any_number())
       ->delimiter(',');
   command
+      ->add_option("--parameter", simulate.start.parameters,
+                   "NAME=VALUE: a runtime parameter instead of its default")
+      ->delimiter(',');
+  command
       ->add_option("--hold", simulate.start.hold, "coordinates to keep while the constraints are satisfied")
       ->delimiter(',');
   command->add_option("--input", common.inputs,

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
+#include <system_error>
 
 #include "alembert/consistent_state.hpp"
 #include "mechanism/load.hpp"
@@ -19,6 +21,28 @@ namespace {
 constexpr double kKept = 1e-8;      // violations up to this are none, in SI units
 constexpr double kChanged = 1e-12;  // smaller changes are not worth telling
 constexpr std::size_t kListed = 12;
+
+/// \param text  NAME=VALUE
+void set_parameter(const Mechanism& mechanism, const std::string& text, EvaluationState& state) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+    throw InputError(mechanism.where, "--parameter takes NAME=VALUE, not '" + printable(text) + "'");
+  const std::string name = text.substr(0, equals);
+  const std::vector<PlacedParameter> placed = placed_parameters(mechanism, ParameterRole::parameter);
+  std::vector<std::string> names;
+  for (const PlacedParameter& one : placed) names.push_back(one.parameter.name);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw InputError(mechanism.where, "--parameter: there is no runtime parameter '" + printable(name) + "'" +
+                                          did_you_mean(name, names));
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data() + equals + 1, end, value);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+    throw InputError(mechanism.where, "--parameter: '" + printable(text.substr(equals + 1)) +
+                                          "' is no value for '" + name + "': expected a number");
+  state.parameters[placed[static_cast<std::size_t>(found - names.begin())].place] = value;
+}
 
 EvaluationState given_state(const CompiledMechanism& compiled, const StartOptions& options) {
   EvaluationState state = DynamicsEvaluator(compiled).initial_state();
@@ -34,6 +58,8 @@ EvaluationState given_state(const CompiledMechanism& compiled, const StartOption
   replace("--q", options.q, state.q);
   replace("--qd", options.qd, state.qd);
   replace("--states", options.states, std::span(state.parameters).last(states));
+  for (const std::string& parameter : options.parameters)
+    set_parameter(*compiled.mechanism, parameter, state);
   if (const Coordinate* none = normalise_quaternions(*compiled.mechanism, state.q)) {
     throw InputError(compiled.mechanism->where,
                      fmt::format("--q gives the quaternion '{}' no direction: its length is 0", none->name));

@@ -12,9 +12,10 @@
 namespace alembert {
 
 struct StartOptions {
-  std::vector<double> q, qd, states;  ///< instead of the description's, if not empty
-  bool assemble = true;               ///< bring the state onto the constraints; else it must keep them
-  std::vector<std::string> hold;      ///< coordinates that assembling must not change, nor their speeds
+  std::vector<double> q, qd, states;    ///< instead of the description's, if not empty
+  std::vector<std::string> parameters;  ///< NAME=VALUE: runtime parameters instead of their defaults
+  bool assemble = true;                 ///< bring the state onto the constraints; else it must keep them
+  std::vector<std::string> hold;        ///< coordinates that assembling must not change, nor their speeds
 };
 
 /// The state to start from, its quaternions of unit length. Newton's method changes the coordinates, and then

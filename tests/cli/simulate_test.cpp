@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "cli/command.hpp"
 #include "cli/csv.hpp"
@@ -136,6 +138,41 @@ TEST(Simulate, ScalesGivenQuaternionsToUnitLength) {
   const CommandResult none = alembert(folder, command + "0,0,0,0,0,0,0");
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.err, HasSubstr("--q gives the quaternion 'turn' no direction: its length is 0"));
+}
+
+TEST(Simulate, TakesRuntimeParameters) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("pendulum.yaml", R"(alembert: 1
+name: pendulum
+gravity: [0, 0, -9.81]
+parameters: {length: {value: 0.5, runtime: true}, load: {value: 1, runtime: true}}
+inputs: [push]
+coordinates: [q]
+bodies:
+  - {name: bob, transform: [{rotate: {axis: y, angle: q}}, {translate: [0, 0, -length]}], mass: load}
+forces: [{name: motor, potential: "push*q"}]
+)");
+  const std::string command = "simulate " + file + " --duration 0 --q 0.3";
+  const auto energy = [&](const std::string& options) {
+    const CommandResult result = alembert(folder, command + options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Csv csv(result.out);
+    return csv.rows.at(0).at(csv.column("energy"));
+  };
+  EXPECT_NEAR(energy(""), -9.81 * 0.5 * std::cos(0.3), 1e-12);
+  EXPECT_NEAR(energy(" --parameter length=2"), -9.81 * 2 * std::cos(0.3), 1e-12);
+  EXPECT_NEAR(energy(" --parameter load=3e-1,length=2"), -9.81 * 0.3 * 2 * std::cos(0.3), 1e-12);
+  for (const auto& [given, message] : std::map<std::string, std::string>{
+           {"lenght=2", "--parameter: there is no runtime parameter 'lenght' (did you mean 'length'?)"},
+           {"push=2", "--parameter: there is no runtime parameter 'push'"},
+           {"length", "--parameter takes NAME=VALUE, not 'length'"},
+           {"length=2m", "--parameter: '2m' is no value for 'length': expected a number"},
+           {"length=inf", "--parameter: 'inf' is no value for 'length': expected a number"}}) {
+    const CommandResult result = alembert(folder, command + " --parameter " + given);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr(message));
+  }
 }
 
 // A fall from rest: both methods are exact in the speed.
