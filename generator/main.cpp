@@ -100,8 +100,7 @@ void add_importing(CLI::App* command, DescribeOptions& describe, const std::stri
   command
       ->add_option("--include", describe.include_folders,
                    "folder in which models and packages are that an SDF or URDF names (model://NAME, "
-                   "package://NAME); may be "
-                   "repeated")
+                   "package://NAME), or files that an MJCF names beyond its own; may be repeated")
       ->allow_extra_args(false)
       ->group(group);
   command

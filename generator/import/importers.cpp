@@ -53,10 +53,10 @@ constexpr Importer kImporters[] = {
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
      }},
-    {"MJCF", ".mjcf", options_of({ImportOption::friction, ImportOption::snap_angles}),
-     [](std::string_view text) { return root_of(text) == "mujoco"; },
+    {"MJCF", ".mjcf", options_of({ImportOption::friction, ImportOption::snap_angles, ImportOption::include}),
+     [](std::string_view text) { return root_of(text) == "mujoco" || root_of(text) == "mujocoinclude"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
-       return describe_model(read_mjcf(source, warnings), source, options);
+       return describe_model(read_mjcf(source, options.include_folders, warnings), source, options);
      }},
     {"SDF", ".sdf", options_of({ImportOption::friction, ImportOption::snap_angles, ImportOption::include}),
      [](std::string_view text) { return root_of(text) == "sdf"; }, describe_sdf},

@@ -72,6 +72,21 @@ TEST(Mjcf, LinksDoNotLeadOutOfItsFolder) {
   }
 }
 
+TEST(Mjcf, OtherFoldersAreReadWhereTheyAreGiven) {
+  const std::string tests = ALEMBERT_SOURCE_DIR "/tests/mjcf";
+  for (const char* name : {"../models/parts/leg.xml", "..\\models\\parts\\leg.xml"}) {
+    const auto source = model_of(model(std::string("<include file='") + name + "'/>",
+                                       "<default><geom size='0.1'/><default class='knee'/></default>"),
+                                 tests + "/errors/beside.xml");
+    DescribeOptions options;
+    EXPECT_THROW(import(source, options), InputError) << name;
+    options.include_folders = {tests + "/doubtful"};
+    EXPECT_THROW(import(source, options), InputError) << name;
+    options.include_folders = {tests + "/models"};
+    EXPECT_THAT(import(source, options).text, testing::HasSubstr("coordinates:")) << name;
+  }
+}
+
 /// What a text is told that asks for a great deal, within some seconds of the processor.
 std::string refusal(const std::string& text) {
   const std::clock_t began = std::clock();

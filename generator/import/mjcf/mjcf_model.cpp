@@ -138,8 +138,9 @@ RigidPose rest_pose(const MjcfModel& model, std::size_t body) {
   return pose_at(model, body, true);
 }
 
-MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, Warnings& warnings) {
-  const MjcfText text(std::move(source), warnings);
+MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<std::string>& folders,
+                    Warnings& warnings) {
+  const MjcfText text(std::move(source), folders, warnings);
   const pugi::xml_node root = text.root();
   if (std::string_view(root.name()) != "mujoco")
     throw InputError(text.where(root),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "import/common/mesh_names.hpp"
 #include "mechanism/source.hpp"
@@ -49,9 +50,17 @@ void check_depth(const XmlText& text) {
   }
 }
 
+/// MuJoCo takes Windows' names of files everywhere.
+std::string with_slashes(std::string file) {
+  std::ranges::replace(file, '\\', '/');
+  return file;
+}
+
 }  // namespace
 
-MjcfText::MjcfText(std::shared_ptr<const SourceText> source, Warnings& warnings) {
+MjcfText::MjcfText(std::shared_ptr<const SourceText> source, std::vector<std::string> folders,
+                   Warnings& warnings)
+    : folders_(std::move(folders)) {
   if (source->name != "<stdin>") files_.insert(fs::weakly_canonical(source->name));
   texts_.push_back(std::make_unique<XmlText>(std::move(source), warnings, kMjcf));
   include_all(0, warnings);
@@ -78,12 +87,11 @@ void MjcfText::include_all(std::size_t text, Warnings& warnings) {
 void MjcfText::include(pugi::xml_node element, const XmlText& from, Warnings& warnings) {
   const pugi::xml_attribute file = from.require_attribute(element, "file", "an include");
   const SourceLocation where = from.where(file);
-  fs::path path = below(file.value(), where);
   // Names are meant beside the model, or beside the file that includes.
-  if (!fs::exists(path)) {
-    const fs::path beside = fs::path(from.source()->name).parent_path() / file.value();
-    if (fs::exists(beside)) path = below(fs::absolute(beside).string(), where);
-  }
+  const std::string name = with_slashes(file.value());
+  const fs::path beside = fs::path(from.source()->name).parent_path() / name;
+  const bool is_beside = !fs::exists(beside_model(name)) && fs::exists(beside);
+  const fs::path path = below(is_beside ? fs::absolute(beside).string() : name, where);
   if (!files_.insert(fs::weakly_canonical(path)).second)
     throw InputError(where, fmt::format("'{}' is included already", printable(file.value())));
   if (files_.size() > kMaximumFiles) throw InputError(where, "too many files are included");
@@ -127,6 +135,10 @@ SourceLocation MjcfText::own_place(const SourceLocation& where) const {
   return found == places_.end() ? where : found->second;
 }
 
+fs::path MjcfText::beside_model(const std::string& name) const {
+  return fs::path(texts_.front()->source()->name).parent_path() / name;
+}
+
 fs::path MjcfText::below(const std::string& file, const SourceLocation& where) const {
   const std::string& model = texts_.front()->source()->name;
   if (model == "<stdin>")
@@ -134,12 +146,18 @@ fs::path MjcfText::below(const std::string& file, const SourceLocation& where) c
                      fmt::format("'{}' is beside a model that came from standard input", printable(file)),
                      "give the model as a file");
   const fs::path folder = fs::weakly_canonical(fs::absolute(model).parent_path());
+  const std::string name = with_slashes(file);
   // A link may lead elsewhere before `..` is taken, and after.
-  const fs::path found = (fs::path(model).parent_path() / file).lexically_normal();
-  const auto is_below = [&](const fs::path& path) { return lies_below(fs::weakly_canonical(path), folder); };
-  if (!is_below(folder / file) || !is_below(fs::absolute(found)))
+  const fs::path found = beside_model(name).lexically_normal();
+  const auto is_below = [&](const fs::path& path) {
+    const fs::path real = fs::weakly_canonical(path);
+    return lies_below(real, folder) || std::ranges::any_of(folders_, [&](const std::string& given) {
+             return lies_below(real, fs::weakly_canonical(given));
+           });
+  };
+  if (!is_below(folder / name) || !is_below(fs::absolute(found)))
     throw InputError(where, fmt::format("'{}' lies outside the folder of the model", printable(file)),
-                     "files are read below the folder of the model only");
+                     "files are read below that folder, and below those that --include gives");
   if (fs::exists(found)) named_files_.insert(found.string());
   return found;
 }

@@ -15,9 +15,9 @@ namespace alembert {
 
 class MjcfText {
  public:
-  /// Throws InputError at what is not XML, and at includes that cannot be read, are included already or lie
-  /// outside the folder of the model.
-  MjcfText(std::shared_ptr<const SourceText> source, Warnings& warnings);
+  /// Files are read below the folder of the model and below `folders`. Throws InputError at what is not XML, and at
+  /// includes that cannot be read, are included already or lie elsewhere.
+  MjcfText(std::shared_ptr<const SourceText> source, std::vector<std::string> folders, Warnings& warnings);
 
   pugi::xml_node root() const { return texts_.front()->root(); }
   /// Elements below `parent`, in place of an <include> those of the file that it names; of one name, if it is
@@ -35,16 +35,17 @@ class MjcfText {
   /// Files besides the model's own that `below` gave.
   const std::set<std::string>& named_files() const { return named_files_; }
 
-  /// Where a file that the model names lies. Throws InputError at `where` if that is not below the model's
-  /// folder.
+  /// Where a file that the model names lies. Throws InputError at `where` if that is below none of the folders.
   std::filesystem::path below(const std::string& file, const SourceLocation& where) const;
 
  private:
   const XmlText& holding(const char* name) const;
+  std::filesystem::path beside_model(const std::string& name) const;
   SourceLocation own_place(const SourceLocation& where) const;
   void include(pugi::xml_node element, const XmlText& from, Warnings& warnings);
   void include_all(std::size_t text, Warnings& warnings);
 
+  std::vector<std::string> folders_;
   std::vector<std::unique_ptr<XmlText>> texts_;
   std::map<pugi::xml_node, std::size_t> included_;      ///< by <include>: the text
   std::map<const SourceText*, SourceLocation> places_;  ///< of includes, by text
