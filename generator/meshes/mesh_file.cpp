@@ -5,12 +5,15 @@
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <bit>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -32,6 +35,41 @@ std::string bytes_of(const std::filesystem::path& file) {
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
     throw std::runtime_error("cannot be read");
   return bytes;
+}
+
+/// MuJoCo's own binary meshes as an OBJ, which assimp reads: four counts, of vertices, normals, texture coordinates and
+/// triangles, then these, as 32-bit numbers, the lowest byte first.
+std::string obj_of_msh(const std::string& bytes) {
+  constexpr std::size_t kHeader = 16;
+  const auto word = [&](std::size_t at) {
+    std::uint32_t out = 0;
+    for (unsigned b = 0; b < 4; ++b)
+      out |= std::uint32_t{static_cast<unsigned char>(bytes[at + b])} << (8 * b);
+    return out;
+  };
+  const auto fail = [] {
+    throw std::runtime_error("is no mesh of MuJoCo's: its size is not what it counts");
+  };
+  if (bytes.size() < kHeader) fail();
+  const std::uint64_t vertices = word(0), normals = word(4), coordinates = word(8), triangles = word(12);
+  if (bytes.size() != kHeader + 12 * (vertices + normals) + 8 * coordinates + 12 * triangles) fail();
+  std::string out;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const std::size_t at = kHeader + 12 * v;
+    out += fmt::format("v {} {} {}\n", std::bit_cast<float>(word(at)), std::bit_cast<float>(word(at + 4)),
+                       std::bit_cast<float>(word(at + 8)));
+  }
+  const std::size_t first = kHeader + 12 * (vertices + normals) + 8 * coordinates;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    out += 'f';
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      const std::uint32_t vertex = word(first + 12 * t + 4 * corner);
+      if (vertex >= vertices) throw std::runtime_error("has a triangle of vertices that it has not");
+      out += fmt::format(" {}", vertex + 1);
+    }
+    out += '\n';
+  }
+  return out;
 }
 
 Eigen::Vector3d vector_of(const aiVector3D& v) {
@@ -91,11 +129,15 @@ MeshSurface surface_of(const aiScene& scene, const aiMesh& mesh, const Eigen::Af
 }  // namespace
 
 std::vector<MeshSurface> read_mesh_file(const std::filesystem::path& file, MeshNormals normals) {
-  const std::string bytes = bytes_of(file);
+  std::string bytes = bytes_of(file);
   std::string kind = file.extension().string();
   if (!kind.empty()) kind.erase(0, 1);
   std::ranges::transform(kind, kind.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (kind == "msh") {
+    bytes = obj_of_msh(bytes);
+    kind = "obj";
+  }
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   unsigned steps = aiProcess_Triangulate;

@@ -64,8 +64,12 @@ BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how) {
   out.centre = (out.centre / out.mass + tip).eval();
   for (const Eigen::Vector3d& vertex : mesh.vertices) out.summed = std::max(out.summed, vertex.norm());
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T
+  // The volume of an open surface, and that of which all is counted as positive, depend on the tip: MuJoCo's is the
+  // centre of mass.
+  out.mass = 0;
   for (const auto& triangle : mesh.triangles) {
     const Pyramid pyramid(mesh, triangle, out.centre, how);
+    out.mass += pyramid.volume;
     const auto& [d, e, f] = pyramid.corners;
     const Eigen::Vector3d sum = d + e + f;
     second += pyramid.volume / (how == MeshVolume::shell ? 12 : 20) *
