@@ -1,4 +1,5 @@
-// Files of triangles (STL, OBJ, Collada, MSH of MuJoCo, and what else assimp reads). In: a file. Out: its surfaces as they lie in it.
+// Files of triangles (STL, OBJ, Collada, MSH of MuJoCo, and what else assimp reads). In: a file. Out: its surfaces as
+// they lie in it.
 #pragma once
 
 #include <Eigen/Core>

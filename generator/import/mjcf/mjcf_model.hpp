@@ -138,8 +138,9 @@ RigidPose reference_pose(const MjcfModel& model, std::size_t body);
 /// The same where springs of joints are at rest.
 RigidPose rest_pose(const MjcfModel& model, std::size_t body);
 
-/// Reads a model, and what it includes or names below its folder and `folders`. `warnings` gets what is doubtful or left out and does not change the equations. Throws
-/// InputError at what is no MJCF, cannot be understood or cannot be expressed.
+/// Reads a model, and what it includes or names below its folder and `folders`. `warnings` gets what is doubtful or
+/// left out and does not change the equations. Throws InputError at what is no MJCF, cannot be understood or cannot be
+/// expressed.
 MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<std::string>& folders,
                     Warnings& warnings);
 
