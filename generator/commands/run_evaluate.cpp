@@ -52,9 +52,13 @@ std::string text_row(std::string_view name, std::span<const double> values) {
   return out + "\n";
 }
 
+SourceLocation in_stdin(int line) {
+  return {std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), line, 1};
+}
+
 /// Names of the arrays of one state that are not finite.
 using Lost = std::vector<std::string>;
-void look_at(std::string name, std::span<const double> values, Lost& lost) {
+void add_if_lost(std::string name, std::span<const double> values, Lost& lost) {
   if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }))
     lost.push_back(std::move(name));
 }
@@ -166,12 +170,17 @@ class WholeDynamics {
     answer.rates = evaluator_(FunctionKind("coordinate_rates"), state);
     answer.poses = evaluator_(FunctionKind("body_poses"), state);
     answer.forward = forward_dynamics(system_, state, state.tau.empty() ? answer.tau : state.tau);
-    look_at("tau", answer.tau, lost);
-    look_at("M", answer.M(), lost);
-    look_at("c", answer.c(), lost);
-    if (answer.forward.status == Status::ok) look_at("qdd", answer.qdd(), lost);
-    look_at("constraints", answer.constraints, lost);
-    look_at("poses", answer.poses, lost);
+    add_if_lost("tau", answer.tau, lost);
+    add_if_lost("M", answer.M(), lost);
+    add_if_lost("c", answer.c(), lost);
+    if (answer.forward.status == Status::ok) add_if_lost("qdd", answer.qdd(), lost);
+    add_if_lost("poses", answer.poses, lost);
+    add_if_lost("qdot", answer.rates, lost);
+    if (answer.forward.status == Status::ok) add_if_lost("lambda", answer.lambda(), lost);
+    add_if_lost("P", answer.P(), lost);
+    add_if_lost("gamma", answer.gamma(), lost);
+    add_if_lost("velocity", answer.velocity(), lost);
+    add_if_lost("position", answer.position(), lost);
     return json ? json_answer(answer) : text_answer(answer);
   }
 
@@ -194,7 +203,7 @@ std::string function_results(const CompiledMechanism& compiled, const Evaluation
       const TableShape shape = table_shape(result, *compiled.mechanism);
       const std::span<const double> array = left.first(shape.rows * shape.columns);
       left = left.subspan(array.size());
-      look_at(fmt::format("{} of {}", result.name, to_string(function.kind)), array, lost);
+      add_if_lost(fmt::format("{} of {}", result.name, to_string(function.kind)), array, lost);
       const bool is_vector = result.per == Per::mechanism && result.columns == 1;
       if (json) {
         arrays += fmt::format("{}\"{}\": {}", arrays.empty() ? "" : ", ", result.name,
@@ -213,7 +222,7 @@ std::string function_results(const CompiledMechanism& compiled, const Evaluation
 
 int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
   if (common.file == "-") {
-    throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), 1, 1},
+    throw InputError(in_stdin(1),
                      "evaluate reads states from standard input, so the description must be a file");
   }
   const FunctionChoice choice = function_choice(options.functions);
@@ -230,8 +239,7 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
   for (int line = 1; std::getline(std::cin, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     if (text.size() > kLineLimit) {
-      throw InputError({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), line, 1},
-                       "this line is too long for a state");
+      throw InputError(in_stdin(line), "this line is too long for a state");
     }
     const EvaluationState state = reader.read(text, line);
     Lost lost;
@@ -239,7 +247,7 @@ int run_evaluate(const CommonOptions& common, const EvaluateOptions& options) {
                            : function_results(compiled, state, options.json, lost));
     std::fflush(stdout);
     if (!lost.empty() && ++without_value == 1) {
-      tell(warning_text({std::make_shared<const SourceText>(SourceText{"<stdin>", ""}), line, 1},
+      tell(warning_text(in_stdin(line),
                         fmt::format("no finite value at this state: {}", fmt::join(lost, ", "))) +
            "\n");
     }

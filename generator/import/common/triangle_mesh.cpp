@@ -55,18 +55,18 @@ BodyMass mass_properties(const TriangleMesh& mesh, MeshVolume how) {
   }
   if (area > 0) tip /= area;
   BodyMass out;
+  double volume = 0;
   for (const auto& triangle : mesh.triangles) {
     const Pyramid pyramid(mesh, triangle, tip, how);
-    out.mass += pyramid.volume;
+    volume += pyramid.volume;
     out.centre += pyramid.volume * (how == MeshVolume::shell ? 1.0 : 0.75) * pyramid.middle;
   }
-  if (out.mass == 0) return {};
-  out.centre = (out.centre / out.mass + tip).eval();
+  if (volume == 0) return {};
+  out.centre = (out.centre / volume + tip).eval();
   for (const Eigen::Vector3d& vertex : mesh.vertices) out.summed = std::max(out.summed, vertex.norm());
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T
   // The volume of an open surface, and that of which all is counted as positive, depend on the tip: MuJoCo's is the
   // centre of mass.
-  out.mass = 0;
   for (const auto& triangle : mesh.triangles) {
     const Pyramid pyramid(mesh, triangle, out.centre, how);
     out.mass += pyramid.volume;
