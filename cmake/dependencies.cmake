@@ -7,6 +7,7 @@ if(ALEMBERT_BUILD_GENERATOR)
   find_package(pegtl REQUIRED)
   find_package(pugixml REQUIRED)
   find_package(assimp REQUIRED)
+  find_package(Qhull REQUIRED)
   find_package(meshoptimizer REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(Boost REQUIRED)  # Multiprecision, headers only, over MPFR

@@ -4,7 +4,7 @@
 # `install_packages.sh gallery` for the gallery. Runs as root or through sudo; does nothing where all is installed.
 set -eu
 
-packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev libassimp-dev libmeshoptimizer-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
+packages="cmake g++ make ninja-build pkg-config libeigen3-dev libfmt-dev libcli11-dev libyaml-cpp-dev tao-pegtl-dev libpugixml-dev libassimp-dev libqhull-dev libmeshoptimizer-dev nlohmann-json3-dev libboost-dev libmpfr-dev"
 # The page of `simulate --html` is bundled by npm, which may have come with a node that is no Debian package.
 command -v npm >/dev/null || packages="$packages npm"
 if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then

@@ -3,11 +3,30 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
+
+#include "import/common/convex_hull.hpp"
 
 namespace alembert {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of a mesh without triangles, or of one whose inertia is asked for as that of its hull.
+TriangleMesh hull(const MjcfElement& asset, const TriangleMesh& mesh) {
+  std::optional<int> vertices;
+  if (const double most = asset.number("maxhullvert", -1); most != -1) {
+    if (!(most >= 4 && most <= 1e6))
+      throw asset.error("maxhullvert", "expected a number of vertices, 4 or more, or -1 for all");
+    vertices = static_cast<int>(most);
+  }
+  try {
+    return convex_hull(mesh, vertices);
+  } catch (const std::runtime_error& error) {
+    throw InputError(asset.where(), fmt::format("{} {}", asset.what(), error.what()),
+                     "inertias follow from it, since a body has no <inertial>");
+  }
+}
 
 }  // namespace
 
@@ -42,9 +61,6 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
     for (std::size_t i = 0; i + 2 < vertices.size(); i += 3)
       out.vertices.emplace_back(vertices[i], vertices[i + 1], vertices[i + 2]);
     const std::vector<double> faces = asset.list("face", 3, 3000000);
-    if (faces.empty())
-      throw InputError(asset.where(),
-                       fmt::format("{} has vertices and no faces: its hull is not worked out", asset.what()));
     for (std::size_t i = 0; i + 2 < faces.size(); i += 3) {
       std::array<std::size_t, 3> triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +88,7 @@ TriangleMesh MjcfAssets::triangles(const MjcfElement& asset) const {
     turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
   for (Eigen::Vector3d& v : out.vertices) v = (turn.conjugate() * (v - origin)).eval();
   stretch(out, asset.vector("scale", Eigen::Vector3d::Ones()));
-  return out;
+  return out.triangles.empty() ? hull(asset, out) : out;
 }
 
 fs::path MjcfAssets::path_of(const MjcfElement& asset) const {
@@ -108,9 +124,11 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
   if (known != masses_.end()) return known->second;
   const MjcfElement& asset = found->second;
   MeshVolume how = MeshVolume::positive;
+  bool convex = false;
   switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, compiler_.exact_meshes ? 1 : 2)) {
     case 0:
-      throw asset.error("inertia", "the inertia of a convex hull is not worked out");
+      convex = true;
+      [[fallthrough]];
     case 1:
       how = MeshVolume::exact;
       break;
@@ -120,7 +138,9 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
     default:
       break;
   }
-  const BodyMass out = mass_properties(triangles(asset), shell ? MeshVolume::shell : how);
+  TriangleMesh surface = triangles(asset);
+  if (convex && !shell) surface = hull(asset, surface);
+  const BodyMass out = mass_properties(surface, shell ? MeshVolume::shell : how);
   if (!(out.mass > 0))
     throw InputError(asset.where(),
                      fmt::format("{} encloses no volume, or is turned inside out", asset.what()));
