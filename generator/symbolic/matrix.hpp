@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "symbolic/expr.hpp"
 
@@ -54,6 +55,9 @@ Matrix<C, R> transpose(const Matrix<R, C>& x) {
   for (std::size_t r = 0; r < R; ++r)
     for (std::size_t c = 0; c < C; ++c) out(c, r) = x(r, c);
   return out;
+}
+inline Vec3 vec3(std::span<const Expr> values) {
+  return {{values[0], values[1], values[2]}};
 }
 inline Vec3 cross(const Vec3& x, const Vec3& y) {
   Vec3 out;

@@ -24,7 +24,7 @@ constexpr std::size_t kMostRewritten = 4000;  // larger sets are value-numbered 
 constexpr std::size_t kMostTerms = 256;       // of a polynomial; larger ones become one atom
 constexpr std::size_t kMostWork =
     300000;  // products of terms in one call; then nothing is multiplied out any more
-constexpr int kRounds = 4;
+constexpr int kSimplifyRounds = 4;
 
 enum class Sums {
   keep_shared,  // a sum with several users is an atom, others are joined with the sum around them
@@ -261,7 +261,7 @@ std::vector<Expr> simplify(std::span<const Expr> roots) {
   Exactness exactness(roots);
   improve(best, cost, value_number(best), exactness);
   std::size_t budget = kMostWork;
-  for (int round = 0; round < kRounds && cost.operations > 1; ++round) {
+  for (int round = 0; round < kSimplifyRounds && cost.operations > 1; ++round) {
     if (postorder(best).size() > kMostRewritten) break;
     bool improved = false;
     for (const Sums sums : {Sums::keep_shared, Sums::join, Sums::multiply_out}) {

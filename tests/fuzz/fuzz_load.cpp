@@ -1,6 +1,5 @@
-// libFuzzer target: any bytes in; the loader, or the reader of URDF, SDF or OpenSim if they begin as XML does, must give a
-// mechanism or an InputError with a place inside the text, and never crash, hang, leak or throw anything
-// else.
+// libFuzzer target: any bytes in; the loader, or an importer if they begin as XML does, must give a mechanism or an
+// InputError with a place inside the text, and never crash, hang, leak or throw anything else.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,28 +8,23 @@
 #include <string>
 
 #include "import/common/yaml.hpp"
-#include "import/opensim/describe_osim.hpp"
-#include "import/sdf/describe_sdf.hpp"
-#include "import/urdf/describe.hpp"
-#include "import/urdf/robot.hpp"
+#include "import/importers.hpp"
 #include "mechanism/load.hpp"
 
 namespace {
 
 alembert::Mechanism load(const std::shared_ptr<const alembert::SourceText>& source,
                          alembert::ExprGraph& graph) {
-  if (!source->text.starts_with('<')) return alembert::load_mechanism(source, graph);
-  alembert::Warnings warnings;
-  if (source->text.find("<OpenSimDocument") != std::string::npos)
-    return alembert::load_mechanism(alembert::describe_osim(source, {}, warnings).document, graph);
-  if (source->text.find("<sdf") != std::string::npos)
-    return alembert::load_mechanism(alembert::describe_sdf(source, {}, warnings).document, graph);
-  const alembert::UrdfRobot robot = alembert::read_urdf(source, warnings);
+  if (alembert::importer_unless_description(*source) == nullptr)
+    return alembert::load_mechanism(source, graph);
   // All options, by the length of the text.
   const std::size_t length = source->text.size();
-  const auto massless = static_cast<alembert::Massless>(length / 2 % 4);
-  const alembert::DescribedRobot described =
-      alembert::describe_robot(robot, source, {length % 2 == 0, 1e-10, massless});
+  alembert::DescribeOptions options;
+  options.floating = length % 2 == 0;
+  options.massless = static_cast<alembert::Massless>(length / 2 % 4);
+  options.resistance = length / 8 % 2 == 0;
+  alembert::Warnings warnings;
+  const alembert::DescribedRobot described = alembert::describe_source(source, options, warnings);
   alembert::Mechanism mechanism = alembert::load_mechanism(described.document, graph);
   // What was understood once is understood from its text.
   alembert::ExprGraph again;

@@ -27,14 +27,14 @@ constexpr unsigned kIdlePoints = 3;
 const Extended kRounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// The regressor's columns that are not zero, as a table of expressions.
-struct Columns {
+struct RegressorColumns {
   std::vector<std::size_t> parameters;
   std::vector<Expr> entries;  ///< row by row
   std::size_t rows;
 };
 
-Columns columns_of(const std::vector<Expr>& Y, std::size_t rows) {
-  Columns out{{}, {}, rows};
+RegressorColumns columns_of(const std::vector<Expr>& Y, std::size_t rows) {
+  RegressorColumns out{{}, {}, rows};
   const std::size_t all = Y.size() / std::max<std::size_t>(rows, 1);
   for (std::size_t c = 0; c < all; ++c) {
     bool zero = true;
@@ -81,8 +81,8 @@ struct Independent {
   std::vector<char> columns, zero;
   unsigned points;
 };
-Independent independent_columns(const Mechanism& mechanism, const Columns& columns, const ExprGraph& graph,
-                                const std::vector<Expr>& runtime) {
+Independent independent_columns(const Mechanism& mechanism, const RegressorColumns& columns,
+                                const ExprGraph& graph, const std::vector<Expr>& runtime) {
   using namespace modular;
   const std::size_t n = columns.parameters.size();
   std::vector<std::vector<Modular>> basis(n);  // by the column of its first entry, which is 1
@@ -120,7 +120,7 @@ Independent independent_columns(const Mechanism& mechanism, const Columns& colum
 using Rows = std::vector<std::vector<Extended>>;
 
 /// The columns at so many random states, at other values of `varied` in each.
-Rows sampled_rows(const Mechanism& mechanism, const Columns& columns, ExprGraph& graph,
+Rows sampled_rows(const Mechanism& mechanism, const RegressorColumns& columns, ExprGraph& graph,
                   const std::vector<Expr>& varied, unsigned states) {
   const std::size_t n = columns.parameters.size();
   const ExtendedFunction function(columns.entries);
@@ -196,7 +196,7 @@ struct ReducedColumns {
 
 /// At given values of the runtime parameters, or for all values alike; nothing if those are special, so that what
 /// is independent at most values is not at these.
-std::optional<ReducedColumns> reduced_columns(const Kinematics& kinematics, const Columns& columns,
+std::optional<ReducedColumns> reduced_columns(const Kinematics& kinematics, const RegressorColumns& columns,
                                               const std::vector<Expr>& runtime, bool for_all_values) {
   const Mechanism& mechanism = kinematics.mechanism;
   ExprGraph& graph = kinematics.graph;
@@ -225,7 +225,7 @@ std::optional<ReducedColumns> reduced_columns(const Kinematics& kinematics, cons
 BaseParameters base_parameters(const Kinematics& kinematics) {
   const Mechanism& mechanism = kinematics.mechanism;
   ExprGraph& graph = kinematics.graph;
-  const Columns columns =
+  const RegressorColumns columns =
       columns_of(force_regressor(mechanism, kinematics.tree, graph), static_cast<std::size_t>(mechanism.nv));
   std::vector<Expr> runtime;
   for (const Parameter& parameter : mechanism.parameters)

@@ -152,10 +152,6 @@ void Recursion::move() {
   }
 }
 
-Vec3 vec3(std::span<const Expr> values) {
-  return {{values[0], values[1], values[2]}};
-}
-
 std::vector<Mover> Recursion::movers(const FrameMotion& from, const MotionNode& at,
                                      const FrameMotion& frame) const {
   const auto along = [&](const std::vector<SpeedPartial>& partials, int speed) {

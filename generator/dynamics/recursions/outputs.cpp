@@ -162,9 +162,9 @@ constexpr int kManyBodies = 12;
 // speed and body, and less only where frames coincide or turn little.
 constexpr std::size_t kHandedOn = 64;
 
-std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree,
-                                 std::span<const Pose> poses, std::span<const MovingFrame> frames,
-                                 ExprGraph& graph) {
+std::vector<Expr> jacobians_by(const Mechanism& mechanism, const MotionTree& tree,
+                               std::span<const Pose> poses, std::span<const MovingFrame> frames,
+                               ExprGraph& graph) {
   const Vec3 none = zeros<3, 1>(graph);
   const std::size_t nv = static_cast<std::size_t>(mechanism.nv);
   std::vector<int> bodies_of_speed(nv, 0);
@@ -217,8 +217,8 @@ std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& t
 std::vector<Expr> body_jacobians(const Mechanism& mechanism, const MotionTree& tree, ExprGraph& graph) {
   const std::vector<Pose> poses = node_poses(tree, graph);
   const auto jacobians = [&](bool handed_on) {
-    return value_number(body_jacobians(mechanism, tree, poses,
-                                       moving_frames(mechanism, tree, poses, handed_on, graph), graph));
+    return value_number(
+        jacobians_by(mechanism, tree, poses, moving_frames(mechanism, tree, poses, handed_on, graph), graph));
   };
   std::vector<Expr> at_joints = jacobians(false);
   if (tree.nodes.size() > kHandedOn) return at_joints;

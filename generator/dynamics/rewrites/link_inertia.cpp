@@ -28,10 +28,10 @@ bool is_number(const Entries& entries) {
   return std::all_of(entries.begin(), entries.end(), [](const Expr& e) { return e.is_constant(); });
 }
 
-using Numbers = std::array<Extended, 13>;
+using InertiaNumbers = std::array<Extended, 13>;
 
 /// K = tr(J)/2 - J.
-Matrix4e pseudo_inertia(const Numbers& v) {
+Matrix4e pseudo_inertia(const InertiaNumbers& v) {
   Matrix3e J;
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) J(r, c) = v[static_cast<std::size_t>(4 + 3 * r + c)];
@@ -45,7 +45,7 @@ Matrix4e pseudo_inertia(const Numbers& v) {
 
 Matrix4e number_inertia(const Entries& entries) {
   const std::vector<Extended> values = evaluate_extended(entries, std::span<const Extended>());
-  Numbers v;
+  InertiaNumbers v;
   std::copy(values.begin(), values.end(), v.begin());
   return pseudo_inertia(v);
 }
@@ -229,8 +229,8 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
     return out;
   }
   const PolynomialReader reader(entries, graph);
-  Numbers constants{};
-  std::map<PolynomialReader::Monomial, Numbers> by_monomial;
+  InertiaNumbers constants{};
+  std::map<PolynomialReader::Monomial, InertiaNumbers> by_monomial;
   std::vector<Expr> moving;  // entries that are no numbers, up to sign
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (const auto& [monomial, number] : reader.of(entries[i].ref())) {
@@ -244,7 +244,7 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
     if (!size.is_constant() && std::find(moving.begin(), moving.end(), size) == moving.end())
       moving.push_back(size);
   }
-  std::vector<std::pair<Expr, Numbers>> terms;
+  std::vector<std::pair<Expr, InertiaNumbers>> terms;
   if (by_monomial.size() <= moving.size()) {
     for (const auto& [monomial, numbers] : by_monomial)
       terms.emplace_back(reader.expression(monomial), numbers);
@@ -260,7 +260,7 @@ LinkInertia RuntimeTerms::with_terms(const NodeMass& mass, ExprGraph& graph) {
           if (!monomial.empty()) term += rounded_number(graph, number) * reader.expression(monomial);
         }
       }
-      Numbers numbers{};
+      InertiaNumbers numbers{};
       for (std::size_t i = 0; i < entries.size(); ++i) {
         if (entries[i].ref().node() == entry.ref().node()) numbers[i] = entries[i].ref().negative() ? -1 : 1;
       }

@@ -10,10 +10,6 @@ namespace alembert {
 
 namespace {
 
-Vec3 vec3(std::span<const Expr> values) {
-  return {{values[0], values[1], values[2]}};
-}
-
 /// Angular directions of a rotation matrix: skew(om_k) = E^T D_k E.
 std::vector<SpeedPartial> rotation_partials(const Mat3& e, const SpeedDerivatives& derivatives) {
   std::vector<SpeedPartial> partials = derivatives.partials(e.entries);

@@ -71,8 +71,8 @@ void LoopEquations::origin_on(const Eigen::Vector3d& axis) {
 }
 
 void LoopEquations::angle_stays(const Eigen::Vector3d& of_first, const Eigen::Vector3d& of_second) {
-  const std::string equation =
-      step_product(first_, add_frame_(1, "axis", of_first), second_, add_frame_(2, "axis", of_second));
+  const std::string along = add_frame_(1, "axis", of_first), other = add_frame_(2, "axis", of_second);
+  const std::string equation = step_product(first_, along, second_, other);
   const double cosine = of_first.dot(of_second);
   equations_.push_back(std::abs(cosine) < 1e-12 ? equation
                                                 : fmt::format("{} - ({})", equation, number_text(cosine)));

@@ -246,7 +246,7 @@ std::vector<pugi::xml_node> acting_elements(const OsimDescription& of) {
 }
 
 /// Sets of what is no part of the equations here.
-constexpr std::pair<const char*, const char*> kOthers[] = {
+constexpr std::pair<const char*, const char*> kLeftSets[] = {
     {"ControllerSet", "inputs are set by whoever calls"},
     {"ContactGeometrySet", "contacts are not taken"},
     {"ProbeSet", "what is measured is not taken"}};
@@ -277,7 +277,7 @@ void add_osim_forces(OsimDescription& out) {
     else if (out.warnings.size() == before)
       out.left(force, "it cannot be read as it is written");
   }
-  for (const auto& [set, why] : kOthers)
+  for (const auto& [set, why] : kLeftSets)
     for (const pugi::xml_node object : OsimXml::elements(out.model.element.child(set).child("objects")))
       out.left(object, why);
 }

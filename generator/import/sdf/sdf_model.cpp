@@ -17,7 +17,7 @@
 namespace alembert {
 namespace {
 
-constexpr int kMaximumNesting = 50;
+constexpr int kMaximumModelDepth = 50;
 constexpr std::size_t kMaximumNamed = 200000, kMaximumFollowing = 100;
 constexpr int kOldestMinor = 3, kNewestMinor = 12;
 /// Gravity of a world that says none.
@@ -104,9 +104,9 @@ class SdfReader {
 
   /// Links, joints, frames and models of an element. \param base  as in SdfNamed
   void read_contents(pugi::xml_node element, std::size_t scope, std::size_t base, int minor, int depth) {
-    if (depth > kMaximumNesting)
+    if (depth > kMaximumModelDepth)
       throw InputError(files_.where(element),
-                       fmt::format("models are nested more than {} deep", kMaximumNesting));
+                       fmt::format("models are nested more than {} deep", kMaximumModelDepth));
     NamesOfKinds names;
     for (const pugi::xml_node child : element.children())
       names[child.name()].emplace(child.attribute("name").value());

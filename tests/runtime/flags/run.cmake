@@ -1,6 +1,6 @@
 # Compiles a program with flags as users may have them and runs it: for SETS of instructions, or each that this machine has.
 # REFERENCE are the sources that are compiled without them. If REFUSED is given, the program must not compile, and the
-# compiler must say this.
+# compiler must say this as an error, TIMES times if that is given.
 #   cmake -DCXX=compiler -DSOURCES=files -DREFERENCE=files -DFLAGS=flags -DINCLUDES=folders -DSYSTEM=folders -DWORK=folder
 #         -P run.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -38,8 +38,10 @@ endfunction()
 if(REFUSED)
   execute_process(COMMAND ${CXX} -std=c++17 ${INCLUDES} ${SYSTEM} ${flags} -fsyntax-only ${SOURCES}
                   OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
-  if(result EQUAL 0 OR NOT output MATCHES "${REFUSED}")
-    message(FATAL_ERROR "expected that it does not compile and says '${REFUSED}'; it ended with ${result}:\n${output}")
+  string(REGEX MATCHALL "error:[^\n]*${REFUSED}" refused "${output}")
+  list(LENGTH refused times)
+  if(result EQUAL 0 OR times EQUAL 0 OR (TIMES AND NOT times EQUAL TIMES))
+    message(FATAL_ERROR "expected that it does not compile and says '${REFUSED}' ${TIMES} times; it ended with ${result} and ${times}:\n${output}")
   endif()
   file(REMOVE_RECURSE "${WORK}")
   return()
