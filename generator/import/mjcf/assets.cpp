@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <stdexcept>
 
@@ -111,18 +113,20 @@ std::optional<DrawnMesh> MjcfAssets::drawn(const std::string& mesh) const {
   }
 }
 
-BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
+const MjcfElement& MjcfAssets::asset_of(const MjcfElement& geom) const {
   const std::string name = geom.string("mesh");
   const auto found = meshes_.find(name);
-  if (found == meshes_.end()) {
-    std::vector<std::string> known;
-    for (const auto& [each, asset] : meshes_) known.push_back(each);
-    throw geom.error("mesh",
-                     fmt::format("there is no mesh '{}'{}", printable(name), did_you_mean(name, known)));
-  }
-  const auto known = masses_.find({name, shell});
-  if (known != masses_.end()) return known->second;
-  const MjcfElement& asset = found->second;
+  if (found != meshes_.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [each, asset] : meshes_) known.push_back(each);
+  throw geom.error("mesh",
+                   fmt::format("there is no mesh '{}'{}", printable(name), did_you_mean(name, known)));
+}
+
+BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
+  const MjcfElement& asset = asset_of(geom);
+  const std::pair key(geom.string("mesh"), shell);
+  if (const auto known = masses_.find(key); known != masses_.end()) return known->second;
   MeshVolume how = MeshVolume::positive;
   bool convex = false;
   switch (asset.word("inertia", {"convex", "exact", "legacy", "shell"}, compiler_.exact_meshes ? 1 : 2)) {
@@ -144,7 +148,26 @@ BodyMass MjcfAssets::mesh(const MjcfElement& geom, bool shell) const {
   if (!(out.mass > 0))
     throw InputError(asset.where(),
                      fmt::format("{} encloses no volume, or is turned inside out", asset.what()));
-  masses_.emplace(std::pair(name, shell), out);
+  masses_.emplace(key, out);
+  return out;
+}
+
+MeshBox MjcfAssets::box(const MjcfElement& geom, bool bounds) const {
+  const BodyMass mass = mesh(geom, false);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(mass.inertia);
+  Eigen::Matrix3d axes = principal.eigenvectors().rowwise().reverse();
+  if (axes.determinant() < 0) axes.col(1) *= -1;
+  const Eigen::Vector3d moments = principal.eigenvalues().reverse();
+  MeshBox out{mass.frame(Eigen::Quaterniond(axes)), {}, {moments.x(), moments.y(), moments.z()}};
+  Eigen::Vector3d half = (1.5 / mass.mass * (moments.sum() - 2 * moments.array())).max(0).sqrt();
+  if (bounds) {
+    Eigen::AlignedBox3d held;
+    for (const Eigen::Vector3d& v : triangles(asset_of(geom)).vertices)
+      held.extend((axes.transpose() * (v - mass.centre)).eval());
+    half = held.sizes() / 2;
+    out.pose = out.pose * RigidPose{held.center()};
+  }
+  out.half = {half.x(), half.y(), half.z()};
   return out;
 }
 

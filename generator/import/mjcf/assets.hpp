@@ -19,6 +19,13 @@ struct DrawnMesh {
   std::array<double, 3> scale;
 };
 
+/// A box that stands for a mesh, along the principal axes of its inertia, of the largest moment first.
+struct MeshBox {
+  RigidPose pose;  ///< of its middle and axes, in the frame of the mesh
+  std::array<double, 3> half;
+  std::array<double, 3> moments;  ///< of unit density
+};
+
 class MjcfAssets {
  public:
   MjcfAssets(const MjcfText& text, const MjcfDefaults& defaults, const MjcfCompiler& compiler);
@@ -27,10 +34,14 @@ class MjcfAssets {
   /// Of unit density. Throws InputError, at the place that asks or in the asset, if the mesh is not there or
   /// encloses nothing.
   BodyMass mesh(const MjcfElement& geom, bool shell) const;
+  /// That of the same inertia, or, within `bounds`, the one that just holds the mesh. Throws as mesh() does.
+  MeshBox box(const MjcfElement& geom, bool bounds) const;
   /// Nothing if there is no such file, or the asset is more than a file and a scale.
   std::optional<DrawnMesh> drawn(const std::string& mesh) const;
 
  private:
+  /// Throws InputError if there is none of the name.
+  const MjcfElement& asset_of(const MjcfElement& geom) const;
   TriangleMesh triangles(const MjcfElement& asset) const;
   /// Throws InputError if it lies outside the folder of the model.
   std::filesystem::path path_of(const MjcfElement& asset) const;

@@ -102,6 +102,7 @@ MjcfCompiler read_compiler(const MjcfText& text) {
     out.balance = element.flag("balanceinertia", out.balance);
     out.strip_path = element.flag("strippath", out.strip_path);
     out.exact_meshes = element.flag("exactmeshinertia", out.exact_meshes);
+    out.fit_bounds = element.flag("fitaabb", out.fit_bounds);
     out.least_mass = element.number("boundmass", out.least_mass);
     out.least_inertia = element.number("boundinertia", out.least_inertia);
     out.total_mass = element.number("settotalmass", out.total_mass);

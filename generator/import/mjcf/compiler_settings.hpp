@@ -20,7 +20,7 @@ struct MjcfCompiler {
   std::array<double, 2> inertia_groups{0, 5};
   bool balance = false;
   double least_mass = 0, least_inertia = 0, total_mass = -1;
-  bool strip_path = false, exact_meshes = false;
+  bool strip_path = false, exact_meshes = false, fit_bounds = false;
   std::string mesh_folder;
 
   /// Radians of an angle as the model gives it.

@@ -10,12 +10,14 @@ namespace alembert {
 namespace {
 
 constexpr int kVisibleGroups = 3;  // 0, 1 and 2, as MuJoCo's viewers have it
+/// Principal moments that differ by less, of the larger one, are those of a mesh that is meant to be symmetric.
+constexpr double kAlikeMoments = 1e-6;
 
 }  // namespace
 
 MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const MjcfCompiler& compiler,
                    const MjcfAssets& assets)
-    : element_(element), assets_(assets) {
+    : element_(element), assets_(assets), fit_bounds_(compiler.fit_bounds) {
   shape_.where = element.where();
   const std::size_t type = element.word(
       "type", {"plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf"}, 2);
@@ -25,8 +27,9 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
                                   SolidKind::cylinder, SolidKind::box};
   group_ = static_cast<int>(element.number("group", 0));
   const bool primitive = type >= 2 && type < 7;
-  // A primitive with a mesh is fitted to that, which is for viewers and contacts.
-  if (primitive && !element.has("mesh")) shape_.kind = kKinds[type - 2];
+  if (primitive) primitive_ = kKinds[type - 2];
+  // One with a mesh is fitted to that where its mass is asked for, and is not drawn: it is for contacts.
+  if (!element.has("mesh")) shape_.kind = primitive_;
   const std::optional<DrawnMesh> drawn = type == 7 ? assets.drawn(element.string("mesh")) : std::nullopt;
   RigidPose pose = compiler.pose(element);
   constexpr std::size_t kCounts[] = {1, 2, 3, 2, 3};
@@ -79,21 +82,51 @@ void MjcfGeom::read_sizes(std::size_t count) {
   }
 }
 
+BodyMass MjcfGeom::fitted_of_unit_density(bool shell) const {
+  const MeshBox box = assets_.box(element_, fit_bounds_);
+  const auto alike = [&](std::size_t i) {
+    return box.moments[i] - box.moments[i + 1] <= kAlikeMoments * box.moments[i];
+  };
+  const bool has_axis = primitive_ == SolidKind::capsule || primitive_ == SolidKind::cylinder;
+  if (fit_bounds_ ? alike(0) || alike(1) : has_axis && alike(1))
+    throw element_.error(
+        "mesh",
+        fmt::format("{} is fitted to a mesh with equal principal moments of inertia, which do not "
+                    "tell its axes",
+                    element_.what()),
+        "give the body an <inertial>");
+  std::array<double, 3> half = box.half;
+  const auto [x, y, z] = box.half;
+  if (primitive_ == SolidKind::sphere) {
+    half[0] = fit_bounds_ ? std::max({x, y, z}) : (x + y + z) / 3;
+  } else if (has_axis) {
+    half[0] = fit_bounds_ ? std::max(x, y) : (x + y) / 2;
+    half[1] = z;
+    if (primitive_ == SolidKind::capsule)
+      half[1] = fit_bounds_ ? z - half[0] : std::max(0.0, z - half[0] / 2);
+  }
+  const double scale = element_.number("fitscale", 1);
+  for (double& each : half) each *= scale;
+  if (!(half[0] > 0) || half[1] < 0)
+    throw element_.error("mesh", fmt::format("{} cannot be fitted to its mesh: a size would not be positive",
+                                             element_.what()));
+  const BodyMass out =
+      shell ? surface_of_unit_density(primitive_, half) : solid_of_unit_density(primitive_, half);
+  return out.moved(shape_.pose * box.pose);
+}
+
 BodyMass MjcfGeom::of_unit_density(bool shell) const {
   if (mesh_) {
     const BodyMass mesh = assets_.mesh(element_, shell);
     return mesh.moved(shape_.pose);
   }
-  if (shape_.kind == SolidKind::none)
-    throw element_.error(
-        "mesh", fmt::format("{} is fitted to a mesh: its inertia is not worked out", element_.what()),
-        "give the body an <inertial>");
-  if (shell && shape_.kind == SolidKind::ellipsoid)
+  if (shell && primitive_ == SolidKind::ellipsoid)
     throw element_.error("shellinertia", fmt::format("{} is the shell of an ellipsoid, whose inertia is not "
                                                      "worked out",
                                                      element_.what()));
+  if (element_.has("mesh")) return fitted_of_unit_density(shell);
   const BodyMass out =
-      shell ? surface_of_unit_density(shape_.kind, half_) : solid_of_unit_density(shape_.kind, half_);
+      shell ? surface_of_unit_density(primitive_, half_) : solid_of_unit_density(primitive_, half_);
   return out.moved(shape_.pose);
 }
 

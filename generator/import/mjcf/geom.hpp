@@ -26,12 +26,15 @@ class MjcfGeom {
 
  private:
   BodyMass of_unit_density(bool shell) const;
+  BodyMass fitted_of_unit_density(bool shell) const;
   void read_sizes(std::size_t count);
 
   MjcfElement element_;
   const MjcfAssets& assets_;
   PlacedShape shape_;
+  SolidKind primitive_ = SolidKind::none;
   bool massless_kind_ = false, mesh_ = false;  ///< planes and height fields; meshes
+  bool fit_bounds_;                            ///< primitives to the bounds of meshes, not to their inertia
   int group_ = 0;
   std::array<double, 3> half_{};  ///< sizes as the model gives them
 };
