@@ -1,5 +1,6 @@
 #include "import/common/solid_shape.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -76,7 +77,17 @@ BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& s)
       const double along = side * b * b / 3 + ball * (a * a / 3 + b * b + a * b);
       return {side + ball, {0, 0, 0}, from_squares(across, across, along)};
     }
-    case SolidKind::ellipsoid:
+    case SolidKind::ellipsoid: {
+      // Between this ellipsoid and one whose half axes are longer by `thick`.
+      constexpr double kThomsen = 1.6075, thick = 1e-6;
+      const double powers = std::pow(a * b, kThomsen) + std::pow(b * c, kThomsen) + std::pow(c * a, kThomsen);
+      const double area = 4 * kPi * std::pow(powers / 3, 1 / kThomsen);
+      const double layer = a * b + b * c + c * a + thick * (a + b + c) + thick * thick;
+      const auto square = [&](double half) {
+        return area / 5 * ((half + thick) * (half + thick) + a * b * c / layer * (2 * half + thick));
+      };
+      return {area, {0, 0, 0}, from_squares(square(a), square(b), square(c))};
+    }
     case SolidKind::mesh:
     case SolidKind::none:
       break;

@@ -120,10 +120,6 @@ BodyMass MjcfGeom::of_unit_density(bool shell) const {
     const BodyMass mesh = assets_.mesh(element_, shell);
     return mesh.moved(shape_.pose);
   }
-  if (shell && primitive_ == SolidKind::ellipsoid)
-    throw element_.error("shellinertia", fmt::format("{} is the shell of an ellipsoid, whose inertia is not "
-                                                     "worked out",
-                                                     element_.what()));
   if (element_.has("mesh")) return fitted_of_unit_density(shell);
   const BodyMass out =
       shell ? surface_of_unit_density(primitive_, half_) : solid_of_unit_density(primitive_, half_);
