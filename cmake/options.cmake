@@ -18,7 +18,7 @@ option(ALEMBERT_TEST_WHOLE_PROGRAMS "Run each test program in one process: faste
 option(ALEMBERT_UNITY "Compile each room of the generator and each test program as one file: what they include is read once" OFF)
 option(ALEMBERT_CCACHE "Compile through ccache where it is there" ${PROJECT_IS_TOP_LEVEL})
 set(ALEMBERT_ENGINE_FLAGS "" CACHE STRING "Flags of the rooms that generating spends its time in, after those of the build type: -O3 where all else compiles faster with -O1")
-set(ALEMBERT_ENGINE_ROOMS "symbolic differentiation program registers dynamics emit" CACHE STRING "These rooms")
+set(ALEMBERT_ENGINE_ROOMS "symbolic differentiation program registers dynamics emit" CACHE STRING "The rooms that ALEMBERT_ENGINE_FLAGS are for")
 mark_as_advanced(ALEMBERT_ENGINE_FLAGS ALEMBERT_ENGINE_ROOMS)
 option(ALEMBERT_BUILD_FUZZERS "Build the libFuzzer target of the loader (clang)" OFF)
 option(ALEMBERT_BUILD_GALLERY "Add the target gallery: pages and pictures of the paper's mechanisms (npm, Chromium)" OFF)

@@ -38,9 +38,9 @@ set(ENV{ASAN_OPTIONS} strict_string_checks=1:detect_stack_use_after_return=1:mal
 # rolling, a holonomic loop.
 set(ENV{ALEMBERT_CATALOGUE}
     "tree_every_joint runtime_parameters moving_base four_bar_knee rolling_wheels bead_on_helix body_on_torus knee_spline rolling_ball five_bar")
-# Chains of a million, XML that grows without bound, a minute of motion, and more random functions and mechanisms, are the same code again. So are rounds of one test, and what
-# asks only for numbers or bytes: whether units matter, how far loops go, how exact sines are, where long motions end, what follows other files or
-# runs that were killed, the time of a wait, whether two ways to the same code give the same.
+# Chains of a million, XML that grows without bound, a minute of motion, and more random functions and mechanisms, are the same code again. So
+# are rounds of one test, and what asks only for numbers or bytes: whether units matter, how far loops go, how exact sines are, where long motions
+# end, what follows other files or runs that were killed, the time of a wait, whether two ways to the same code give the same.
 set(ENV{ALEMBERT_ONE_ROUND_IN} 6)
 set(again *Million* MjcfBombs.* *ForAMinute Chain.* LongChains.* Random/* Seeds/* *ChainWithLoops
           Report.TellsWhichFunctionsHaveLoops Emit.FewDotProductsAreStraightOverManyStates Generate.SameBytesWhereverAndWheneverItRuns

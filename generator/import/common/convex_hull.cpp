@@ -1,5 +1,5 @@
-// Hulls by qhull, called as MuJoCo calls it: where vertices nearly lie in one plane, which of them are the hull's is its
-// decision.
+// Hulls by qhull, with the options that MuJoCo gives it: they decide which vertices a hull has where some nearly lie in one
+// plane.
 #include "import/common/convex_hull.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace alembert {
 namespace {
 
-/// State of a run, and where it writes what went wrong: it must not be the command's stderr.
+/// A run of qhull. Its messages go to a temporary file, not to the command's stderr.
 class Qhull {
  public:
   Qhull() {

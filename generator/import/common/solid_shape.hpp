@@ -36,8 +36,8 @@ bool has_solid(const Shapes& shapes) {
 
 /// About the centre, in the axes of the shape; nothing for a mesh. Half sizes: edges and lengths by two, radii as they are.
 BodyMass solid_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
-/// The same of the surface, the mass being the area. That of an ellipsoid is MuJoCo's: its area by Thomsen's formula, within 1.1 %,
-/// its second moments those of a layer of a micrometre, thicker at the tips.
+/// The same of the surface, the mass being the area. For an ellipsoid it is what MuJoCo takes: the area by Thomsen's
+/// formula (within 1.1 %), and the mass spread as between it and an ellipsoid with half axes a micrometre longer.
 BodyMass surface_of_unit_density(SolidKind kind, const std::array<double, 3>& half);
 
 /// Appends an item of `geometry`, unless the kind is none.

@@ -19,7 +19,7 @@ struct DrawnMesh {
   std::array<double, 3> scale;
 };
 
-/// A box that stands for a mesh, along the principal axes of its inertia, of the largest moment first.
+/// A box that stands for a mesh. Its axes are the principal axes of the mesh, that of the largest moment first.
 struct MeshBox {
   RigidPose pose;  ///< of its middle and axes, in the frame of the mesh
   std::array<double, 3> half;
@@ -34,7 +34,7 @@ class MjcfAssets {
   /// Of unit density. Throws InputError, at the place that asks or in the asset, if the mesh is not there or
   /// encloses nothing.
   BodyMass mesh(const MjcfElement& geom, bool shell) const;
-  /// That of the same inertia, or, within `bounds`, the one that just holds the mesh. Throws as mesh() does.
+  /// The box with the inertia of the mesh, or with `bounds` the smallest that holds it. Throws as mesh() does.
   MeshBox box(const MjcfElement& geom, bool bounds) const;
   /// Nothing if there is no such file, or the asset is more than a file and a scale.
   std::optional<DrawnMesh> drawn(const std::string& mesh) const;
