@@ -105,6 +105,18 @@ TEST(MjcfBombs, AreRefused) {
   std::string copies = kBody;
   for (int i = 0; i < 4; ++i) copies = "<replicate count='1000' sep='-'>" + copies + "</replicate>";
   EXPECT_THAT(refusal(model(copies)), testing::HasSubstr("more than 200000 elements"));
+  // Each body attaches the one before it twice, or deep inside.
+  std::string twice = "<body name='b0'/>", inside = twice;
+  for (int i = 1; i < 40; ++i) {
+    const std::string begin = fmt::format("<body name='b{}'>", i),
+                      of = fmt::format("<attach body='b{}' ", i - 1);
+    twice += begin + of + "prefix='x'/>" + of + "prefix='y'/></body>";
+    std::string frames = of + fmt::format("prefix='x{}'/>", i);
+    for (int k = 0; k < 150; ++k) frames = "<frame>" + frames + "</frame>";
+    inside += begin + frames + "</body>";
+  }
+  EXPECT_THAT(refusal(model(twice)), testing::HasSubstr("more than 200000 elements"));
+  EXPECT_THAT(refusal(model(inside)), testing::HasSubstr("more than 400 deep"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<body>";
   EXPECT_THAT(refusal(model(deep)), testing::HasSubstr("not well-formed"));

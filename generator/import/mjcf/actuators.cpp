@@ -108,7 +108,7 @@ Law law_of(const MjcfContext& context, const MjcfElement& of) {
   Law law;
   // From the outermost class to the element itself.
   for (auto layer = of.layers().rbegin(); layer != of.layers().rend(); ++layer)
-    apply({context.text, {*layer}, of.what()}, law);
+    apply({context.text(), {*layer}, of.what()}, law);
   if (law.gain_type == Law::other || law.bias_type == Law::other || law.dynamics > 3)
     if (law.left_out.empty())
       law.left_out = "a law of gain, bias or activation that is neither fixed nor affine";
@@ -173,12 +173,12 @@ void inherit_range(const MjcfContext& context, const Law& law, MjcfActuator& act
 }
 
 void read_actuator(MjcfContext& context, pugi::xml_node node) {
-  const MjcfElement of = context.defaults.element(node, kTags, {});
+  const MjcfElement of = context.element(node, kTags);
   Law law = law_of(context, of);
   if (law.gain_type == Law::fixed) law.gain[1] = law.gain[2] = 0;
   if (law.bias_type == Law::none) law.bias = {};
   MjcfActuator actuator;
-  actuator.name = of.string("name");
+  actuator.name = context.name(of);
   actuator.where = of.has("name") ? of.where("name") : of.where();
   actuator.group = static_cast<int>(of.number("group", 0));
   std::string left_out = law.left_out;
@@ -187,7 +187,7 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
     throw of.error("armature", fmt::format("armature and damping of {} itself are not taken", of.what()),
                    "those of joints are");
   if (!left_out.empty()) {
-    context.text.warn(
+    context.text().warn(
         {of.where(),
          fmt::format("{} acts by {}, which cannot be expressed; it is left out", of.what(), left_out),
          "its force is not in the equations; what it exerts is part of tau", "actuator " + left_out});
@@ -205,12 +205,12 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
     throw of.error("dynprm", fmt::format("the time constant of {} is {}; expected a positive number",
                                          of.what(), law.time_constant));
   if (of.number("delay", 0) != 0)
-    context.text.warn({of.where("delay"),
-                       fmt::format("the delay of {} is left out: its input acts at once", of.what()),
-                       {},
-                       "delay"});
+    context.text().warn({of.where("delay"),
+                         fmt::format("the delay of {} is left out: its input acts at once", of.what()),
+                         {},
+                         "delay"});
   if (law.dynamics != 0 && of.flag("actearly", false))
-    context.text.warn(
+    context.text().warn(
         {of.where("actearly"),
          fmt::format("actearly of {} is left out: its force is that of the activation now, not of "
                      "MuJoCo's next time step",
@@ -242,8 +242,7 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
 }  // namespace
 
 void read_actuators(MjcfContext& context) {
-  for (const pugi::xml_node top : context.text.children(context.text.root(), "actuator"))
-    for (const pugi::xml_node node : context.text.children(top)) read_actuator(context, node);
+  context.read_each("actuator", [&](pugi::xml_node node) { read_actuator(context, node); });
 }
 
 }  // namespace alembert

@@ -106,6 +106,7 @@ MjcfCompiler read_compiler(const MjcfText& text) {
     out.least_mass = element.number("boundmass", out.least_mass);
     out.least_inertia = element.number("boundinertia", out.least_inertia);
     out.total_mass = element.number("settotalmass", out.total_mass);
+    out.resolves_conflicts = element.word("conflict", {"warning", "merge", "error"}, 0) != 0;
     using FromGeoms = MjcfCompiler::FromGeoms;
     out.inertia_from_geoms = static_cast<FromGeoms>(element.word(
         "inertiafromgeom", {"false", "true", "auto"}, static_cast<std::size_t>(out.inertia_from_geoms)));

@@ -22,6 +22,7 @@ struct MjcfCompiler {
   double least_mass = 0, least_inertia = 0, total_mass = -1;
   bool strip_path = false, exact_meshes = false, fit_bounds = false;
   std::string mesh_folder;
+  bool resolves_conflicts = false;  ///< between options of attached models: otherwise the model's own count
 
   /// Radians of an angle as the model gives it.
   double angle(double value) const;

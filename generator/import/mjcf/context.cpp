@@ -13,29 +13,34 @@ namespace {
 
 using Words = std::initializer_list<std::string_view>;
 
+/// An element speaks of what the model does not have.
+struct UnknownName : InputError {
+  explicit UnknownName(InputError error) : InputError(std::move(error)) {}
+};
+
 MjcfTendon read_fixed(const MjcfContext& context, pugi::xml_node node) {
   MjcfTendon out;
   out.fixed = true;
-  context.text.of(node).check_spelling(
+  context.text().of(node).check_spelling(
       node, "a fixed tendon", {"joint", "include"},
       {"name", "class", "group", "limited", "actuatorfrclimited", "range", "actuatorfrcrange", "solreflimit",
        "solimplimit", "solreffriction", "solimpfriction", "frictionloss", "springlength", "margin",
        "stiffness", "damping", "armature", "user"});
-  for (const pugi::xml_node child : context.text.children(node, "joint")) {
-    const MjcfElement of(context.text, {child}, "the joint of a tendon");
-    context.text.of(child).check_spelling(child, of.what(), {}, {"joint", "coef"});
+  for (const pugi::xml_node child : context.text().children(node, "joint")) {
+    const MjcfElement of(context.text(), {child}, "the joint of a tendon");
+    context.text().of(child).check_spelling(child, of.what(), {}, {"joint", "coef"});
     const std::size_t joint = context.find(of, "joint", "joint", context.tree.joints);
     if (speed_count(context.model.joints[joint].type) != 1)
       throw of.error("joint", "a fixed tendon is of hinges and slides only");
     out.terms.push_back({joint, of.number("coef", 0)});
   }
-  if (out.terms.empty()) throw InputError(context.text.where(node), "a fixed tendon without joints");
+  if (out.terms.empty()) throw InputError(context.text().where(node), "a fixed tendon without joints");
   return out;
 }
 
 MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
   MjcfTendon out;
-  const MjcfText& text = context.text;
+  const MjcfText& text = context.text();
   text.of(node).check_spelling(node, "a spatial tendon", {"site", "geom", "pulley", "include"},
                                kTendonAttributes);
   out.branches.emplace_back();
@@ -77,13 +82,6 @@ double length_at_rest(const MjcfModel& model, const MjcfTendon& tendon) {
   return length;
 }
 
-/// Sections below the root that have one kind of elements.
-template <class Read>
-void for_each_in(const MjcfContext& context, const char* section, Read read) {
-  for (const pugi::xml_node top : context.text.children(context.text.root(), section))
-    for (const pugi::xml_node node : context.text.children(top)) read(node);
-}
-
 void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEquality& equality) {
   const bool weld = equality.type == MjcfEqualityType::weld;
   MjcfModel& model = context.model;
@@ -117,17 +115,41 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
 
 }  // namespace
 
+void MjcfContext::read_each(const char* section, const std::function<void(pugi::xml_node)>& read) {
+  for (const pugi::xml_node top : text().children(text().root(), section))
+    for (const pugi::xml_node node : text().children(top)) {
+      if (++count > kMaximumMjcfElements)
+        throw InputError(text().where(node),
+                         fmt::format("the model has more than {} elements", kMaximumMjcfElements));
+      const std::size_t sites = model.sites.size();
+      try {
+        read(node);
+      } catch (const UnknownName& error) {
+        if (!part.attached) throw;
+        model.sites.erase(model.sites.begin() + static_cast<std::ptrdiff_t>(sites), model.sites.end());
+        if (part.whole)
+          text().warn({error.where(),
+                       fmt::format("{}; what speaks of it is left out", error.message()),
+                       {},
+                       fmt::format("{} of a part that is not attached", section)});
+      }
+    }
+}
+
 std::size_t MjcfContext::find(const MjcfElement& element, const char* attribute, const char* noun,
                               const MjcfNames& names) const {
   if (!element.has(attribute))
     throw InputError(element.where(), fmt::format("no attribute '{}' of {}", attribute, element.what()));
-  const std::string name = element.string(attribute);
-  const auto found = names.find(name);
+  const auto found = names.find(name(element, attribute));
   if (found != names.end()) return found->second;
   std::vector<std::string> known;
-  for (const auto& [each, index] : names) known.push_back(each);
-  throw element.error(attribute,
-                      fmt::format("there is no {} '{}'{}", noun, printable(name), did_you_mean(name, known)));
+  for (const auto& [each, index] : names)
+    if (each.starts_with(part.prefix) && each.ends_with(part.suffix) &&
+        each.size() > part.prefix.size() + part.suffix.size())
+      known.push_back(each.substr(part.prefix.size(), each.size() - part.prefix.size() - part.suffix.size()));
+  const std::string own = element.string(attribute);
+  throw UnknownName(element.error(
+      attribute, fmt::format("there is no {} '{}'{}", noun, printable(own), did_you_mean(own, known))));
 }
 
 std::size_t MjcfContext::place(const MjcfElement& element, const char* type, const char* name) {
@@ -148,7 +170,7 @@ std::size_t MjcfContext::place(const MjcfElement& element, const char* type, con
       place = tree.camera_places[find(element, name, "camera", tree.cameras)];
       break;
   }
-  place.name = element.string(name);
+  place.name = this->name(element, name);
   place.where = element.where(name);
   model.sites.push_back(place);
   return model.sites.size() - 1;
@@ -158,7 +180,8 @@ std::optional<std::array<double, 2>> MjcfContext::range(const MjcfElement& eleme
                                                         const char* limited) const {
   const std::vector<double> values = element.list(attribute, 2, 2);
   if (values.empty()) return std::nullopt;
-  const bool counts = element.flag_or_auto(limited).value_or(compiler.autolimits && values[0] < values[1]);
+  const bool counts =
+      element.flag_or_auto(limited).value_or(part.file->compiler.autolimits && values[0] < values[1]);
   if (!counts) return std::nullopt;
   if (!(values[0] < values[1]))
     throw element.error(attribute, fmt::format("the {} of {} has no room", attribute, element.what()));
@@ -166,16 +189,16 @@ std::optional<std::array<double, 2>> MjcfContext::range(const MjcfElement& eleme
 }
 
 void read_tendons(MjcfContext& context) {
-  for_each_in(context, "tendon", [&](pugi::xml_node node) {
+  context.read_each("tendon", [&](pugi::xml_node node) {
     const std::string_view kind = node.name();
-    const MjcfElement of = context.defaults.element(node, {"tendon"}, {});
+    const MjcfElement of = context.element(node, {"tendon"});
     if (kind != "fixed" && kind != "spatial") {
-      context.text.warn(
+      context.text().warn(
           {of.where(), fmt::format("<{}> is no tendon that is known; it is left out", printable(kind))});
       return;
     }
     MjcfTendon tendon = kind == "fixed" ? read_fixed(context, node) : read_spatial(context, node);
-    tendon.name = of.string("name");
+    tendon.name = context.name(of);
     tendon.where = of.has("name") ? of.where("name") : of.where();
     for (const auto& [name, to] : {std::pair("stiffness", &tendon.stiffness), {"damping", &tendon.damping}}) {
       const std::vector<double> values = of.overlaid(name, 3);
@@ -190,7 +213,7 @@ void read_tendons(MjcfContext& context) {
     if (of.number("armature", 0) != 0)
       throw of.error("armature", fmt::format("the armature of {} cannot be expressed", of.what()));
     if (context.range(of, "range", "limited"))
-      context.text.warn({of.where("range"), "limits of tendons are left out", {}, "range of a tendon"});
+      context.text().warn({of.where("range"), "limits of tendons are left out", {}, "range of a tendon"});
     const std::vector<double> rest = of.list("springlength", 1, 2);
     tendon.rest = rest.empty() ? std::array{-1.0, -1.0} : std::array{rest.front(), rest.back()};
     if (tendon.rest[0] == -1 && tendon.rest[1] == -1) tendon.rest.fill(length_at_rest(context.model, tendon));
@@ -201,18 +224,18 @@ void read_tendons(MjcfContext& context) {
 }
 
 void read_equalities(MjcfContext& context) {
-  for_each_in(context, "equality", [&](pugi::xml_node node) {
-    const MjcfElement of = context.defaults.element(node, {"equality"}, {});
+  context.read_each("equality", [&](pugi::xml_node node) {
+    const MjcfElement of = context.element(node, {"equality"});
     MjcfEquality equality;
-    equality.name = of.string("name");
+    equality.name = context.name(of);
     equality.where = of.where();
     const std::string_view kind = node.name();
     if (!of.flag("active", true)) {
-      context.text.warn(
+      context.text().warn(
           {of.where("active"), fmt::format("{} is not active; it is left out", of.what()), {}, "inactive"});
       return;
     }
-    context.text.of(node).check_spelling(
+    context.text().of(node).check_spelling(
         node, of.what(), {},
         {"name", "class", "active", "solref", "solimp", "body1", "body2", "site1", "site2", "anchor",
          "relpose", "torquescale", "joint1", "joint2", "tendon1", "tendon2", "polycoef"});
@@ -243,20 +266,20 @@ void read_equalities(MjcfContext& context) {
 
 void read_sensors(MjcfContext& context) {
   std::set<std::string, std::less<>> left_out;
-  for_each_in(context, "sensor", [&](pugi::xml_node node) {
-    const MjcfElement of(context.text, {node}, fmt::format("the sensor {}", printable(node.name())));
+  context.read_each("sensor", [&](pugi::xml_node node) {
+    const MjcfElement of(context.text(), {node}, fmt::format("the sensor {}", printable(node.name())));
     MjcfSensor sensor;
-    sensor.name = of.string("name");
+    sensor.name = context.name(of);
     sensor.kind = node.name();
     sensor.where = of.where();
     const auto is = [&](Words kinds) { return std::ranges::find(kinds, sensor.kind) != kinds.end(); };
     if (is({"framepos", "framexaxis", "frameyaxis", "framezaxis", "framelinvel", "frameangvel"})) {
       const bool axes = is({"framexaxis", "frameyaxis", "framezaxis"});
       if (axes && of.string("objtype") == "body") {
-        context.text.warn({of.where(),
-                           "axes of a body's inertia are left out; xbody has its own axes",
-                           {},
-                           "inertial axes"});
+        context.text().warn({of.where(),
+                             "axes of a body's inertia are left out; xbody has its own axes",
+                             {},
+                             "inertial axes"});
         return;
       }
       const std::size_t places = context.model.sites.size();
@@ -264,17 +287,17 @@ void read_sensors(MjcfContext& context) {
       if (of.has("refname")) sensor.reference = context.place(of, "reftype", "refname");
       const auto of_mesh = [&](std::size_t place) { return context.model.sites[place].of_mesh; };
       if (of_mesh(sensor.of) || (sensor.reference && of_mesh(*sensor.reference))) {
-        context.text.warn({of.where(),
-                           "the frame of a mesh is left out: MuJoCo moves it to the centre of mass",
-                           "a site in its place is taken", "frame of a mesh"});
+        context.text().warn({of.where(),
+                             "the frame of a mesh is left out: MuJoCo moves it to the centre of mass",
+                             "a site in its place is taken", "frame of a mesh"});
         context.model.sites.resize(places);
         return;
       }
       if (sensor.reference && is({"framelinvel", "frameangvel"})) {
-        context.text.warn({of.where(),
-                           fmt::format("{} in a moving frame is left out", sensor.kind),
-                           {},
-                           "relative velocity"});
+        context.text().warn({of.where(),
+                             fmt::format("{} in a moving frame is left out", sensor.kind),
+                             {},
+                             "relative velocity"});
         return;
       }
     } else if (is({"gyro", "velocimeter"})) {
@@ -284,14 +307,14 @@ void read_sensors(MjcfContext& context) {
     } else if (is({"tendonpos", "tendonvel"})) {
       sensor.of = context.find(of, "tendon", "tendon", context.tendons);
     } else if (is({"actuatorpos", "actuatorvel"})) {
-      const auto found = context.actuators.find(of.string("actuator"));
+      const auto found = context.actuators.find(context.name(of, "actuator"));
       if (found == context.actuators.end()) return;  // its actuator was left out with a warning
       sensor.of = found->second;
     } else if (!is({"clock"})) {
-      context.text.warn({of.where(),
-                         fmt::format("sensors <{}> are left out", printable(sensor.kind)),
-                         {},
-                         "sensor " + sensor.kind});
+      context.text().warn({of.where(),
+                           fmt::format("sensors <{}> are left out", printable(sensor.kind)),
+                           {},
+                           "sensor " + sensor.kind});
       return;
     }
     context.model.sensors.push_back(std::move(sensor));

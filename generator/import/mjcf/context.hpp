@@ -1,6 +1,7 @@
 // What the readers of a model's sections share.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "import/mjcf/tree.hpp"
@@ -8,13 +9,22 @@
 namespace alembert {
 
 struct MjcfContext {
-  const MjcfText& text;
-  const MjcfDefaults& defaults;
-  const MjcfCompiler& compiler;
   const MjcfTree& tree;
   MjcfModel& model;
   MjcfNames tendons, actuators;  ///< by name, as they are read
+  MjcfPart part;                 ///< that is read
+  std::size_t count = 0;         ///< of elements that are read, those of a file as often as it is attached
 
+  const MjcfText& text() const { return part.file->text; }
+  MjcfElement element(pugi::xml_node node, const std::vector<std::string>& tags) const {
+    return part.file->defaults.element(node, tags, {});
+  }
+  /// The name that an attribute gives, as it is in the model.
+  std::string name(const MjcfElement& element, const char* attribute = "name") const {
+    return part.name(element.string(attribute));
+  }
+  /// Reads the elements of a section. Of attached files those are left out that speak of what is not attached.
+  void read_each(const char* section, const std::function<void(pugi::xml_node)>& read);
   /// The index that an attribute names. Throws at a name that is unknown.
   std::size_t find(const MjcfElement& element, const char* attribute, const char* noun,
                    const MjcfNames& names) const;

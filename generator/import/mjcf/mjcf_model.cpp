@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "import/mjcf/actuators.hpp"
 #include "import/mjcf/context.hpp"
+#include "import/mjcf/model_file.hpp"
 #include "import/mjcf/spelling.hpp"
 
 namespace alembert {
@@ -33,6 +35,38 @@ void read_option(const MjcfText& text, MjcfModel& model, Disabled& disabled) {
     for (const pugi::xml_node flag : text.children(node, "flag"))
       for (const pugi::xml_attribute each : flag.attributes())
         if (std::string_view(each.value()) == "disable") disabled.flags.emplace_back(each.name());
+  }
+}
+
+/// What attached files say of the whole is their own affair: the model's counts.
+void pass_over_options(const MjcfTree& tree, const MjcfFile& own, const MjcfModel& model) {
+  std::set<const MjcfFile*> seen;
+  for (const MjcfPart& part : tree.parts()) {
+    const MjcfText& text = part.file->text;
+    if (part.file == &own || !seen.insert(part.file).second) continue;
+    MjcfModel other;
+    Disabled disabled;
+    read_option(text, other, disabled);
+    const bool differs = other.gravity != model.gravity || other.wind != model.wind ||
+                         other.density != model.density || other.viscosity != model.viscosity ||
+                         !disabled.flags.empty() || !disabled.actuator_groups.empty();
+    for (const pugi::xml_node option : text.children(text.root(), "option")) {
+      if (!differs) break;
+      if (own.compiler.resolves_conflicts)
+        throw InputError(text.where(option),
+                         "the option of an attached model is another, and is not merged here",
+                         "conflict=\"warning\" in the <compiler> lets that of the model count");
+      text.warn({text.where(option),
+                 "the option of an attached model is passed over: that of the model counts",
+                 {},
+                 "option of an attached model"});
+      break;
+    }
+    for (const pugi::xml_node keys : text.children(text.root(), "keyframe"))
+      text.warn({text.where(keys),
+                 "keyframes of an attached model are left out",
+                 {},
+                 "keyframes of an attached model"});
   }
 }
 
@@ -90,18 +124,6 @@ void read_start(const MjcfText& text, MjcfModel& model) {
   for (std::size_t i = 0; i < activations.size(); ++i) *states[i] = activations[i];
 }
 
-void check_sections(const MjcfText& text) {
-  text.of(text.root())
-      .check_spelling(text.root(), "the model",
-                      {"compiler", "option", "size", "visual", "statistic", "default", "custom", "asset",
-                       "worldbody", "contact", "deformable", "equality", "tendon", "actuator", "sensor",
-                       "keyframe", "extension", "include"},
-                      {"model"});
-  for (const pugi::xml_node section : text.children(text.root(), "deformable"))
-    for (const pugi::xml_node flex : text.children(section, "flex"))
-      throw InputError(text.where(flex), "a flexible body (<flex>) cannot be expressed");
-}
-
 RigidPose pose_at(const MjcfModel& model, std::size_t body, bool rest) {
   RigidPose out;
   for (; body != 0; body = model.bodies[body].parent) {
@@ -140,31 +162,30 @@ RigidPose rest_pose(const MjcfModel& model, std::size_t body) {
 
 MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<std::string>& folders,
                     Warnings& warnings) {
-  const MjcfText text(std::move(source), folders, warnings);
+  MjcfFiles files(std::move(source), folders, warnings);
+  const MjcfText& text = files.own().text;
   const pugi::xml_node root = text.root();
-  if (std::string_view(root.name()) != "mujoco")
-    throw InputError(text.where(root),
-                     fmt::format("expected a <mujoco>, found <{}>", printable(root.name())));
-  check_sections(text);
   MjcfModel model;
   const pugi::xml_attribute name = root.attribute("model");
   model.name = name ? name.value() : "model";
   model.where = name ? text.where(name) : text.where(root);
-  model.places = text.places();
   Disabled disabled;
   read_option(text, model, disabled);
-  const MjcfCompiler compiler = read_compiler(text);
-  const MjcfDefaults defaults(text);
-  MjcfTree tree(text, defaults, compiler, model);
+  MjcfTree tree(files, model);
   tree.read();
-  MjcfContext context{text, defaults, compiler, tree, model, {}, {}};
-  read_tendons(context);
-  read_equalities(context);
-  read_actuators(context);
-  read_sensors(context);
+  model.places = files.places();
+  pass_over_options(tree, files.own(), model);
+  MjcfContext context{tree, model, {}, {}, {}, 0};
+  for (const MjcfPart& part : tree.parts()) {
+    context.part = part;
+    read_tendons(context);
+    read_equalities(context);
+    read_actuators(context);
+    read_sensors(context);
+  }
   read_start(text, model);
   disable(model, disabled);
-  model.files.assign(text.named_files().begin(), text.named_files().end());
+  model.files = files.names();
   return model;
 }
 

@@ -23,7 +23,7 @@ constexpr std::string_view kVitalMjcf[] = {
     "equality",    "connect",   "weld",      "tendon",       "actuator",   "replicate", "frictionloss",
     "gravcomp",    "polycoef",  "eulerseq",  "gear",         "gainprm",    "biasprm",   "kp",
     "kv",          "coef",      "anchor",    "springlength", "mesh",       "scale",     "refpos",
-    "refquat",     "vertex",    "face"};
+    "refquat",     "vertex",    "face",      "attach",       "prefix",     "model"};
 constexpr XmlFormat kMjcf{"mujoco", kVitalMjcf};
 
 constexpr std::size_t kMaximumFiles = 1000;

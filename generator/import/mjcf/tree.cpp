@@ -12,7 +12,7 @@
 namespace alembert {
 namespace {
 
-constexpr std::size_t kMaximumElements = 200000;
+constexpr std::size_t kDeepestElement = 400;
 
 using Words = std::initializer_list<std::string_view>;
 const Words kBodyChildren = {"inertial", "joint",     "freejoint", "geom",   "site",
@@ -24,49 +24,52 @@ const Words kFrameAttributes = {"name", "childclass", "pos", "quat", "axisangle"
 const Words kReplicateAttributes = {"count", "offset", "euler", "sep", "childclass"};
 }  // namespace
 
-MjcfTree::MjcfTree(const MjcfText& text, const MjcfDefaults& defaults, const MjcfCompiler& compiler,
-                   MjcfModel& model)
-    : text_(text),
-      defaults_(defaults),
-      compiler_(compiler),
-      assets_(text, defaults, compiler),
-      model_(model) {}
+MjcfTree::MjcfTree(MjcfFiles& files, MjcfModel& model) : files_(files), model_(model) {}
 
 void MjcfTree::read() {
   model_.bodies.emplace_back().name = "world";
   bodies["world"] = 0;
   geoms_.emplace_back();
-  for (const pugi::xml_node world : text_.children(text_.root(), "worldbody")) {
-    text_.of(world).check_spelling(world, "the worldbody", kBodyChildren, kBodyAttributes);
-    Scope scope;
-    if (const pugi::xml_attribute childclass = world.attribute("childclass")) {
-      defaults_.require(childclass);
-      scope.childclass = childclass.value();
-    }
-    read_children(world, scope);
-  }
+  Scope scope;
+  scope.part.file = &files_.own();
+  parts_.push_back(scope.part);
+  read_worlds(scope);
   for (const MjcfGeom& geom : geoms_[0])
     if (geom.shape().kind != SolidKind::none) model_.bodies[0].shapes.push_back(geom.shape());
   sort_joints();
   set_total_mass();
 }
 
+void MjcfTree::read_worlds(Scope scope) {
+  const MjcfText& text = scope.text();
+  for (const pugi::xml_node world : text.children(text.root(), "worldbody")) {
+    text.of(world).check_spelling(world, "the worldbody", kBodyChildren, kBodyAttributes);
+    const pugi::xml_attribute childclass = world.attribute("childclass");
+    scope.part.file->defaults.require(childclass);
+    scope.childclass = childclass.value();
+    read_children(world, scope);
+  }
+}
+
 std::string MjcfTree::add_name(pugi::xml_node element, const Scope& scope, MjcfNames& names,
-                               std::size_t index) const {
-  std::string name = element.attribute("name").value();
+                               std::size_t index) {
+  std::string name = scope.part.name(element.attribute("name").value());
   if (name.empty()) return name;
-  name += scope.suffix;
   if (!names.emplace(name, index).second)
-    throw InputError(text_.where(element.attribute("name")),
+    throw InputError(scope.text().where(element.attribute("name")),
                      fmt::format("a second {} '{}'", element.name(), printable(name)));
   return name;
 }
 
 void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
-  for (const pugi::xml_node child : text_.children(parent)) {
-    if (++count_ > kMaximumElements)
-      throw InputError(text_.where(child),
-                       fmt::format("the model has more than {} elements", kMaximumElements));
+  if (++depth_ > kDeepestElement)
+    throw InputError(
+        scope.text().where(parent),
+        fmt::format("with what is attached, elements are nested more than {} deep", kDeepestElement));
+  for (const pugi::xml_node child : scope.text().children(parent)) {
+    if (++count_ > kMaximumMjcfElements)
+      throw InputError(scope.text().where(child),
+                       fmt::format("the model has more than {} elements", kMaximumMjcfElements));
     const std::string_view kind = child.name();
     if (kind == "body") {
       read_body(child, scope);
@@ -86,132 +89,199 @@ void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
       read_frame(child, scope);
     } else if (kind == "replicate") {
       read_replicate(child, scope);
-    } else if (kind == "attach" || kind == "composite" || kind == "flexcomp") {
-      throw InputError(text_.where(child),
+    } else if (kind == "attach") {
+      read_attached(child, scope);
+    } else if (kind == "composite" || kind == "flexcomp") {
+      throw InputError(scope.text().where(child),
                        fmt::format("<{}> makes bodies that are not worked out here", kind),
                        "MuJoCo can save the model with these bodies written out (mj_saveLastXML)");
     } else if (kind == "plugin") {
-      text_.warn(
-          {text_.where(child), "a plugin is left out: its forces are not in the equations", {}, "plugin"});
+      scope.text().warn({scope.text().where(child),
+                         "a plugin is left out: its forces are not in the equations",
+                         {},
+                         "plugin"});
     }
+  }
+  --depth_;
+}
+
+void MjcfTree::read_attached(pugi::xml_node element, const Scope& scope) {
+  scope.text().of(element).check_spelling(element, "an attach", {}, {"model", "body", "frame", "prefix"});
+  const MjcfElement of(scope.text(), {element}, "an attach");
+  if (!of.has("prefix")) throw InputError(of.where(), "no attribute 'prefix' of an attach");
+  if (of.has("body") && of.has("frame")) throw of.error("frame", "a body or a frame is attached, not both");
+  if (std::ranges::find(open_, element) != open_.end())
+    throw InputError(of.where(), "what is attached here attaches itself");
+  Scope inner = scope;
+  inner.childclass.clear();
+  inner.part.prefix += of.string("prefix");
+  inner.part.whole = !of.has("body") && !of.has("frame");
+  inner.part.attached = true;
+  if (of.has("model"))
+    inner.part.file = &files_.attached(*scope.part.file, of);
+  else if (inner.part.whole)
+    throw InputError(of.where(), "expected what is attached: a model, or a body or frame of this one");
+  parts_.push_back(inner.part);
+  open_.push_back(element);
+  if (inner.part.whole) {
+    read_worlds(inner);
+  } else {
+    const char* const kind = of.has("body") ? "body" : "frame";
+    const std::string name = of.string(kind);
+    const Attachables& known = attachables(*inner.part.file);
+    const auto found = known.find(fmt::format("{} {}", kind, name));
+    if (found == known.end()) {
+      std::vector<std::string> names;
+      for (const auto& [each, at] : known)
+        if (each.starts_with(kind)) names.push_back(each.substr(each.find(' ') + 1));
+      throw of.error(kind, fmt::format("there is no {} '{}' to be attached{}", kind, printable(name),
+                                       did_you_mean(name, names)));
+    }
+    inner.childclass = found->second.childclass;
+    if (of.has("body"))
+      read_body(found->second.element, inner);
+    else
+      read_frame(found->second.element, inner);
+  }
+  open_.pop_back();
+}
+
+const MjcfTree::Attachables& MjcfTree::attachables(const MjcfFile& file) {
+  const auto [found, is_new] = attachables_.try_emplace(&file);
+  if (is_new)
+    for (const pugi::xml_node world : file.text.children(file.text.root(), "worldbody"))
+      find(file.text, world, world.attribute("childclass").value(), found->second);
+  return found->second;
+}
+
+void MjcfTree::find(const MjcfText& text, pugi::xml_node parent, const std::string& childclass,
+                    Attachables& to) {
+  for (const pugi::xml_node child : text.children(parent)) {
+    const std::string_view kind = child.name();
+    if (kind != "body" && kind != "frame") continue;
+    to.try_emplace(fmt::format("{} {}", kind, child.attribute("name").value()), Found{child, childclass});
+    const pugi::xml_attribute own = child.attribute("childclass");
+    find(text, child, own ? own.value() : childclass, to);
   }
 }
 
 void MjcfTree::read_frame(pugi::xml_node element, Scope scope) {
-  text_.of(element).check_spelling(element, "a frame", kBodyChildren, kFrameAttributes);
+  scope.text().of(element).check_spelling(element, "a frame", kBodyChildren, kFrameAttributes);
   const pugi::xml_attribute childclass = element.attribute("childclass");
-  defaults_.require(childclass);
+  scope.part.file->defaults.require(childclass);
   if (childclass) scope.childclass = childclass.value();
-  scope.frame = scope.frame * compiler_.pose({text_, {element}, "a frame"});
+  scope.frame = scope.frame * scope.compiler().pose({scope.text(), {element}, "a frame"});
   read_children(element, scope);
 }
 
 void MjcfTree::read_replicate(pugi::xml_node element, Scope scope) {
-  text_.of(element).check_spelling(element, "a replicate", kBodyChildren, kReplicateAttributes);
-  const MjcfElement of(text_, {element}, "a replicate");
+  scope.text().of(element).check_spelling(element, "a replicate", kBodyChildren, kReplicateAttributes);
+  const MjcfElement of(scope.text(), {element}, "a replicate");
   const double count = of.number("count", 0);
-  if (!(count >= 1 && count <= static_cast<double>(kMaximumElements) && count == std::floor(count)))
-    throw of.error("count", fmt::format("expected a number of copies from 1 to {}", kMaximumElements));
+  if (!(count >= 1 && count <= static_cast<double>(kMaximumMjcfElements) && count == std::floor(count)))
+    throw of.error("count", fmt::format("expected a number of copies from 1 to {}", kMaximumMjcfElements));
   const pugi::xml_attribute childclass = element.attribute("childclass");
-  defaults_.require(childclass);
+  scope.part.file->defaults.require(childclass);
   if (childclass) scope.childclass = childclass.value();
   const Eigen::Vector3d step = of.vector("offset", Eigen::Vector3d::Zero()),
                         angles = of.vector("euler", Eigen::Vector3d::Zero());
-  const std::string outer = scope.suffix;
+  const std::string outer = scope.part.suffix;
   const RigidPose first = scope.frame;
   RigidPose copy;
   const std::size_t digits = std::to_string(static_cast<std::size_t>(count)).size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    scope.suffix = fmt::format("{}{:0{}}{}", of.string("sep"), i, digits, outer);
+    scope.part.suffix = fmt::format("{}{:0{}}{}", of.string("sep"), i, digits, outer);
     scope.frame = first * copy;
     read_children(element, scope);
     // Each copy is shifted in the axes of the one before it, and turned by a multiple of the angles.
-    copy = {(copy * RigidPose{step}).shift, compiler_.euler_turn(static_cast<double>(i + 1) * angles),
+    copy = {(copy * RigidPose{step}).shift, scope.compiler().euler_turn(static_cast<double>(i + 1) * angles),
             copy.longest()};
   }
 }
 
 void MjcfTree::read_body(pugi::xml_node element, const Scope& scope) {
-  const MjcfElement of(text_, {element},
+  const MjcfElement of(scope.text(), {element},
                        fmt::format("body '{}'", printable(element.attribute("name").value())));
-  text_.of(element).check_spelling(element, of.what(), kBodyChildren, kBodyAttributes);
+  scope.text().of(element).check_spelling(element, of.what(), kBodyChildren, kBodyAttributes);
   const std::size_t index = model_.bodies.size();
   MjcfBody& body = model_.bodies.emplace_back();
   geoms_.emplace_back();
   body.parent = scope.body;
   body.where = of.has("name") ? of.where("name") : of.where();
   body.name = add_name(element, scope, bodies, index);
-  body.pose = scope.frame * compiler_.pose(of);
+  body.pose = scope.frame * scope.compiler().pose(of);
   body.weightless = of.number("gravcomp", 0);
   if (of.flag("mocap", false))
-    text_.warn({of.where("mocap"),
-                fmt::format("{} is moved from outside (mocap); it stands still here", of.what()),
-                {},
-                "mocap"});
+    scope.text().warn({of.where("mocap"),
+                       fmt::format("{} is moved from outside (mocap); it stands still here", of.what()),
+                       {},
+                       "mocap"});
   const pugi::xml_attribute childclass = element.attribute("childclass");
-  defaults_.require(childclass);
-  read_children(element, {index, {}, childclass ? childclass.value() : scope.childclass, scope.suffix});
-  finish_body(index, of);
+  scope.part.file->defaults.require(childclass);
+  read_children(element, {scope.part, index, {}, childclass ? childclass.value() : scope.childclass});
+  finish_body(index, of, scope);
 }
 
 void MjcfTree::read_inertial_of(pugi::xml_node element, const Scope& scope) {
   if (scope.body == 0)
-    throw InputError(text_.where(element), "an inertial of the world, which does not move");
-  if (!inertials_.emplace(scope.body, Inertial{element, scope.frame}).second)
-    throw InputError(text_.where(element), fmt::format("a second inertial of body '{}'",
-                                                       printable(model_.bodies[scope.body].name)));
+    throw InputError(scope.text().where(element), "an inertial of the world, which does not move");
+  if (!inertials_.emplace(scope.body, Inertial{element, &scope.text(), scope.frame}).second)
+    throw InputError(scope.text().where(element), fmt::format("a second inertial of body '{}'",
+                                                              printable(model_.bodies[scope.body].name)));
 }
 
-void MjcfTree::finish_body(std::size_t index, const MjcfElement& element) {
+void MjcfTree::finish_body(std::size_t index, const MjcfElement& element, const Scope& scope) {
   using FromGeoms = MjcfCompiler::FromGeoms;
+  const MjcfCompiler& compiler = scope.compiler();
   MjcfBody& body = model_.bodies[index];
   const std::vector<MjcfGeom>& own = geoms_[index];
   for (const MjcfGeom& geom : own) {
     if (geom.shape().kind != SolidKind::none) body.shapes.push_back(geom.shape());
     body.fluid_shapes = body.fluid_shapes || geom.has_fluid_shape();
   }
-  const FromGeoms from = compiler_.inertia_from_geoms;
+  const FromGeoms from = compiler.inertia_from_geoms;
   const auto given = inertials_.find(index);
   if (from == FromGeoms::yes || (from == FromGeoms::where_missing && given == inertials_.end())) {
-    body.mass = mass_of_geoms(own, compiler_);
+    body.mass = mass_of_geoms(own, compiler);
     // Of one geom alone, MuJoCo takes its own axes.
-    if (const MjcfGeom* only = only_geom_with_mass(own, compiler_); only != nullptr && !only->is_mesh())
+    if (const MjcfGeom* only = only_geom_with_mass(own, compiler); only != nullptr && !only->is_mesh())
       body.inertial_turn = only->shape().pose.turn;
   } else if (given != inertials_.end()) {
-    const MjcfElement inertial(text_, {given->second.element}, "the inertial of " + element.what());
-    body.mass = read_inertial(inertial, given->second.frame, compiler_);
-    if (inertial.has("diaginertia")) body.inertial_turn = given->second.frame.turn * compiler_.turn(inertial);
+    const MjcfElement inertial(*given->second.text, {given->second.element},
+                               "the inertial of " + element.what());
+    body.mass = read_inertial(inertial, given->second.frame, compiler);
+    if (inertial.has("diaginertia")) body.inertial_turn = given->second.frame.turn * compiler.turn(inertial);
   }
   // What MuJoCo gives to a body that says nothing of its mass (boundmass) lies as far from it as it from its parent.
   if (body.mass.mass == 0 && given == inertials_.end()) {
-    const RigidPose said = compiler_.pose(element);
+    const RigidPose said = compiler.pose(element);
     body.mass.centre = said.shift;
     body.inertial_turn = said.turn;
   }
   if (!body.inertial_turn) body.inertial_turn = principal_turn(body.mass);
-  body.mass = corrected(body.mass, compiler_, body.where, element.what());
+  body.mass = corrected(body.mass, compiler, body.where, element.what());
 }
 
 void MjcfTree::read_free_joint(pugi::xml_node element, const Scope& scope) {
-  text_.of(element).check_spelling(element, "a freejoint", {}, {"name", "group", "align", "class"});
+  scope.text().of(element).check_spelling(element, "a freejoint", {}, {"name", "group", "align", "class"});
   MjcfJoint joint;
   joint.type = MjcfJointType::free;
-  joint.where = text_.where(element);
+  joint.where = scope.text().where(element);
   if (std::string_view(element.attribute("align").value()) == "true")
-    text_.warn({joint.where,
-                "align is passed over: the coordinates are those of the body's own frame",
-                {},
-                "align"});
+    scope.text().warn({joint.where,
+                       "align is passed over: the coordinates are those of the body's own frame",
+                       {},
+                       "align"});
   add_joint(element, scope, std::move(joint));
 }
 
 void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
-  const MjcfElement of = defaults_.element(element, scope.childclass);
+  const MjcfElement of = scope.element(element);
   MjcfJoint joint;
   joint.where = of.where();
   joint.type = static_cast<MjcfJointType>(of.word("type", {"free", "ball", "slide", "hinge"}, 3));
   const bool hinge = joint.type == MjcfJointType::hinge, single = hinge || joint.type == MjcfJointType::slide;
-  const auto radians = [&](double value) { return hinge ? compiler_.angle(value) : value; };
+  const auto radians = [&](double value) { return hinge ? scope.compiler().angle(value) : value; };
   if (joint.type != MjcfJointType::free) {
     joint.anchor = scope.frame * RigidPose{of.vector("pos", {0, 0, 0})};
     joint.anchor.turn.setIdentity();
@@ -245,25 +315,26 @@ void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
   if (joint.stiffness != 0 && !single)
     throw of.error("stiffness",
                    fmt::format("the stiffness of {}, which has no single position, is not taken", of.what()));
-  read_ranges(of, joint, single);
+  read_ranges(of, scope.compiler(), joint, single);
   add_joint(element, scope, std::move(joint));
 }
 
-void MjcfTree::read_ranges(const MjcfElement& of, MjcfJoint& joint, bool single) {
+void MjcfTree::read_ranges(const MjcfElement& of, const MjcfCompiler& compiler, MjcfJoint& joint,
+                           bool single) {
   const bool hinge = joint.type == MjcfJointType::hinge;
   const std::vector<double> range = of.list("range", 2, 2), drive = of.list("actuatorfrcrange", 2, 2);
   const auto is_limited = [&](const char* flag, const std::vector<double>& values) {
-    return !values.empty() && of.flag_or_auto(flag).value_or(compiler_.autolimits && values[0] < values[1]);
+    return !values.empty() && of.flag_or_auto(flag).value_or(compiler.autolimits && values[0] < values[1]);
   };
   if (is_limited("limited", range)) {
     if (!single)
-      text_.warn(
+      of.text().warn(
           {of.where("range"), fmt::format("the range of {} is left out", of.what()), {}, "range of a ball"});
     else if (!(range[0] < range[1]))
       throw of.error("range", fmt::format("the range of {} has no room", of.what()));
     else
-      joint.limits = {hinge ? compiler_.angle(range[0]) : range[0],
-                      hinge ? compiler_.angle(range[1]) : range[1]};
+      joint.limits = {hinge ? compiler.angle(range[0]) : range[0],
+                      hinge ? compiler.angle(range[1]) : range[1]};
   }
   if (single && is_limited("actuatorfrclimited", drive)) joint.drive = {drive[0], drive[1]};
 }
@@ -271,7 +342,7 @@ void MjcfTree::read_ranges(const MjcfElement& of, MjcfJoint& joint, bool single)
 void MjcfTree::add_joint(pugi::xml_node element, const Scope& scope, MjcfJoint joint) {
   const std::size_t index = model_.joints.size();
   joint.body = scope.body;
-  if (const pugi::xml_attribute name = element.attribute("name")) joint.where = text_.where(name);
+  if (const pugi::xml_attribute name = element.attribute("name")) joint.where = scope.text().where(name);
   if (scope.body == 0) throw InputError(joint.where, "a joint of the world, which does not move");
   MjcfBody& body = model_.bodies[scope.body];
   std::size_t speeds = speed_count(joint.type);
@@ -309,11 +380,11 @@ void MjcfTree::sort_joints() {
 
 void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vector<MjcfPlace>& places,
                           MjcfNames& names) {
-  const MjcfElement of = defaults_.element(element, scope.childclass);
+  const MjcfElement of = scope.element(element);
   MjcfPlace place;
   place.body = scope.body;
   place.where = of.has("name") ? of.where("name") : of.where();
-  RigidPose pose = compiler_.pose(of);
+  RigidPose pose = scope.compiler().pose(of);
   if (const std::vector<double> ends = of.list("fromto", 6, 6); !ends.empty()) {
     const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
     if (from == to) throw of.error("fromto", fmt::format("the ends of {} are one point", of.what()));
@@ -325,8 +396,8 @@ void MjcfTree::read_place(pugi::xml_node element, const Scope& scope, std::vecto
 }
 
 void MjcfTree::read_geom(pugi::xml_node element, const Scope& scope) {
-  const MjcfElement of = defaults_.element(element, scope.childclass);
-  MjcfGeom geom(of, scope.frame, compiler_, assets_);
+  const MjcfElement of = scope.element(element);
+  MjcfGeom geom(of, scope.frame, scope.compiler(), scope.part.file->assets);
   MjcfPlace place;
   place.body = scope.body;
   place.where = of.where();
@@ -338,11 +409,12 @@ void MjcfTree::read_geom(pugi::xml_node element, const Scope& scope) {
 }
 
 void MjcfTree::set_total_mass() {
-  if (!(compiler_.total_mass > 0)) return;
+  const double total = files_.own().compiler.total_mass;
+  if (!(total > 0)) return;
   double sum = 0;
   for (const MjcfBody& body : model_.bodies) sum += body.mass.mass;
   if (!(sum > 0)) return;
-  for (MjcfBody& body : model_.bodies) body.mass = body.mass.times(compiler_.total_mass / sum);
+  for (MjcfBody& body : model_.bodies) body.mass = body.mass.times(total / sum);
 }
 
 }  // namespace alembert
