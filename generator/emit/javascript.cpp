@@ -56,7 +56,7 @@ std::vector<std::string> parameters_of(const OutputFunction& function, std::stri
 std::string opening(const OutputFunction& function, const Mechanism& mechanism) {
   std::string out;
   for (const ArgumentKind kind : function.arguments)
-    out += fmt::format("check_length(\"{0}\", {0}, {1});\n", argument_name(kind),
+    out += fmt::format("check_numbers(\"{0}\", {0}, {1});\n", argument_name(kind),
                        argument_size(kind, mechanism));
   if (function.takes_inputs) out += "const given = given_inputs(inputs);\n";
   for (const ResultArray& result : function.results) {

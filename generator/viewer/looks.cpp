@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mechanism/transform_checks.hpp"
 #include "support/shortest_turn.hpp"
 #include "viewer/contacts.hpp"
 #include "viewer/file_mesh.hpp"
@@ -99,7 +100,17 @@ class DefaultLooks {
                                       : frames[k][static_cast<std::size_t>(parent)].inverse() * frames[k][b]);
       }
       joints_.push_back(find_joint(relative, extent_));
+      // What several coordinates move, as a body that falls, may run straight without a rail.
+      if (joints_.back().kind == Kind::slide && coordinates_of(mechanism_.bodies[b]) > 1) joints_.back() = {};
     }
+  }
+
+  std::size_t coordinates_of(const Body& body) const {
+    const std::vector<Expr> moving = expressions_of(body.transform.factors, mechanism_);
+    std::size_t count = 0;
+    for (const Coordinate& coordinate : mechanism_.coordinates)
+      count += depends_on(moving, coordinate.symbols[0]) ? static_cast<std::size_t>(coordinate.nv()) : 0;
+    return count;
   }
 
   /// Points of a body that its links join: where it is held, where it holds others, and its named points.

@@ -167,4 +167,11 @@ if(pkg_config)
     message(FATAL_ERROR "pkg-config gives '${output}' for ${pc}")
   endif()
 endif()
+# The example for GPUs, by CUDA's compiler where there is one.
+find_program(nvcc nvcc PATHS /usr/local/cuda/bin)
+if(nvcc)
+  run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/../../mechanisms/examples/gpu" -B "${WORK}/gpu build" -G "${GENERATOR}" -DGPU_ENABLED=ON
+      -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CUDA_COMPILER=${nvcc} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} --warn-uninitialized -Werror=dev)
+  run(output ${CMAKE_COMMAND} --build "${WORK}/gpu build" -j2)
+endif()
 file(REMOVE_RECURSE "${WORK}")

@@ -13,8 +13,10 @@ check(JSON.stringify(module.coordinate_names) === JSON.stringify(names), `coordi
 const present = functions.filter((f) => module.function_names.includes(f.name));
 check(present.length === functions.length, `functions ${module.function_names}`);
 let worst = 0;
-for (const { name, takes_inputs, states } of functions) {
-  for (const { args, inputs, results, by_default } of states) {
+// One function after the other at each state: none must find what another has left.
+for (let state = 0; state < Math.max(...functions.map(({ states }) => states.length)); ++state) {
+  for (const { name, takes_inputs, states } of functions) {
+    const { args, inputs, results, by_default } = states[state];
     const given = takes_inputs ? [inputs] : [];
     const compare = (found, what) => {
       const arrays = results.length === 1 ? [found] : results.map((result) => found[result.name]);
@@ -40,7 +42,8 @@ for (const { name, takes_inputs, states } of functions) {
     const wrenches = Object.fromEntries(module.wrench_body_names.map((key, i) => [key, inputs.wrenches.slice(6 * i, 6 * i + 6)]));
     compare(module[name](...args, { t: inputs.t, parameters: named, wrenches }), `${name} by names`);
     if (by_default) compare(module[name](...args), `${name} without inputs`);
-    for (const bad of [{ no_such_name: 1 }, { t: "1" }, { parameters: [1, 2, 3, ...inputs.parameters] }]) {
+    const texts = inputs.parameters.map(String);
+    for (const bad of [{ no_such_name: 1 }, { t: "1" }, { parameters: [1, 2, 3, ...inputs.parameters] }, ...(texts.length > 0 ? [{ parameters: texts }] : [])]) {
       let refused = false;
       try {
         module[name](...args, bad);

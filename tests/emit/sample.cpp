@@ -267,7 +267,9 @@ Program with_dot_products(const Mechanism& m, std::string_view function, std::si
   for (std::vector<std::vector<std::uint32_t>>* rows : {&left, &right})
     for (std::vector<std::uint32_t>& row : *rows)
       for (int k = 0; k < 5; ++k) row.push_back(static_cast<std::uint32_t>(random() % values));
-  left[2][1] = 0;  // an input
+  // An input and a constant, which are put into tables beside what is computed.
+  left[2][1] = 0;
+  left[3][2] = maker.constant(0.0125);
   std::vector<std::uint32_t>& M = maker.program.outputs[0].values;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = symmetric ? i : 0; j < n; ++j) {

@@ -186,6 +186,16 @@ TEST(JavaScript, StepsInLoops) {
   const Sample s = stepping();
   check_javascript(s.mechanism, s.programs);
 }
+TEST(JavaScript, TablesWithConstants) {
+  alembert::CompileOptions options;
+  for (const char* name : {"mass_matrix", "body_jacobians", "inverse_dynamics_derivatives"})
+    options.functions.emplace_back(*alembert::find_function(name));
+  options.loop_results = 6;
+  options.loop_operations = 100000;  // blocks instead
+  const alembert::CompiledMechanism compiled = alembert::compile_mechanism(
+      alembert::read_source(ALEMBERT_SOURCE_DIR "/tests/emit/chain.yaml"), options);
+  check_javascript(*compiled.mechanism, programs_of(compiled));
+}
 TEST(JavaScript, IsForDoubleAlone) {
   const Sample s = every_function();
   EmitOptions options;

@@ -198,6 +198,14 @@ TEST(Cuda, RolloutMakesStepsOfForwardDynamics) {
   std::vector<alembert::EmittedFile> files = alembert::emit_mechanism(mechanism, programs, for_cuda());
   files.push_back({"caller.cpp", R"(#include "cuda/free_body.cuh"
 namespace m = ::alembert::mechanisms::free_body::cuda;
+struct Push {
+  template <class S>
+  bool operator()(std::size_t, S, const S*, const S*, S* tau, S*) const {
+    tau[0] += S(1);
+    return true;
+  }
+};
+/// From 100 on: so many steps less, pushed by 1 more, with the end alone recorded.
 extern "C" int call(int, const double* const* a, double, const double*, const double*, double* const* r);
 extern "C" int call(int steps, const double* const* a, double, const double*, const double*, double* const* r) {
   for (int i = 0; i < m::kNq; ++i) r[0][i] = a[0][i];
@@ -208,7 +216,13 @@ extern "C" int call(int steps, const double* const* a, double, const double*, co
   way.tau = a[2];
   way.record = r[2];
   way.every = 5;
-  m::rollout<double>(0, 1, r[0], r[1], m::BatchInputs<double>(), way);
+  if (steps < 100) {
+    m::rollout<double>(0, 1, r[0], r[1], m::BatchInputs<double>(), way);
+    return 0;
+  }
+  way.steps = steps - 100;
+  way.every = 0;
+  m::rollout<double, m::Method::semi_implicit_euler>(0, 1, r[0], r[1], m::BatchInputs<double>(), way, Push());
   return 0;
 }
 )"});
@@ -248,6 +262,21 @@ extern "C" int call(int steps, const double* const* a, double, const double*, co
   double square = 0;
   for (std::size_t i = 3; i < 7; ++i) square += q[i] * q[i];
   EXPECT_NEAR(square, 1, 1e-15);
+  // A policy finds held forces as they are given, not as it left them.
+  state.tau[0] = 3;
+  q = state.q;
+  u = state.qd;
+  go(20, record);
+  const std::vector<double> pushed_q = q, pushed_u = u;
+  state.tau[0] = 2;
+  q = state.q;
+  u = state.qd;
+  std::vector<double> end(nq + nv, 0.0);
+  go(120, end);
+  EXPECT_EQ(q, pushed_q);
+  EXPECT_EQ(u, pushed_u);
+  EXPECT_TRUE(std::ranges::equal(std::span(end).first(nq), q) &&
+              std::ranges::equal(std::span(end).subspan(nq), u));
 }
 
 /// The input drives the state a, which drives a block; the state way is what the block has moved. In closed form, a is

@@ -73,6 +73,8 @@ def test_policies_are_asked_for_all_at_once(load):
         alembert.rollout(m, q, qd, broken, steps=5, step=0.01)
     with pytest.raises(ValueError, match=r"u: expected of the policy what broadcasts to \(40, 2\), found \(3,\)"):
         alembert.rollout(m, q, qd, lambda t, q, qd: [1, 2, 3], steps=5, step=0.01)
+    with pytest.raises(TypeError, match="the policy returns nothing"):
+        alembert.rollout(m, q, qd, lambda t, q, qd: None, steps=5, step=0.01)
 
 
 def test_motions_end(load):

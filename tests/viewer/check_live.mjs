@@ -180,7 +180,11 @@ async function checkHand(browser) {
   assert.ok(Math.abs((await page.evaluate(() => window.viewer.time)) - 0.05) < 1e-6);
   await page.click("#live");
   await page.waitForFunction(() => window.viewer.time > 0.02);
-  await page.click("#play");
+  // Keys are the picture's after a click on a button, and an arrow does not leave the live mode.
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.evaluate(() => document.body.dataset.mode), "live");
+  await page.keyboard.press(" ");
+  assert.equal(await page.evaluate(() => document.querySelector("#play").dataset.state), "paused");
 
   // A finger.
   [x, y] = await place();
@@ -242,6 +246,9 @@ try {
   await checkMotion(closed, { conserves: true, body: "left_lower", by: [0.4, 0, 0.3] });
   await checkSteps(closed, `${mechanisms}/paper/five_bar.yaml`, "rk4");
   await closed.close();
+  const rocks = await checkValues(browser, `${mechanisms}/paper/rattleback.yaml`);
+  await checkMotion(rocks, { conserves: true, body: "rattleback", by: [0.1, 0, 0] });
+  await rocks.close();
   const hops = await checkValues(browser, `${mechanisms}/forces/hopping_leg.yaml`);
   await checkMotion(hops, { conserves: false, body: "trunk", by: [0, 0, 0.2] });
   await checkSteps(hops, `${mechanisms}/forces/hopping_leg.yaml`, "linearly-implicit");

@@ -1,6 +1,7 @@
 // Scenes: what a mechanism looks like, found joints, places and signs.
 #include "viewer/scene.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -160,6 +161,20 @@ bodies:
   EXPECT_TRUE(watertight(torus));
   EXPECT_NEAR(volume(torus), 2 * 9.8696 * 1.1 * 0.35 * 0.35, 0.04);
   EXPECT_EQ(mechanism.scenery[0].placement.translation(), Vector3d(0, 0, 3));
+}
+
+/// One coordinate shifts a body along a rail; what several coordinates move may run straight without one, as a body
+/// that falls.
+TEST(Scene, DrawsRailsForSlidesOnly) {
+  const auto scenery_of = [](const char* coordinates, const char* shift) {
+    const SmallScene small(fmt::format("alembert: 1\nname: block\ncoordinates: [{}]\nbodies:\n"
+                                       "  - {{name: block, transform: [translate: [{}]], mass: 1}}\n",
+                                       coordinates, shift),
+                           {0, -2, -50});
+    return small.scene.mechanisms.at(0).scenery.size();
+  };
+  EXPECT_EQ(scenery_of("x", "x, 0, 0"), 1u);
+  EXPECT_EQ(scenery_of("x, y, z", "x, y, z"), 0u);
 }
 
 TEST(Scene, DrawsASurfaceInAnInverseOnItsBody) {

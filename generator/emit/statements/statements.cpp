@@ -67,8 +67,10 @@ class Writer {
     }
     const std::uint32_t last = layout_.blocks() - 1;
     layout_.loops() ? write_late(last) : write_leaves(cuts_leaves() ? add_block() : last);
+    // Behind the entries of their tables, wherever these are.
+    const auto end = static_cast<std::uint32_t>(body_.blocks.size() - 1);
     for (std::size_t i = 0; i < program_.dot_products.size(); ++i)
-      write_dot_products(last, program_.dot_products[i], layout_.tables()[i]);
+      write_dot_products(end, program_.dot_products[i], layout_.tables()[i]);
     if (body_.blocks.size() == 1 && layout_.crossing() > 0 && !plan_ &&
         syntax_.dialect != Dialect::javascript)
       states_[0].lines.insert(0, fmt::format("{} kept[{}];\n", syntax_.number, layout_.crossing()));

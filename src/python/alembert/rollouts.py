@@ -253,7 +253,10 @@ def _callback(plan: Plan, refused: List[BaseException]) -> Any:
             if plan.policy is None:
                 view(to, (count, nu))[...] = controls[:, min(step // plan.numbers["hold"], controls.shape[1] - 1)]
                 return
-            chosen = numpy.asarray(plan.policy(t, *given), dtype=float)
+            answer = plan.policy(t, *given)
+            if answer is None:
+                raise TypeError("u: the policy returns nothing")
+            chosen = numpy.asarray(answer, dtype=float)
             try:
                 view(to, (count, nu))[...] = chosen
             except ValueError:

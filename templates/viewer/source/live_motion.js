@@ -11,8 +11,10 @@ const kShare = 0.5;       // of the time that passes may be taken by computing
 const kMostTime = 14;     // ms of computing at once: then time passes more slowly
 const kLeastMobility = 1e-6;  // of that without constraints: what has less is held fast
 const kProjections = 6;
-const kHalvings = 5;      // of a step
+const kHalvings = 7;      // of a step
 const kExact = 1e-4;      // of the kinetic energy may be lost in a step
+const kBearable = 1e-2;   // of it in one that is not halved again
+const kRounding = 1e-12;  // of the potential energy cannot be told
 const kKept = 1e-9;       // a constraint is kept to
 
 /// The exports of an ES module that imports nothing.
@@ -246,7 +248,7 @@ export class LiveMotion {
   }
 
   /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Steps of RK4 after which the energy has
-  /// not changed by the work of the hand are made again, in halves.
+  /// not changed by the work of the hand are made again, in halves; where the shortest ones fail, the motion stops.
   step(h, halvings = kHalvings) {
     const state = [this.q, this.u, this.states];
     const before = state.map((x) => Float64Array.from(x));
@@ -256,8 +258,9 @@ export class LiveMotion {
     else this.stepByRk4(h);
     this.settle();
     const finite = state.every((x) => x.every(Number.isFinite));
-    if (finite && this.problem === "" && (halvings === 0 || !this.isInexact(energy, work))) return true;
-    const problem = this.problem || "the motion has no finite state from here";
+    const inexact = finite && this.isInexact(energy, work, halvings === 0 ? kBearable : kExact);
+    if (finite && this.problem === "" && !inexact) return true;
+    const problem = this.problem || (inexact ? "the motion is too fast here for its steps" : "the motion has no finite state from here");
     state.forEach((x, k) => x.set(before[k]));
     Object.assign(this, { t, work, problem: "" });
     if (halvings > 0 && !this.stiff) return this.step(h / 2, halvings - 1) && this.step(h / 2, halvings - 1);
@@ -265,11 +268,12 @@ export class LiveMotion {
     return false;
   }
   /// Not told where something else than the hand may do work.
-  isInexact([kinetic, potential], work) {
-    if (this.stiff || this.timed || this.nc > 0) return false;
+  isInexact([kinetic, potential], work, share) {
+    if (this.stiff || this.timed) return false;
     const [after, place] = this.energy();
     const gained = after + place - kinetic - potential;
-    return Math.abs(gained - (this.work - work)) > kExact * Math.max(kinetic, after);
+    const untold = kRounding * Math.max(Math.abs(potential), Math.abs(place));
+    return Math.abs(gained - (this.work - work)) > share * Math.max(kinetic, after) + untold;
   }
 
   /// Length of a step: as short as there is time to compute.

@@ -173,6 +173,10 @@ element("recorded").addEventListener("click", () => setMode(false));
 element("reset").addEventListener("click", reset);
 element("play").addEventListener("click", () => (state.playing ? pause() : play()));
 element("time").addEventListener("input", () => seek(start + Number(element("time").value) * duration));
+// What the pointer has used does not keep the keyboard from the picture.
+window.addEventListener("click", (event) => event.detail > 0 && event.target.closest?.("button")?.blur());
+window.addEventListener("pointerup", (event) => event.target instanceof HTMLInputElement && event.target.blur());
+window.addEventListener("change", (event) => event.target instanceof HTMLSelectElement && event.target.blur());
 window.addEventListener("keydown", (event) => {
   if (event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement) return;
   if (event.key === " " && !(event.target instanceof HTMLButtonElement)) {
@@ -181,7 +185,7 @@ window.addEventListener("keydown", (event) => {
     else play();
   } else if (event.key === "r" && live && !event.ctrlKey && !event.metaKey) {
     reset();
-  } else if (event.key === "ArrowRight" || event.key === "ArrowLeft") {
+  } else if (!live?.on && (event.key === "ArrowRight" || event.key === "ArrowLeft")) {
     seek(state.time + (event.key === "ArrowRight" ? 1 : -1) / 60);
   }
 });
