@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -82,9 +83,45 @@ Eigen::Affine3d affine(const aiMatrix4x4& m) {
   return out;
 }
 
-/// Lines and points are none.
-bool has_triangles(const aiMesh& mesh) {
-  return (mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
+/// Splits faces of four corners along the shorter diagonal, as MuJoCo does: where they are not flat, volumes depend on
+/// it.
+void split_quadrilaterals(aiMesh& mesh) {
+  const auto is_one = [](const aiFace& face) { return face.mNumIndices == 4; };
+  const std::span<aiFace> old(mesh.mFaces, mesh.mNumFaces);
+  const auto count = static_cast<unsigned>(std::ranges::count_if(old, is_one));
+  if (count == 0) return;
+  auto* const faces = new aiFace[mesh.mNumFaces + count];
+  aiFace* next = faces;
+  for (const aiFace& face : old) {
+    if (!is_one(face)) {
+      *next++ = face;
+      continue;
+    }
+    const unsigned* const at = face.mIndices;
+    const auto diagonal = [&](unsigned i, unsigned k) {
+      return (mesh.mVertices[at[k]] - mesh.mVertices[at[i]]).SquareLength();
+    };
+    const unsigned turn = diagonal(0, 2) < diagonal(1, 3) ? 0 : 1;
+    for (const unsigned half : {1U, 2U}) {
+      next->mNumIndices = 3;
+      next->mIndices = new unsigned[3]{at[turn], at[half + turn], at[(half + 1 + turn) % 4]};
+      ++next;
+    }
+  }
+  delete[] mesh.mFaces;
+  mesh.mFaces = faces;
+  mesh.mNumFaces += count;
+  mesh.mPrimitiveTypes |= aiPrimitiveType_TRIANGLE;
+  // What is no polygon must not be called one.
+  if (std::ranges::all_of(std::span(mesh.mFaces, mesh.mNumFaces),
+                          [](const aiFace& face) { return face.mNumIndices <= 3; }))
+    mesh.mPrimitiveTypes &= ~static_cast<unsigned>(aiPrimitiveType_POLYGON);
+}
+
+/// Lines are none. Points are vertices without triangles, which nobody draws.
+bool is_surface(const aiMesh& mesh, MeshNormals normals) {
+  return (mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0 ||
+         (mesh.mPrimitiveTypes == aiPrimitiveType_POINT && normals == MeshNormals::none);
 }
 
 /// None if the file has none; what assimp makes up for that has its own name.
@@ -140,7 +177,7 @@ std::vector<MeshSurface> read_mesh_file(const std::filesystem::path& file, MeshN
   }
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  unsigned steps = aiProcess_Triangulate;
+  unsigned steps = aiProcess_Triangulate;  // what has more than four corners
   if (normals == MeshNormals::smooth) {
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCrease);
     // Vertices are one that differ in what is not drawn. Normals of files are often those of flat triangles; to drop them
@@ -151,7 +188,12 @@ std::vector<MeshSurface> read_mesh_file(const std::filesystem::path& file, MeshN
                                                             aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS);
     steps |= aiProcess_RemoveComponent | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
   }
-  const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, kind.c_str());
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, kind.c_str());
+  if (scene != nullptr) {
+    for (const std::span<aiMesh*> meshes(scene->mMeshes, scene->mNumMeshes); aiMesh* const mesh : meshes)
+      split_quadrilaterals(*mesh);
+    scene = importer.ApplyPostProcessing(steps);
+  }
   if (scene == nullptr || scene->mNumMeshes == 0 || scene->mRootNode == nullptr)
     throw std::runtime_error(std::string("is no mesh that can be read: ") + importer.GetErrorString());
   std::vector<MeshSurface> out;
@@ -161,7 +203,7 @@ std::vector<MeshSurface> read_mesh_file(const std::filesystem::path& file, MeshN
     const auto [node, place] = open.back();
     open.pop_back();
     for (unsigned m = 0; m < node->mNumMeshes; ++m)
-      if (node->mMeshes[m] < scene->mNumMeshes && has_triangles(*scene->mMeshes[node->mMeshes[m]]))
+      if (node->mMeshes[m] < scene->mNumMeshes && is_surface(*scene->mMeshes[node->mMeshes[m]], normals))
         out.push_back(surface_of(*scene, *scene->mMeshes[node->mMeshes[m]], place, normals));
     // The first child is the next one.
     for (unsigned c = node->mNumChildren; c-- > 0;)

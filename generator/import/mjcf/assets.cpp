@@ -39,8 +39,7 @@ MjcfAssets::MjcfAssets(const MjcfText& text, const MjcfDefaults& defaults, const
       const MjcfElement asset = defaults.element(node);
       const std::string_view kind = node.name();
       if (kind == "material") {
-        const std::vector<double> rgba = asset.list("rgba", 4, 4);
-        if (!rgba.empty()) colours_[asset.string("name")] = {rgba[0], rgba[1], rgba[2]};
+        if (const auto colour = asset.colour()) colours_[asset.string("name")] = *colour;
       } else if (kind == "mesh") {
         std::string name = node.attribute("name").value();
         if (name.empty()) name = fs::path(asset.string("file")).stem().string();

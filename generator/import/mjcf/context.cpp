@@ -13,6 +13,9 @@ namespace {
 
 using Words = std::initializer_list<std::string_view>;
 
+/// Elements times parts of the model.
+constexpr std::size_t kMaximumTries = 2000000;
+
 /// An element speaks of what the model does not have.
 struct UnknownName : InputError {
   explicit UnknownName(InputError error) : InputError(std::move(error)) {}
@@ -115,25 +118,34 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
 
 }  // namespace
 
-void MjcfContext::read_each(const char* section, const std::function<void(pugi::xml_node)>& read) {
+void MjcfContext::read_each(const char* section, const std::function<void(pugi::xml_node)>& read_one) {
   for (const pugi::xml_node top : text().children(text().root(), section))
     for (const pugi::xml_node node : text().children(top)) {
-      if (++count > kMaximumMjcfElements)
+      if (++tried > kMaximumTries || count > kMaximumMjcfElements)
         throw InputError(text().where(node),
                          fmt::format("the model has more than {} elements", kMaximumMjcfElements));
       const std::size_t sites = model.sites.size();
       try {
-        read(node);
+        read_one(node);
+        read.insert(node);
+        ++count;
       } catch (const UnknownName& error) {
-        if (!part.attached) throw;
         model.sites.erase(model.sites.begin() + static_cast<std::ptrdiff_t>(sites), model.sites.end());
-        if (part.whole)
-          text().warn({error.where(),
-                       fmt::format("{}; what speaks of it is left out", error.message()),
-                       {},
-                       fmt::format("{} of a part that is not attached", section)});
+        if (!part.attached || part.whole) unknown.emplace_back(node, error);
       }
     }
+}
+
+void MjcfContext::check_unknown(const MjcfFile& own) const {
+  for (const auto& [node, error] : unknown) {
+    if (read.contains(node)) continue;
+    const MjcfText& from = own.text;
+    if (from.holds(node)) throw error;
+    from.warn({error.where(),
+               fmt::format("{}; what speaks of it is left out", error.message()),
+               {},
+               "part that is not attached"});
+  }
 }
 
 std::size_t MjcfContext::find(const MjcfElement& element, const char* attribute, const char* noun,
@@ -158,8 +170,13 @@ std::size_t MjcfContext::place(const MjcfElement& element, const char* type, con
     case 0:
     case 1:
       place.body = find(element, name, "body", tree.bodies);
-      // The frame of `body` is that of its inertia; its origin is the centre of mass.
-      if (element.string(type) == "body") place.pose = model.bodies[place.body].mass.frame();
+      // The frame of `body` is that of its inertia; its origin is the centre of mass. Axes are looked at in references.
+      if (element.string(type) == "body") {
+        const MjcfBody& body = model.bodies[place.body];
+        place.pose = body.mass.frame(std::string_view(type) == "reftype"
+                                         ? body.inertial_turn.value_or(Eigen::Quaterniond::Identity())
+                                         : Eigen::Quaterniond::Identity());
+      }
       break;
     case 2:
       place = tree.geom_places[find(element, name, "geom", tree.geoms)];
@@ -248,6 +265,8 @@ void read_equalities(MjcfContext& context) {
     if (kind == "connect" || kind == "weld") {
       equality.type = kind == "weld" ? MjcfEqualityType::weld : MjcfEqualityType::connect;
       add_ends_of_bodies(context, of, equality);
+      // Then the rows of the turn are zeros: points are held together, and nothing else.
+      if (kind == "weld" && of.number("torquescale", 1) == 0) equality.type = MjcfEqualityType::connect;
     } else if (kind == "joint") {
       equality.type = MjcfEqualityType::joint;
       pair("joint1", "joint2", "joint", context.tree.joints);
@@ -275,7 +294,10 @@ void read_sensors(MjcfContext& context) {
     const auto is = [&](Words kinds) { return std::ranges::find(kinds, sensor.kind) != kinds.end(); };
     if (is({"framepos", "framexaxis", "frameyaxis", "framezaxis", "framelinvel", "frameangvel"})) {
       const bool axes = is({"framexaxis", "frameyaxis", "framezaxis"});
-      if (axes && of.string("objtype") == "body") {
+      const bool of_inertia =
+          of.has("refname") && of.string("reftype") == "body" &&
+          !context.model.bodies[context.find(of, "refname", "body", context.tree.bodies)].turn_is_exact;
+      if (of_inertia || (axes && of.string("objtype") == "body")) {
         context.text().warn({of.where(),
                              "axes of a body's inertia are left out; xbody has its own axes",
                              {},

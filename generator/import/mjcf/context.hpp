@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "import/mjcf/tree.hpp"
 
@@ -13,7 +16,11 @@ struct MjcfContext {
   MjcfModel& model;
   MjcfNames tendons, actuators;  ///< by name, as they are read
   MjcfPart part;                 ///< that is read
-  std::size_t count = 0;         ///< of elements that are read, those of a file as often as it is attached
+  std::size_t count = 0,
+              tried = 0;  ///< of elements that are read, those of a file as often as it is attached
+  std::vector<std::pair<pugi::xml_node, InputError>>
+      unknown;  ///< elements that speak of what their part lacks
+  std::set<pugi::xml_node> read;
 
   const MjcfText& text() const { return part.file->text; }
   MjcfElement element(pugi::xml_node node, const std::vector<std::string>& tags) const {
@@ -23,8 +30,11 @@ struct MjcfContext {
   std::string name(const MjcfElement& element, const char* attribute = "name") const {
     return part.name(element.string(attribute));
   }
-  /// Reads the elements of a section. Of attached files those are left out that speak of what is not attached.
-  void read_each(const char* section, const std::function<void(pugi::xml_node)>& read);
+  /// Reads the elements of a section. Those are left out that speak of what the part does not have: what is attached or
+  /// replicated may have it under another name.
+  void read_each(const char* section, const std::function<void(pugi::xml_node)>& read_one);
+  /// Throws where an element of the model's own file speaks of what nothing in it has; warns of those of others.
+  void check_unknown(const MjcfFile& own) const;
   /// The index that an attribute names. Throws at a name that is unknown.
   std::size_t find(const MjcfElement& element, const char* attribute, const char* noun,
                    const MjcfNames& names) const;

@@ -48,6 +48,14 @@ std::vector<double> MjcfElement::list(const char* name, std::size_t least, std::
   return text_->of(found).number_list(found, fmt::format("the {} of {}", name, what_), least, most);
 }
 
+std::optional<std::array<double, 3>> MjcfElement::colour() const {
+  std::vector<double> rgba;
+  if (const pugi::xml_attribute found = attribute("rgba"))
+    text_->of(found).tolerate("it has the usual colour", [&] { rgba = list("rgba", 4, 4); });
+  if (rgba.empty()) return std::nullopt;
+  return std::array{rgba[0], rgba[1], rgba[2]};
+}
+
 std::vector<double> MjcfElement::overlaid(const char* name, std::size_t most) const {
   std::vector<double> out;
   for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {

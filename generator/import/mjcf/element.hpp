@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ class MjcfElement {
   std::vector<double> list(const char* name, std::size_t least, std::size_t most) const;  ///< empty if absent
   /// Of up to `most` numbers: those that a layer gives hide the first ones of the layers around it, and leave the rest.
   std::vector<double> overlaid(const char* name, std::size_t most) const;
+  /// red green blue of `rgba`; none, with a warning, where it is no colour: it is only seen.
+  std::optional<std::array<double, 3>> colour() const;
   Eigen::Vector3d vector(const char* name, const Eigen::Vector3d& otherwise) const;
   /// `true` or `false`.
   bool flag(const char* name, bool otherwise) const;

@@ -59,10 +59,8 @@ MjcfGeom::MjcfGeom(const MjcfElement& element, const RigidPose& frame, const Mjc
     shape_.file = drawn->file.string();
     shape_.sizes = drawn->scale;
   }
-  if (const std::vector<double> rgba = element.list("rgba", 4, 4); !rgba.empty())
-    shape_.colour = {rgba[0], rgba[1], rgba[2]};
-  else
-    shape_.colour = assets.colour(element.string("material"));
+  shape_.colour = element.colour();
+  if (!shape_.colour) shape_.colour = assets.colour(element.string("material"));
   if (shape_.colour)
     for (double& each : *shape_.colour) each = std::clamp(each, 0.0, 1.0);
 }

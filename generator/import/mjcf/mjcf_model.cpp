@@ -175,7 +175,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<
   tree.read();
   model.places = files.places();
   pass_over_options(tree, files.own(), model);
-  MjcfContext context{tree, model, {}, {}, {}, 0};
+  MjcfContext context{tree, model, {}, {}, {}, 0, 0, {}, {}};
   for (const MjcfPart& part : tree.parts()) {
     context.part = part;
     read_tendons(context);
@@ -183,6 +183,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<
     read_actuators(context);
     read_sensors(context);
   }
+  context.check_unknown(files.own());
   read_start(text, model);
   disable(model, disabled);
   model.files = files.names();

@@ -33,8 +33,9 @@ struct MjcfBody {
   RigidPose pose;  ///< in its parent, where no joint has moved
   BodyMass mass;   ///< in its own frame
   std::optional<Eigen::Quaterniond>
-      inertial_turn;      ///< axes of its inertia before it was corrected; none of the world
-  double weightless = 0;  ///< gravcomp: the part of its weight that is borne
+      inertial_turn;  ///< axes of its inertia before it was corrected, MuJoCo's up to order and signs; none of the world
+  bool turn_is_exact = false;  ///< in order and signs too
+  double weightless = 0;       ///< gravcomp: the part of its weight that is borne
   bool fluid_shapes = false;
   std::vector<std::size_t> joints;
   std::vector<PlacedShape> shapes;

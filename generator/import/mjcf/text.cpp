@@ -124,6 +124,10 @@ std::vector<pugi::xml_node> MjcfText::children(pugi::xml_node parent, std::strin
   return out;
 }
 
+bool MjcfText::holds(pugi::xml_node element) const {
+  return std::ranges::any_of(texts_, [&](const auto& text) { return text->holds(element.name()); });
+}
+
 const XmlText& MjcfText::holding(const char* name) const {
   for (const auto& text : texts_)
     if (text->holds(name)) return *text;

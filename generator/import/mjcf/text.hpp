@@ -23,6 +23,7 @@ class MjcfText {
   /// Elements below `parent`, in place of an <include> those of the file that it names; of one name, if it is
   /// given.
   std::vector<pugi::xml_node> children(pugi::xml_node parent, std::string_view name = {}) const;
+  bool holds(pugi::xml_node element) const;
   /// The text that an element or attribute stands in.
   const XmlText& of(pugi::xml_node element) const { return holding(element.name()); }
   const XmlText& of(pugi::xml_attribute attribute) const { return holding(attribute.name()); }

@@ -188,10 +188,13 @@ void MjcfTree::read_replicate(pugi::xml_node element, Scope scope) {
   const std::string outer = scope.part.suffix;
   const RigidPose first = scope.frame;
   RigidPose copy;
+  scope.part.attached = true;
+  scope.part.whole = false;
   const std::size_t digits = std::to_string(static_cast<std::size_t>(count)).size();
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     scope.part.suffix = fmt::format("{}{:0{}}{}", of.string("sep"), i, digits, outer);
     scope.frame = first * copy;
+    parts_.push_back(scope.part);
     read_children(element, scope);
     // Each copy is shifted in the axes of the one before it, and turned by a multiple of the angles.
     copy = {(copy * RigidPose{step}).shift, scope.compiler().euler_turn(static_cast<double>(i + 1) * angles),
@@ -258,6 +261,7 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element, const 
     body.mass.centre = said.shift;
     body.inertial_turn = said.turn;
   }
+  body.turn_is_exact = body.inertial_turn.has_value();
   if (!body.inertial_turn) body.inertial_turn = principal_turn(body.mass);
   body.mass = corrected(body.mass, compiler, body.where, element.what());
 }
