@@ -19,13 +19,15 @@ class Anchor {
  public:
   Anchor(OsimDescription& out, pugi::xml_node constraint, std::initializer_list<const char*> socket,
          const Point& point, std::string suffix)
+      : Anchor(out, constraint, OsimXml::text(constraint, socket), point, std::move(suffix)) {}
+  Anchor(OsimDescription& out, pugi::xml_node constraint, const std::string& socket, const Point& point,
+         std::string suffix)
       : out_(out),
         at_(out.xml.where(constraint)),
         name_(OsimXml::name_of(constraint) + std::move(suffix)),
         point_(point) {
-    frame_ =
-        resolve_osim_frame(out.model, OsimXml::text(constraint, socket),
-                           "/constraintset/" + OsimXml::name_of(constraint), at_, OsimXml::title(constraint));
+    frame_ = resolve_osim_frame(out.model, socket, "/constraintset/" + OsimXml::name_of(constraint), at_,
+                                OsimXml::title(constraint));
     origin_ = frame("", {});
   }
   const std::string& origin() const { return origin_; }
@@ -64,7 +66,11 @@ std::vector<std::string> meeting(const Anchor& a, const Anchor& b) {
 }
 
 std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
-  const Anchor a(out, element, {"socket_frame1"}, {}, "_1"), b(out, element, {"socket_frame2"}, {}, "_2");
+  const bool on_bodies = osim_has_places_on_bodies(element);
+  const auto anchor = [&](const char* socket, const char* place, const char* suffix) {
+    return Anchor(out, element, on_bodies ? place : OsimXml::text(element, {socket}), {}, suffix);
+  };
+  const Anchor a = anchor("socket_frame1", "body_1", "_1"), b = anchor("socket_frame2", "body_2", "_2");
   std::vector<std::string> equations = meeting(a, b);
   const std::string ay = a.frame("_y", {0, 1, 0}), az = a.frame("_z", {0, 0, 1}),
                     bx = b.frame("_x", {1, 0, 0}), by = b.frame("_y", {0, 1, 0});
@@ -127,10 +133,7 @@ void add_osim_constraints(OsimDescription& out) {
       continue;
     const auto type =
         std::ranges::find(kConstraintTypes, std::string_view(element.name()), &ConstraintType::name);
-    // Before 4.0 welds give places on bodies.
-    const bool old =
-        type != std::end(kConstraintTypes) && type->equations == weld && !element.child("socket_frame1");
-    if (type == std::end(kConstraintTypes) || old) {
+    if (type == std::end(kConstraintTypes)) {
       out.left(element, "the equations are those without it", "add it to the description as a constraint");
       continue;
     }

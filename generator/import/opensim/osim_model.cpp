@@ -95,10 +95,12 @@ class SkeletonReader {
       collect_frames(joint.child("frames"), path, false);
       collect_frames(joint.child("components"), path, false);
     }
-    for (const pugi::xml_node force : xml_.objects(model_.element, "ForceSet"))
-      collect_frames(force.child("frames"), "/forceset/" + OsimXml::name_of(force), false);
-    for (const pugi::xml_node constraint : xml_.objects(model_.element, "ConstraintSet"))
-      collect_frames(constraint.child("frames"), "/constraintset/" + OsimXml::name_of(constraint), false);
+    for (const auto& [set, path] :
+         {std::pair("ForceSet", "/forceset/"), {"ConstraintSet", "/constraintset/"}})
+      for (const pugi::xml_node element : xml_.objects(model_.element, set)) {
+        collect_frames(element.child("frames"), path + OsimXml::name_of(element), false);
+        collect_places(element, path + OsimXml::name_of(element));
+      }
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);
@@ -137,6 +139,21 @@ class SkeletonReader {
         pending_.push_back(frame);
         collect_frames(element.child("components"), path + "/" + name, own);
       }
+  }
+  /// Before 4.0, welds and bushings say places on their bodies: frames body_1 and body_2 of theirs.
+  void collect_places(pugi::xml_node element, const std::string& path) {
+    if (!osim_has_places_on_bodies(element)) return;
+    for (const char* number : {"1", "2"}) {
+      const std::string body = std::string("body_") + number;
+      Pending frame;
+      frame.frame.name = OsimXml::name_of(element) + "_" + number;
+      frame.frame.path = path + "/" + body;
+      frame.frame.where = xml_.where(element);
+      frame.parent = OsimXml::text(element, {body.c_str()});
+      frame.offset.translation = xml_.vector<3>(element, ("location_" + body).c_str(), {});
+      frame.offset.orientation = xml_.vector<3>(element, ("orientation_" + body).c_str(), {});
+      pending_.push_back(frame);
+    }
   }
   static std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
   bool place(const Pending& pending, bool parent_is_pending) {
@@ -263,6 +280,12 @@ void OsimModel::add_frame(OsimFrame frame) {
     frames_of_name[frame.name].push_back(frames.size());
   }
   frames.push_back(std::move(frame));
+}
+
+bool osim_has_places_on_bodies(pugi::xml_node element) {
+  const std::string_view type = element.name();
+  return (type == "WeldConstraint" || type == "BushingForce") && element.child("body_1") &&
+         element.child("body_2");
 }
 
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root) {

@@ -77,6 +77,10 @@ struct OsimModel {
   SourceLocation where;
 };
 
+/// Whether a constraint or force names two bodies and says where it stands on them, as before 4.0: then it has frames
+/// body_1 and body_2 of its own.
+bool osim_has_places_on_bodies(pugi::xml_node element);
+
 /// Throws InputError at what is no model, cannot be understood or is no tree.
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root);
 
