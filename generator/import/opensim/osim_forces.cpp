@@ -272,7 +272,7 @@ void add_osim_forces(OsimDescription& out) {
     const ForceType* const type = force_type(force);
     const std::size_t before = out.warnings.size();
     if (type == nullptr)
-      out.left(force, "the language has no words for this force");
+      out.left(force, "forces of this kind are not read");
     else if (type->add(out, force))
       out.took(force.name());
     else if (out.warnings.size() == before)
