@@ -131,7 +131,7 @@ void MjcfContext::read_each(const char* section, const std::function<void(pugi::
         ++count;
       } catch (const UnknownName& error) {
         model.sites.erase(model.sites.begin() + static_cast<std::ptrdiff_t>(sites), model.sites.end());
-        if (!part.attached || part.whole) unknown.emplace_back(node, error);
+        if ((!part.attached || part.whole) && missed.insert(node).second) unknown.emplace_back(node, error);
       }
     }
 }

@@ -14,13 +14,13 @@ namespace alembert {
 struct MjcfContext {
   const MjcfTree& tree;
   MjcfModel& model;
-  MjcfNames tendons, actuators;  ///< by name, as they are read
-  MjcfPart part;                 ///< that is read
-  std::size_t count = 0,
-              tried = 0;  ///< of elements that are read, those of a file as often as it is attached
-  std::vector<std::pair<pugi::xml_node, InputError>>
-      unknown;  ///< elements that speak of what their part lacks
-  std::set<pugi::xml_node> read;
+  MjcfNames tendons = {}, actuators = {};  ///< by name, as they are read
+  MjcfPart part = {};                      ///< that is read
+  /// Of elements, those of a file as often as it is attached.
+  std::size_t count = 0, tried = 0;
+  /// Elements that speak of what a part lacks, and those that were read in one or in another.
+  std::vector<std::pair<pugi::xml_node, InputError>> unknown = {};
+  std::set<pugi::xml_node> missed = {}, read = {};
 
   const MjcfText& text() const { return part.file->text; }
   MjcfElement element(pugi::xml_node node, const std::vector<std::string>& tags) const {

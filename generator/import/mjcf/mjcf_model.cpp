@@ -50,17 +50,16 @@ void pass_over_options(const MjcfTree& tree, const MjcfFile& own, const MjcfMode
     const bool differs = other.gravity != model.gravity || other.wind != model.wind ||
                          other.density != model.density || other.viscosity != model.viscosity ||
                          !disabled.flags.empty() || !disabled.actuator_groups.empty();
-    for (const pugi::xml_node option : text.children(text.root(), "option")) {
-      if (!differs) break;
+    const std::vector<pugi::xml_node> options = text.children(text.root(), "option");
+    if (differs && !options.empty()) {
+      const SourceLocation where = text.where(options[0]);
       if (own.compiler.resolves_conflicts)
-        throw InputError(text.where(option),
-                         "the option of an attached model is another, and is not merged here",
+        throw InputError(where, "the option of an attached model is another, and is not merged here",
                          "conflict=\"warning\" in the <compiler> lets that of the model count");
-      text.warn({text.where(option),
+      text.warn({where,
                  "the option of an attached model is passed over: that of the model counts",
                  {},
                  "option of an attached model"});
-      break;
     }
     for (const pugi::xml_node keys : text.children(text.root(), "keyframe"))
       text.warn({text.where(keys),
@@ -175,7 +174,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<
   tree.read();
   model.places = files.places();
   pass_over_options(tree, files.own(), model);
-  MjcfContext context{tree, model, {}, {}, {}, 0, 0, {}, {}};
+  MjcfContext context{.tree = tree, .model = model};
   for (const MjcfPart& part : tree.parts()) {
     context.part = part;
     read_tendons(context);
