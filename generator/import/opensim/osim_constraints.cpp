@@ -18,18 +18,20 @@ using Point = std::array<double, 3>;
 class Anchor {
  public:
   Anchor(OsimDescription& out, pugi::xml_node constraint, std::initializer_list<const char*> socket,
-         const Point& point, std::string suffix)
-      : Anchor(out, constraint, OsimXml::text(constraint, socket), point, std::move(suffix)) {}
-  Anchor(OsimDescription& out, pugi::xml_node constraint, const std::string& socket, const Point& point,
-         std::string suffix)
+         const Point& point, const std::string& suffix)
+      : Anchor(out, constraint,
+               resolve_osim_frame(out.model, OsimXml::text(constraint, socket),
+                                  "/constraintset/" + OsimXml::name_of(constraint), out.xml.where(constraint),
+                                  OsimXml::title(constraint)),
+               point, suffix) {}
+  Anchor(OsimDescription& out, pugi::xml_node constraint, std::size_t frame, const Point& point,
+         const std::string& suffix)
       : out_(out),
         at_(out.xml.where(constraint)),
-        name_(OsimXml::name_of(constraint) + std::move(suffix)),
-        point_(point) {
-    frame_ = resolve_osim_frame(out.model, socket, "/constraintset/" + OsimXml::name_of(constraint), at_,
-                                OsimXml::title(constraint));
-    origin_ = frame("", {});
-  }
+        name_(OsimXml::name_of(constraint) + suffix),
+        point_(point),
+        frame_(frame),
+        origin_(this->frame("", {})) {}
   const std::string& origin() const { return origin_; }
   /// Name of a frame that is so far off.
   std::string frame(const std::string& suffix, const Point& off) const {
@@ -41,9 +43,10 @@ class Anchor {
  private:
   OsimDescription& out_;
   SourceLocation at_;
-  std::string name_, origin_;
+  std::string name_;
   Point point_;
-  std::size_t frame_ = 0;
+  std::size_t frame_;
+  std::string origin_;
 };
 
 std::string difference(const std::string& a, const std::string& b, char axis) {
@@ -66,11 +69,12 @@ std::vector<std::string> meeting(const Anchor& a, const Anchor& b) {
 }
 
 std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
-  const bool on_bodies = osim_has_places_on_bodies(element);
-  const auto anchor = [&](const char* socket, const char* place, const char* suffix) {
-    return Anchor(out, element, on_bodies ? place : OsimXml::text(element, {socket}), {}, suffix);
+  const auto places = out.model.places.find(element);
+  const auto anchor = [&](std::size_t i, const char* socket, const char* suffix) {
+    return places == out.model.places.end() ? Anchor(out, element, {socket}, {}, suffix)
+                                            : Anchor(out, element, places->second[i], {}, suffix);
   };
-  const Anchor a = anchor("socket_frame1", "body_1", "_1"), b = anchor("socket_frame2", "body_2", "_2");
+  const Anchor a = anchor(0, "socket_frame1", "_1"), b = anchor(1, "socket_frame2", "_2");
   std::vector<std::string> equations = meeting(a, b);
   const std::string ay = a.frame("_y", {0, 1, 0}), az = a.frame("_z", {0, 0, 1}),
                     bx = b.frame("_x", {1, 0, 0}), by = b.frame("_y", {0, 1, 0});

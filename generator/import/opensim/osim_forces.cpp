@@ -135,18 +135,20 @@ bool add_point_spring(OsimDescription& out, pugi::xml_node element) {
 bool add_bushing(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string owner = "/forceset/" + OsimXml::name_of(element);
-  const bool on_bodies = osim_has_places_on_bodies(element);
-  const auto frame = [&](std::initializer_list<const char*> socket, const char* place) {
-    const std::size_t found = resolve_osim_frame(
-        out.model, on_bodies ? place : OsimXml::text(element, socket), owner, at, OsimXml::title(element));
+  const auto places = out.model.places.find(element);
+  const auto frame = [&](std::size_t i, std::initializer_list<const char*> socket) {
+    if (places != out.model.places.end())
+      return out.add_frame(fmt::format("{}_{}", OsimXml::name_of(element), i + 1), places->second[i],
+                           {"0", "0", "0"}, at);
+    const std::size_t found =
+        resolve_osim_frame(out.model, OsimXml::text(element, socket), owner, at, OsimXml::title(element));
     const OsimFrame& of = out.model.frames[found];
-    return out.add_frame(on_bodies || of.own || of.name.empty()
-                             ? of.name
-                             : fmt::format("{}_{}", OsimXml::name_of(element), of.name),
-                         found, {"0", "0", "0"}, at);
+    return out.add_frame(
+        of.own || of.name.empty() ? of.name : fmt::format("{}_{}", OsimXml::name_of(element), of.name), found,
+        {"0", "0", "0"}, at);
   };
-  const std::string a = frame({"socket_frame1", "socket_frame1_frame"}, "body_1"),
-                    b = frame({"socket_frame2", "socket_frame2_frame"}, "body_2");
+  const std::string a = frame(0, {"socket_frame1", "socket_frame1_frame", "body_1"}),
+                    b = frame(1, {"socket_frame2", "socket_frame2_frame", "body_2"});
   const auto entry = [&](char row, char column) {
     std::vector<std::string> terms;
     for (const char k : {'x', 'y', 'z'})

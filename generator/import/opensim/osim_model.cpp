@@ -41,6 +41,7 @@ class SkeletonReader {
     model_.gravity = xml_.vector<3>(element, "gravity", {0, -9.80665, 0});
     read_bodies();
     read_frames();
+    read_places();
     read_joints();
     check_tree();
     return std::move(model_);
@@ -95,12 +96,10 @@ class SkeletonReader {
       collect_frames(joint.child("frames"), path, false);
       collect_frames(joint.child("components"), path, false);
     }
-    for (const auto& [set, path] :
-         {std::pair("ForceSet", "/forceset/"), {"ConstraintSet", "/constraintset/"}})
-      for (const pugi::xml_node element : xml_.objects(model_.element, set)) {
-        collect_frames(element.child("frames"), path + OsimXml::name_of(element), false);
-        collect_places(element, path + OsimXml::name_of(element));
-      }
+    for (const pugi::xml_node force : xml_.objects(model_.element, "ForceSet"))
+      collect_frames(force.child("frames"), "/forceset/" + OsimXml::name_of(force), false);
+    for (const pugi::xml_node constraint : xml_.objects(model_.element, "ConstraintSet"))
+      collect_frames(constraint.child("frames"), "/constraintset/" + OsimXml::name_of(constraint), false);
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);
@@ -140,21 +139,6 @@ class SkeletonReader {
         collect_frames(element.child("components"), path + "/" + name, own);
       }
   }
-  /// Before 4.0, welds and bushings say places on their bodies: frames body_1 and body_2 of theirs.
-  void collect_places(pugi::xml_node element, const std::string& path) {
-    if (!osim_has_places_on_bodies(element)) return;
-    for (const char* number : {"1", "2"}) {
-      const std::string body = std::string("body_") + number;
-      Pending frame;
-      frame.frame.name = OsimXml::name_of(element) + "_" + number;
-      frame.frame.path = path + "/" + body;
-      frame.frame.where = xml_.where(element);
-      frame.parent = OsimXml::text(element, {body.c_str()});
-      frame.offset.translation = xml_.vector<3>(element, ("location_" + body).c_str(), {});
-      frame.offset.orientation = xml_.vector<3>(element, ("orientation_" + body).c_str(), {});
-      pending_.push_back(frame);
-    }
-  }
   static std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
   bool place(const Pending& pending, bool parent_is_pending) {
     std::size_t parent = 0;
@@ -171,6 +155,25 @@ class SkeletonReader {
     if (!pending.offset.is_identity()) frame.offsets.push_back(pending.offset);
     model_.add_frame(std::move(frame));
     return true;
+  }
+
+  /// Before 4.0, welds and bushings say where they stand on two bodies.
+  void read_places() {
+    for (const char* set : {"ForceSet", "ConstraintSet"})
+      for (const pugi::xml_node element : xml_.objects(model_.element, set)) {
+        const std::string_view type = element.name();
+        if (type != "WeldConstraint" && type != "BushingForce") continue;
+        if (!element.child("body_1") || !element.child("body_2")) continue;
+        const auto place = [&](const char* body, const char* location, const char* orientation) {
+          const std::size_t on = resolve_osim_frame(model_, OsimXml::text(element, body), "",
+                                                    xml_.where(element), OsimXml::title(element));
+          return frame_off(on,
+                           {xml_.vector<3>(element, location, {}), xml_.vector<3>(element, orientation, {})});
+        };
+        const std::size_t first = place("body_1", "location_body_1", "orientation_body_1");
+        model_.places.emplace(element,
+                              std::array{first, place("body_2", "location_body_2", "orientation_body_2")});
+      }
   }
 
   /// Joints of the set, and of 3.0 those within bodies.
@@ -219,6 +222,10 @@ class SkeletonReader {
       offset = {xml_.vector<3>(joint, "location_in_child", offset.translation),
                 xml_.vector<3>(joint, "orientation_in_child", offset.orientation)};
     }
+    return frame_off(on, offset);
+  }
+  /// A frame without a name, so far off another one; that one itself if it is no way.
+  std::size_t frame_off(std::size_t on, const OsimOffset& offset) {
     if (offset.is_identity()) return on;
     OsimFrame frame = model_.frames[on];
     frame.name = frame.path = "";
@@ -280,12 +287,6 @@ void OsimModel::add_frame(OsimFrame frame) {
     frames_of_name[frame.name].push_back(frames.size());
   }
   frames.push_back(std::move(frame));
-}
-
-bool osim_has_places_on_bodies(pugi::xml_node element) {
-  const std::string_view type = element.name();
-  return (type == "WeldConstraint" || type == "BushingForce") && element.child("body_1") &&
-         element.child("body_2");
 }
 
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root) {

@@ -70,16 +70,14 @@ struct OsimModel {
   std::vector<OsimFrame> frames;                                   ///< frame i is body i's, for all bodies
   std::map<std::string, std::size_t> frame_of_path;                ///< the first one of each
   std::map<std::string, std::vector<std::size_t>> frames_of_name;  ///< in their order
+  std::map<pugi::xml_node, std::array<std::size_t, 2>>
+      places;  ///< of welds and bushings before 4.0: their frames
   std::vector<OsimJoint> joints;
   std::vector<OsimCoordinate> coordinates;
   std::vector<std::size_t> joint_of;  ///< by body: that which moves it; of the ground: none
   pugi::xml_node element;             ///< <Model>
   SourceLocation where;
 };
-
-/// Whether a constraint or force names two bodies and says where it stands on them, as before 4.0: then it has frames
-/// body_1 and body_2 of its own.
-bool osim_has_places_on_bodies(pugi::xml_node element);
 
 /// Throws InputError at what is no model, cannot be understood or is no tree.
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root);
