@@ -21,7 +21,7 @@ def instances(header, number):
     text = header.read_text()
     name = re.search(r"namespace ([\w:]+)::cuda \{", text).group(1)
     out = f'#include "{header}"\nnamespace m = {name}::cuda;\n'
-    for found in re.finditer(r"template <class S(?P<more>[^>]*)>\s*(?:inline )?cudaError_t (?P<name>\w+_batch)\((?P<arguments>[^)]*)\)", text):
+    for found in re.finditer(r"template <class S[^>]*>\s*(?:inline )?cudaError_t (?P<name>\w+_batch)\((?P<arguments>[^)]*)\)", text):
         arguments = re.sub(r"\s+", " ", found["arguments"])
         types = [re.sub(r"( = [^,]*)?$", "", each).strip() for each in arguments.split(",")]
         types = [re.sub(r"\s*\b\w+$", "", each) if not each.endswith(("*", "&")) else each for each in types]

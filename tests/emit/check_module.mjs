@@ -37,6 +37,15 @@ for (let state = 0; state < Math.max(...functions.map(({ states }) => states.len
     compare(module[name](...args, ...given), name);
     compare(module[name](...args, ...given, held), `${name} into arrays`);
     compare(held, `arrays of ${name}`);
+    if (args.some((array) => array.length > 0)) {
+      let refused = false;
+      try {
+        module[name](...args.map((array) => array.map(String)), ...given);
+      } catch (error) {
+        refused = error instanceof TypeError;
+      }
+      check(refused, `${name} takes texts`);
+    }
     if (!takes_inputs) continue;
     const named = Object.fromEntries(module.parameter_names.map((key, i) => [key, inputs.parameters[i]]));
     const wrenches = Object.fromEntries(module.wrench_body_names.map((key, i) => [key, inputs.wrenches.slice(6 * i, 6 * i + 6)]));

@@ -231,6 +231,33 @@ forces:
   await page.close();
 }
 
+/// A length that changes moves a linkage to where its constraint is kept, and the motion goes on from there.
+async function checkLengths(browser) {
+  const description = `${folder}/lengths.yaml`;
+  writeFileSync(description, `alembert: 1
+name: lengths
+parameters: {l: {value: 0.5, runtime: true}}
+coordinates: [{name: a, initial: 0.609069}, {name: b, initial: -1.10603}]
+bodies:
+  - {name: crank, transform: [{rotate: {axis: y, angle: a}}], mass: 1, com: [0.2, 0, 0]}
+  - {name: rod, parent: crank, transform: [{translate: [l, 0, 0]}, {rotate: {axis: y, angle: b}}], mass: 1, com: [0.25, 0, 0]}
+frames: [{name: tip, body: rod, transform: [{translate: [0.6, 0, 0]}]}]
+constraints: [{name: rail, type: holonomic, equations: [position(tip).z]}]
+`);
+  const { page, wrong } = await livePage(browser, description);
+  const problems = await page.evaluate(() => {
+    const [motion] = window.viewer.live.motions;
+    return [0.55, 0.9, 0.4].map((l) => {
+      motion.setParameter(motion.module.parameter_names.indexOf("l"), l);
+      for (let k = 0; k < 100; ++k) if (!motion.step(1 / 480)) return motion.problem;
+      return Math.abs(motion.rows.position[0]) < 1e-8 ? "" : `${motion.rows.position[0]} m off`;
+    });
+  });
+  assert.deepEqual(problems, ["", "", ""]);
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
 const browser = await startBrowser();
 try {
   const aside = ["--q", "0.4,-0.7"];
@@ -258,6 +285,7 @@ try {
   await elastic.close();
   await checkHand(browser);
   await checkSliders(browser);
+  await checkLengths(browser);
 } finally {
   await browser.close();
 }

@@ -16,7 +16,7 @@ using Words = std::initializer_list<std::string_view>;
 /// Elements times parts of the model.
 constexpr std::size_t kMaximumTries = 2000000;
 
-/// An element speaks of what the model does not have.
+/// A name that the part does not have.
 struct UnknownName : InputError {
   explicit UnknownName(InputError error) : InputError(std::move(error)) {}
 };
@@ -121,7 +121,9 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
 void MjcfContext::read_each(const char* section, const std::function<void(pugi::xml_node)>& read_one) {
   for (const pugi::xml_node top : text().children(text().root(), section))
     for (const pugi::xml_node node : text().children(top)) {
-      if (++tried > kMaximumTries || count > kMaximumMjcfElements)
+      if (++tried > kMaximumTries)
+        throw InputError(text().where(node), "too many elements for so many copies and attached models");
+      if (count > kMaximumMjcfElements)
         throw InputError(text().where(node),
                          fmt::format("the model has more than {} elements", kMaximumMjcfElements));
       const std::size_t sites = model.sites.size();

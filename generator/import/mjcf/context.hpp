@@ -16,9 +16,8 @@ struct MjcfContext {
   MjcfModel& model;
   MjcfNames tendons = {}, actuators = {};  ///< by name, as they are read
   MjcfPart part = {};                      ///< that is read
-  /// Of elements, those of a file as often as it is attached.
-  std::size_t count = 0, tried = 0;
-  /// Elements that speak of what a part lacks, and those that were read in one or in another.
+  std::size_t count = 0, tried = 0;  ///< elements that were read and that were tried, once for each part
+  /// Elements with a name that their part does not have, and what to say of them; `read` has those that some part could read.
   std::vector<std::pair<pugi::xml_node, InputError>> unknown = {};
   std::set<pugi::xml_node> missed = {}, read = {};
 
@@ -30,10 +29,9 @@ struct MjcfContext {
   std::string name(const MjcfElement& element, const char* attribute = "name") const {
     return part.name(element.string(attribute));
   }
-  /// Reads the elements of a section. Those are left out that speak of what the part does not have: what is attached or
-  /// replicated may have it under another name.
+  /// Reads the elements of a section, but for those with a name that the part does not have: a copy may have it.
   void read_each(const char* section, const std::function<void(pugi::xml_node)>& read_one);
-  /// Throws where an element of the model's own file speaks of what nothing in it has; warns of those of others.
+  /// Throws at an element of the model's own file that no part could read; warns of those of attached files.
   void check_unknown(const MjcfFile& own) const;
   /// The index that an attribute names. Throws at a name that is unknown.
   std::size_t find(const MjcfElement& element, const char* attribute, const char* noun,

@@ -71,13 +71,13 @@ const MjcfFile& MjcfFiles::attached(const MjcfFile& to, const MjcfElement& of) {
 }
 
 const MjcfFile& MjcfFiles::read(const MjcfFile& from, const MjcfElement& asset) {
-  from.text.of(asset.node()).check_spelling(asset.node(), "a model", {}, {"name", "file", "content_type"});
   if (!asset.has("file")) throw InputError(asset.where(), "no attribute 'file' of a model");
   const SourceLocation where = asset.where("file");
   const std::string name = asset.string("file");
   const fs::path path = from.text.below(name, where);
   std::unique_ptr<MjcfFile>& file = attached_[fs::weakly_canonical(path)];
   if (file) return *file;
+  from.text.of(asset.node()).check_spelling(asset.node(), "a model", {}, {"name", "file", "content_type"});
   if (attached_.size() > kMaximumModels) throw InputError(where, "too many models are attached");
   std::shared_ptr<const SourceText> source;
   try {

@@ -15,6 +15,8 @@ namespace alembert {
 struct MjcfFile {
   /// Throws InputError where what it says of itself cannot be read.
   MjcfFile(std::shared_ptr<const SourceText> source, std::vector<std::string> folders, Warnings& warnings);
+  MjcfFile(const MjcfFile&) = delete;  // its parts know each other's places
+  MjcfFile& operator=(const MjcfFile&) = delete;
 
   MjcfText text;
   MjcfCompiler compiler;

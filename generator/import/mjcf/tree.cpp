@@ -128,12 +128,12 @@ void MjcfTree::read_attached(pugi::xml_node element, const Scope& scope) {
   } else {
     const char* const kind = of.has("body") ? "body" : "frame";
     const std::string name = of.string(kind);
-    const Attachables& known = attachables(*inner.part.file);
-    const auto found = known.find(fmt::format("{} {}", kind, name));
+    const Attachables& all = attachables(*inner.part.file);
+    const auto& known = of.has("body") ? all.bodies : all.frames;
+    const auto found = known.find(name);
     if (found == known.end()) {
       std::vector<std::string> names;
-      for (const auto& [each, at] : known)
-        if (each.starts_with(kind)) names.push_back(each.substr(each.find(' ') + 1));
+      for (const auto& [each, at] : known) names.push_back(each);
       throw of.error(kind, fmt::format("there is no {} '{}' to be attached{}", kind, printable(name),
                                        did_you_mean(name, names)));
     }
@@ -159,7 +159,8 @@ void MjcfTree::find(const MjcfText& text, pugi::xml_node parent, const std::stri
   for (const pugi::xml_node child : text.children(parent)) {
     const std::string_view kind = child.name();
     if (kind != "body" && kind != "frame") continue;
-    to.try_emplace(fmt::format("{} {}", kind, child.attribute("name").value()), Found{child, childclass});
+    (kind == "body" ? to.bodies : to.frames)
+        .try_emplace(child.attribute("name").value(), Found{child, childclass});
     const pugi::xml_attribute own = child.attribute("childclass");
     find(text, child, own ? own.value() : childclass, to);
   }

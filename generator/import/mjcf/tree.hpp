@@ -43,7 +43,10 @@ class MjcfTree {
     pugi::xml_node element;
     std::string childclass;
   };
-  using Attachables = std::map<std::string, Found, std::less<>>;  ///< by "body " or "frame " and a name
+  /// Of a file, by name.
+  struct Attachables {
+    std::map<std::string, Found, std::less<>> bodies, frames;
+  };
   void read_worlds(Scope scope);
   void read_attached(pugi::xml_node element, const Scope& scope);
   const Attachables& attachables(const MjcfFile& file);

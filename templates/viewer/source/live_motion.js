@@ -83,6 +83,7 @@ export class LiveMotion {
   }
   setParameter(place, value) {
     this.inputs.parameters[place] = value;
+    this.settle();
   }
 
   /// Pulls a point of a body, given in the body's frame, towards a target in the world, until release(). A body that
@@ -228,6 +229,7 @@ export class LiveMotion {
       }
     };
     normalise();
+    this.kept = true;
     if (nc === 0) return;
     const { P, position, velocity } = this.rows;
     const change = new Float64Array(m.nv);
@@ -245,6 +247,7 @@ export class LiveMotion {
     this.evaluate(q, u, this.t, this.states);
     for (let r = 0; r < nc; ++r) this.side[r] = -velocity[r];
     if (this.equations.solve(this.dynamics.M, change.fill(0), P, this.side)) for (let i = 0; i < m.nv; ++i) u[i] += change[i];
+    this.kept = position.every((x) => Math.abs(x) <= kKept);
   }
 
   /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Steps of RK4 after which the energy has
@@ -252,22 +255,22 @@ export class LiveMotion {
   step(h, halvings = kHalvings) {
     const state = [this.q, this.u, this.states];
     const before = state.map((x) => Float64Array.from(x));
-    const { t, work } = this;
+    const { t, work, kept } = this;
     const energy = this.energy();
     if (this.stiff) this.stepImplicitly(h);
     else this.stepByRk4(h);
     this.settle();
     const finite = state.every((x) => x.every(Number.isFinite));
-    const inexact = finite && this.isInexact(energy, work, halvings === 0 ? kBearable : kExact);
+    const inexact = finite && kept && this.isInexact(energy, work, halvings === 0 ? kBearable : kExact);
     if (finite && this.problem === "" && !inexact) return true;
     const problem = this.problem || (inexact ? "the motion is too fast here for its steps" : "the motion has no finite state from here");
     state.forEach((x, k) => x.set(before[k]));
-    Object.assign(this, { t, work, problem: "" });
+    Object.assign(this, { t, work, kept, problem: "" });
     if (halvings > 0 && !this.stiff) return this.step(h / 2, halvings - 1) && this.step(h / 2, halvings - 1);
     this.problem = problem;
     return false;
   }
-  /// Not told where something else than the hand may do work.
+  /// Not told where something else than the hand may do work, nor of a step from a state that breaks constraints.
   isInexact([kinetic, potential], work, share) {
     if (this.stiff || this.timed) return false;
     const [after, place] = this.energy();
