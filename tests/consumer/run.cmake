@@ -66,26 +66,6 @@ if(NOT motion STREQUAL torque OR NOT torque_from_objects STREQUAL torque)
 endif()
 expect_nothing_to_do()
 
-# The same in C, without a compiler for C++, without its library and without Eigen.
-run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
-    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" "-DROBOT=${CMAKE_CURRENT_LIST_DIR}/../../mechanisms/examples/controller/arm.urdf" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
-    -Werror=dev)
-run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
-foreach(library arm m)
-  run(torque_in_c "${WORK}/c build/torque_${library}")
-  if(NOT torque_in_c STREQUAL torque)
-    message(FATAL_ERROR "C99 gives another torque: ${torque_in_c} and ${torque}")
-  endif()
-endforeach()
-run(torque_in_float "${WORK}/c build/torque_float")
-expect_count("${torque_in_float}" "torque [-0-9.]+ [-0-9.]+" 1)
-run(weight "${WORK}/c build/flying")
-expect_count("${weight}" "weight 51.993" 1)
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${WORK}/c build/torque_m" RESOLVED_DEPENDENCIES_VAR libraries)
-if("${libraries}" MATCHES "stdc|c\\+\\+")
-  message(FATAL_ERROR "C needs a library of C++: ${libraries}")
-endif()
-
 # Touched but the same: generated once for each target, nothing compiled, and then nothing to do.
 wait()
 file(TOUCH "${source}/arm.yaml")
@@ -130,6 +110,32 @@ foreach(file include/arm/arm.hpp include/arm/arm.h lib/libalembert_arm.a lib/cma
     message(FATAL_ERROR "not installed: ${file}")
   endif()
 endforeach()
+
+# What follows does not depend on the build tool.
+if(NOT GENERATOR STREQUAL "Ninja")
+  file(REMOVE_RECURSE "${WORK}")
+  return()
+endif()
+
+# The same in C, without a compiler for C++, without its library and without Eigen.
+run(output ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/c_project" -B "${WORK}/c build" -G "${GENERATOR}" -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_C_COMPILER=${C_COMPILER} "-DPROJECT=${source}" "-DROBOT=${CMAKE_CURRENT_LIST_DIR}/../../mechanisms/examples/controller/arm.urdf" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_CXX_COMPILER=no-such-compiler --warn-uninitialized
+    -Werror=dev)
+run(output ${CMAKE_COMMAND} --build "${WORK}/c build" -j2)
+foreach(library arm m)
+  run(torque_in_c "${WORK}/c build/torque_${library}")
+  if(NOT torque_in_c STREQUAL torque)
+    message(FATAL_ERROR "C99 gives another torque: ${torque_in_c} and ${torque}")
+  endif()
+endforeach()
+run(torque_in_float "${WORK}/c build/torque_float")
+expect_count("${torque_in_float}" "torque [-0-9.]+ [-0-9.]+" 1)
+run(weight "${WORK}/c build/flying")
+expect_count("${weight}" "weight 51.993" 1)
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${WORK}/c build/torque_m" RESOLVED_DEPENDENCIES_VAR libraries)
+if("${libraries}" MATCHES "stdc|c\\+\\+")
+  message(FATAL_ERROR "C needs a library of C++: ${libraries}")
+endif()
 
 # Without the command, the package says which variables would name it.
 run(output ${CMAKE_COMMAND} -E copy_directory "${prefix}" "${WORK}/runtime only")

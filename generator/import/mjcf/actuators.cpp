@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "import/mjcf/reference_inertia.hpp"
+
 namespace alembert {
 namespace {
 
@@ -142,24 +144,6 @@ std::string find_target(MjcfContext& context, const MjcfElement& of, const Law& 
     return of.has("refsite") ? "a refsite" : "";
   }
   return of.has("cranksite") ? "a slider and crank" : of.has("body") ? "a body" : "nothing";
-}
-
-/// The diagonal entry of M at the reference, of a hinge or slide.
-double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
-  const MjcfJoint& of = model.joints[joint];
-  const RigidPose at = reference_pose(model, of.body);
-  const Eigen::Vector3d axis = at.turn * of.axis.normalized(), anchor = (at * of.anchor).shift;
-  double sum = of.armature;
-  // What a body carries comes right behind it.
-  for (std::size_t b = of.body; b < model.bodies.size(); ++b) {
-    if (b != of.body && model.bodies[b].parent < of.body) break;
-    const RigidPose pose = reference_pose(model, b);
-    const BodyMass mass = model.bodies[b].mass.moved(pose);
-    sum += of.type == MjcfJointType::slide
-               ? mass.mass
-               : axis.dot(mass.inertia * axis) + mass.mass * axis.cross(mass.centre - anchor).squaredNorm();
-  }
-  return sum;
 }
 
 /// A range as wide as that of its joint, or narrower: of the input, or of what integrates it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "import/common/mass_nodes.hpp"
 #include "import/common/snapped_angle.hpp"
@@ -14,8 +15,17 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
+constexpr std::size_t kMostSpeedsOfATransform = 6;
+
 Vector array_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
+}
+
+/// The name, or with as many additions as no body of the list has.
+std::string unused_name(const YamlNode& list, std::string name, const char* addition) {
+  while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))
+    name += addition;
+  return name;
 }
 
 }  // namespace
@@ -104,7 +114,7 @@ void MjcfBodyNodes::add_coordinate(YamlNode& list, std::size_t j, std::size_t fi
     };
     number("armature", armature);
     if (options_.resistance) number("damping", joint.damping);
-    number("stiffness", joint.stiffness);
+    if (single) number("stiffness", joint.stiffness);
     if (joint.stiffness != 0 && joint.rest != 0)
       nodes_.put(node, "rest", nodes_.text(text(joint.rest), where));
     if (joint.drive)
@@ -183,10 +193,31 @@ void MjcfBodyNodes::add_body(YamlNode& list, std::size_t index) const {
 
 void MjcfBodyNodes::add_scenery(YamlNode& list) const {
   if (!has_solid(model_.bodies[0].shapes)) return;
-  std::string name = "scenery";
-  while (std::ranges::any_of(list.items, [&](const YamlNode* body) { return body->items[1]->text == name; }))
-    name += "_of_world";
-  add_shapes(nodes_.add_named(list, name, model_.where), model_.bodies[0]);
+  add_shapes(nodes_.add_named(list, unused_name(list, "scenery", "_of_world"), model_.where),
+             model_.bodies[0]);
+}
+
+void MjcfBodyNodes::add_tendon_armature(YamlNode& list, std::size_t tendon, const std::string& length) const {
+  const MjcfTendon& of = model_.tendons[tendon];
+  std::set<std::size_t> coordinates;
+  for (const MjcfTerm& term : of.terms)
+    if (const std::optional<std::size_t>& base = naming_.text(term.joint).base; base && term.factor != 0)
+      coordinates.insert(*base);
+  if (coordinates.empty()) return;
+  if (coordinates.size() > kMostSpeedsOfATransform)
+    throw InputError(of.where,
+                     fmt::format("the armature of a tendon along more than {} joints cannot be expressed",
+                                 kMostSpeedsOfATransform));
+  Eigen::Index least;
+  model_.gravity.cwiseAbs().minCoeff(&least);
+  Eigen::Vector3d across = Eigen::Vector3d::Unit(least);
+  if (model_.gravity[least] != 0) across = model_.gravity.cross(across).normalized();
+  YamlNode& node =
+      nodes_.add_named(list, unused_name(list, naming_.tendon(tendon) + "_armature", "_of_tendon"), of.where);
+  YamlNode& factors = nodes_.sequence(of.where);
+  factors_.add_shift_along(factors, array_of(across), length, of.where);
+  nodes_.put(node, "transform", factors);
+  add_mass(nodes_, node, {of.armature}, of.where);
 }
 
 void MjcfBodyNodes::add_frame(YamlNode& list, const std::string& name, std::size_t body,

@@ -22,6 +22,8 @@ class MjcfBodyNodes {
   void add_body(YamlNode& list, std::size_t body) const;
   /// What of the world is drawn.
   void add_scenery(YamlNode& list) const;
+  /// The inertia of a tendon: a mass that shifts by its length, across gravity.
+  void add_tendon_armature(YamlNode& list, std::size_t tendon, const std::string& length) const;
   void add_frame(YamlNode& list, const std::string& name, std::size_t body, const RigidPose& pose,
                  const SourceLocation& where) const;
 

@@ -229,8 +229,11 @@ void read_tendons(MjcfContext& context) {
     }
     tendon.friction = of.number("frictionloss", 0);
     tendon.drive = context.range(of, "actuatorfrcrange", "actuatorfrclimited");
-    if (of.number("armature", 0) != 0)
-      throw of.error("armature", fmt::format("the armature of {} cannot be expressed", of.what()));
+    tendon.armature = of.number("armature", 0);
+    if (tendon.armature != 0 && !tendon.fixed)
+      throw of.error(
+          "armature",
+          fmt::format("the armature of {}, which is no fixed tendon, cannot be expressed", of.what()));
     if (context.range(of, "range", "limited"))
       context.text().warn({of.where("range"), "limits of tendons are left out", {}, "range of a tendon"});
     const std::vector<double> rest = of.list("springlength", 1, 2);

@@ -35,11 +35,13 @@ DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const Sour
               nodes.text(naming.definition(joint), model.joints[joint].where));
   for (std::size_t b = 1; b < model.bodies.size(); ++b) body_nodes.add_body(bodies, b);
   body_nodes.add_scenery(bodies);
+  MjcfForceNodes force_nodes(nodes, model, naming, options, body_nodes, frames);
+  for (std::size_t t = 0; t < model.tendons.size(); ++t)
+    if (model.tendons[t].armature != 0) body_nodes.add_tendon_armature(bodies, t, force_nodes.length(t));
   for (std::size_t s = 0; s < model.sites.size(); ++s) {
     const MjcfPlace& site = model.sites[s];
     body_nodes.add_frame(frames, naming.frame(s), site.body, site.pose, site.where);
   }
-  MjcfForceNodes force_nodes(nodes, model, naming, options, body_nodes, frames);
   force_nodes.add_inputs(inputs);
   force_nodes.add_states(states);
   force_nodes.add_forces(forces);

@@ -71,6 +71,63 @@ void MjcfForceNodes::add_followers(YamlNode& list) {
   }
 }
 
+/// Of ball and free joints: k/2 times the square of how far they have turned, and shifted.
+void MjcfForceNodes::add_springs_of_turns(YamlNode& list) {
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const MjcfJoint& joint = model_.joints[j];
+    if (joint.stiffness == 0 || speed_count(joint.type) == 1) continue;
+    const std::vector<std::string>& names = naming_.coordinates(j);
+    std::string square = turn_energy(j);
+    for (std::size_t k = 0; k + 1 < names.size(); ++k) {
+      const double rest = model_.bodies[joint.body].pose.shift[static_cast<Eigen::Index>(k)];
+      square += fmt::format(" + {}^2", base_text(sum_text({{1, names[k]}, {-rest, ""}})));
+    }
+    YamlNode& spring = nodes_.add_named(list, naming_.new_force(names.back() + "_spring"), joint.where);
+    nodes_.put(spring, "potential",
+               nodes_.text(fmt::format("{}*({})", number_text(joint.stiffness / 2), square), joint.where));
+  }
+}
+
+/// The square of the angle between the axes before a ball or free joint and those behind it. With the matrix R from one
+/// to the other it is atan2(|r|, (tr R - 1)/2), where r is the axial vector of R: 1e-30 lets it be differentiated at 0.
+std::string MjcfForceNodes::turn_energy(std::size_t j) {
+  const MjcfJoint& joint = model_.joints[j];
+  const MjcfBody& body = model_.bodies[joint.body];
+  if (body.joints.size() > 1)
+    throw InputError(joint.where,
+                     "the stiffness of a ball joint beside other joints of its body is not taken",
+                     "a body between them may have the ball joint alone");
+  const std::string own = naming_.new_frame(naming_.body(joint.body) + "_turned");
+  bodies_.add_frame(frames_, own, joint.body, {}, joint.where);
+  std::string before;
+  if (body.parent != 0) {
+    before = naming_.new_frame(naming_.body(joint.body) + "_unturned");
+    bodies_.add_frame(frames_, before, body.parent, body.pose, joint.where);
+  }
+  const Eigen::Matrix3d fixed = body.pose.turn.toRotationMatrix();
+  const auto column = [](const std::string& frame, std::size_t m, std::string(&out)[3]) {
+    for (std::size_t k = 0; k < 3; ++k) out[k] = fmt::format("rotation({}).{}{}", frame, kAxes[k], kAxes[m]);
+  };
+  const auto entry = [&](std::size_t row, std::size_t m) {
+    std::string turned[3], unturned[3];
+    column(own, m, turned);
+    if (body.parent == 0)
+      return sum_text({{fixed(0, static_cast<Eigen::Index>(row)), turned[0]},
+                       {fixed(1, static_cast<Eigen::Index>(row)), turned[1]},
+                       {fixed(2, static_cast<Eigen::Index>(row)), turned[2]}});
+    column(before, row, unturned);
+    return dot_text(unturned, turned);
+  };
+  std::vector<std::string> axial, trace;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+    axial.push_back(fmt::format("({} - {})^2", entry(b, a), factor_text(entry(a, b))));
+    trace.push_back(entry(k, k));
+  }
+  return fmt::format("atan2(sqrt({} + 1e-30)/2, ({} - 1)/2)^2", fmt::join(axial, " + "),
+                     fmt::join(trace, " + "));
+}
+
 std::string MjcfForceNodes::length(std::size_t tendon) const {
   std::vector<SumTerm> terms;
   const MjcfTendon& of = model_.tendons[tendon];
@@ -300,6 +357,7 @@ void MjcfForceNodes::add_turn_in_parent(YamlNode& list, const MjcfActuator& of, 
 
 void MjcfForceNodes::add_forces(YamlNode& list) {
   add_followers(list);
+  add_springs_of_turns(list);
   std::vector<std::vector<std::size_t>> pulling(model_.tendons.size());
   for (std::size_t a = 0; a < model_.actuators.size(); ++a)
     if (model_.actuators[a].through == MjcfTransmission::tendon && acts(a))

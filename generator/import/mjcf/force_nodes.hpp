@@ -27,6 +27,8 @@ class MjcfForceNodes {
 
  private:
   void add_followers(YamlNode& list);
+  void add_springs_of_turns(YamlNode& list);
+  std::string turn_energy(std::size_t joint);
   void add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull);
   void add_actuator(YamlNode& list, std::size_t actuator);
   void add_turn_in_parent(YamlNode& list, const MjcfActuator& actuator, const std::string& force,

@@ -11,6 +11,7 @@
 #include "import/mjcf/actuators.hpp"
 #include "import/mjcf/context.hpp"
 #include "import/mjcf/model_file.hpp"
+#include "import/mjcf/reference_inertia.hpp"
 #include "import/mjcf/spelling.hpp"
 
 namespace alembert {
@@ -183,6 +184,7 @@ MjcfModel read_mjcf(std::shared_ptr<const SourceText> source, const std::vector<
     read_sensors(context);
   }
   context.check_unknown(files.own());
+  work_out_spring_dampers(model);
   read_start(text, model);
   disable(model, disabled);
   model.files = files.names();

@@ -21,7 +21,9 @@ struct MjcfJoint {
   std::size_t body = 0;
   RigidPose anchor;                                 ///< in the body's frame, not turned
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< likewise
-  double reference = 0, rest = 0, stiffness = 0, damping = 0, armature = 0, friction = 0;
+  double reference = 0, rest = 0;  ///< of a hinge or slide; others are at rest at their reference
+  double stiffness = 0, damping = 0, armature = 0, friction = 0;
+  std::optional<std::array<double, 2>> spring_damper;  ///< time constant, damping ratio
   std::optional<std::array<double, 2>> limits;
   std::optional<std::array<double, 2>> drive;  ///< of what all actuators exert together
   SourceLocation where;
@@ -67,7 +69,7 @@ struct MjcfTendon {
   bool fixed = false;
   std::vector<MjcfTerm> terms;       ///< if fixed
   std::vector<MjcfBranch> branches;  ///< if not
-  double stiffness = 0, damping = 0, friction = 0;
+  double stiffness = 0, damping = 0, armature = 0, friction = 0;
   std::array<double, 2> rest{};                ///< between these lengths no spring acts
   std::optional<std::array<double, 2>> drive;  ///< of what all actuators pull together
   SourceLocation where;

@@ -313,13 +313,12 @@ void MjcfTree::read_joint(pugi::xml_node element, const Scope& scope) {
   joint.damping = first_only("damping");
   joint.armature = of.number("armature", 0);
   joint.friction = of.number("frictionloss", 0);
-  for (const double value : of.list("springdamper", 2, 2))
-    if (value != 0)
-      throw of.error("springdamper", fmt::format("springdamper of {} is not worked out", of.what()),
-                     "give stiffness and damping");
-  if (joint.stiffness != 0 && !single)
-    throw of.error("stiffness",
-                   fmt::format("the stiffness of {}, which has no single position, is not taken", of.what()));
+  if (const std::vector<double> asked = of.list("springdamper", 2, 2);
+      !asked.empty() && (asked[0] != 0 || asked[1] != 0)) {
+    if (!(asked[0] > 0 && asked[1] > 0))
+      throw of.error("springdamper", fmt::format("the springdamper of {} is not positive", of.what()));
+    joint.spring_damper = {asked[0], asked[1]};
+  }
   read_ranges(of, scope.compiler(), joint, single);
   add_joint(element, scope, std::move(joint));
 }
