@@ -1,15 +1,17 @@
-// oracle_corpus EXECUTABLE FOLDER...: every .urdf below the folders, imported with a fixed and a floating
-// root. Forces, M, c and their derivatives are compared with a Newton-Euler that reads the URDF itself,
-// poses, Jacobians and energies with the Taylor oracle on the imported description, which must give the same
-// forces. Where M is singular, forward dynamics is left out and the line says so. Prints the line of each
-// robot when it is done (with several jobs, in no order) and totals; exit 1 if any number is wrong or
-// missing, 77 if none of the folders exists.
+// oracle_corpus EXECUTABLE FOLDER...: every robot below the folders: .urdf, imported with a fixed and a floating
+// root, MJCF (.xml with the element mujoco), .sdf and .world, .osim. Forces, M, c and their derivatives of a URDF
+// are compared with a Newton-Euler that reads the file itself, poses, Jacobians and energies with the Taylor oracle on
+// the imported description, which must give the same forces; of the other formats, all functions with the Taylor
+// oracle on the imported description. Where M is singular, forward dynamics is left out and the line says so. Prints
+// the line of each robot when it is done (with several jobs, in no order) and totals by format; exit 1 if any number
+// is wrong or missing, 77 if none of the folders exists.
 //
 // --functions f,g     those only (default: all that are compared)
 // --seconds N         processor time that each command may take (default 120)
 // --jobs N            processes (default 1)
 // --limit N           robots of at most so many speeds (default: all)
-// --root R            fixed, floating or both (default)
+// --root R            fixed, floating or both (default), of URDF
+// --format F          urdf, mjcf, sdf or osim (default: all)
 // --require-import    what is not imported counts as wrong
 // --only SUBSTRING    files whose path has it
 // --in-turn           functions besides the dynamics of about every seventh robot only
@@ -28,6 +30,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -53,8 +56,19 @@ struct Options {
   std::set<std::string> functions;
   int seconds = 120, jobs = 1, limit = 1000000;
   bool require_import = false, in_turn = false;
-  std::string only, root = "both";
+  std::string only, root = "both", format;
 };
+
+/// What alembert reads a file as, or nothing.
+std::string format_of(const fs::path& file) {
+  const std::string end = file.extension().string();
+  if (end == ".urdf" || end == ".osim" || end == ".sdf") return end.substr(1);
+  if (end == ".world") return "sdf";
+  if (end != ".xml") return "";
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str().find("<mujoco") == std::string::npos ? "" : "mjcf";
+}
 
 /// Begins the note of a robot of which forward dynamics has no value.
 constexpr const char* kWithoutForward = "without forward dynamics: ";
@@ -64,7 +78,7 @@ constexpr const char* kOutcomes[] = {"right", "wrong", "refused", "timeout", "fa
 
 /// One robot with one kind of root.
 struct Row {
-  std::string file;
+  std::string file, format;
   bool floating = false;
   Outcome outcome = Outcome::failed;
   std::string note;  ///< why it is not right
@@ -146,10 +160,11 @@ bool singular(const std::vector<Comparison>& lines, const std::vector<Reference>
 }
 
 void compare_robot(const Options& options, const fs::path& description_file, Row& row) {
-  const Run import = run_alembert(
-      options.executable,
-      {"import", row.file, "--root", row.floating ? "floating" : "fixed", "--out", description_file.string()},
-      "", options.seconds);
+  std::vector<std::string> words = {"import", row.file, "--out", description_file.string()};
+  // Collections keep meshes and parts of robots anywhere.
+  for (const std::string& folder : options.folders) words.insert(words.end(), {"--include", folder});
+  if (row.format == "urdf") words.insert(words.end(), {"--root", row.floating ? "floating" : "fixed"});
+  const Run import = run_alembert(options.executable, words, "", options.seconds);
   row.seconds = import.seconds;
   if (import.status != 0) {
     row.outcome = import.timed_out     ? Outcome::timeout
@@ -164,9 +179,12 @@ void compare_robot(const Options& options, const fs::path& description_file, Row
     row.outcome = Outcome::skipped;
     return;
   }
-  const UrdfTree tree = read_urdf_tree(row.file, row.floating);
-  if (speeds_of(tree) != description.nv)
-    throw std::runtime_error("the imported description has other coordinates");
+  std::optional<UrdfTree> tree;
+  if (row.format == "urdf") {
+    tree = read_urdf_tree(row.file, row.floating);
+    if (speeds_of(*tree) != description.nv)
+      throw std::runtime_error("the imported description has other coordinates");
+  }
   std::mt19937_64 random(7);
   std::vector<State> states;
   for (int i = 0; i < kStates; ++i) states.push_back(random_state(description, random));
@@ -179,7 +197,8 @@ void compare_robot(const Options& options, const fs::path& description_file, Row
     functions =
         functions_in_turn(functions, std::accumulate(file.begin(), file.end(), row.floating ? 1u : 0u));
   }
-  const std::vector<Reference> expected = references(tree, description, states, functions);
+  const std::vector<Reference> expected = tree ? references(*tree, description, states, functions)
+                                               : taylor_references(description, states, functions);
   const auto before = children_seconds();
   const auto compare = [&] {
     return compare_functions(options.executable, description_file.string(), description.name, states,
@@ -229,7 +248,8 @@ void print_row(int to, const Row& row) {
   std::snprintf(numbers, sizeof numbers, "\t%d\t%d\t%.1e\t", row.speeds, row.operations, row.error);
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "\t%.1f\t", row.seconds);
-  const std::string head = row.file + (row.floating ? "\tfloating\t" : "\tfixed\t") +
+  const std::string root = row.format != "urdf" ? "" : row.floating ? ", floating" : ", fixed";
+  const std::string head = row.file + "\t" + row.format + root + "\t" +
                            kOutcomes[static_cast<std::size_t>(row.outcome)] + numbers + row.function +
                            seconds;
   const std::string line = (head + row.note).substr(0, PIPE_BUF - 1) + "\n";
@@ -242,10 +262,12 @@ void work(const Options& options, const std::vector<std::string>& files, int fir
       fs::temp_directory_path() / ("alembert_corpus_" + std::to_string(getpid()) + ".yaml");
   for (std::size_t i = static_cast<std::size_t>(first); i < files.size();
        i += static_cast<std::size_t>(options.jobs)) {
+    const std::string format = format_of(files[i]);
     for (const bool floating : {false, true}) {
-      if (options.root == (floating ? "fixed" : "floating")) continue;
+      if (format == "urdf" ? options.root == (floating ? "fixed" : "floating") : floating) continue;
       Row row;
       row.file = files[i];
+      row.format = format;
       row.floating = floating;
       try {
         compare_robot(options, description, row);
@@ -277,6 +299,8 @@ Options read_options(int argc, char** argv) {
       options.only = value();
     } else if (word == "--root") {
       options.root = value();
+    } else if (word == "--format") {
+      options.format = value();
     } else if (word == "--require-import") {
       options.require_import = true;
     } else if (word == "--in-turn") {
@@ -298,7 +322,7 @@ int main(int argc, char** argv) {
     std::fprintf(
         stderr,
         "usage: oracle_corpus EXECUTABLE FOLDER... [--functions f,g] [--seconds N] [--jobs N] [--limit N] "
-        "[--only SUBSTRING] [--root R] [--require-import] [--in-turn]\n");
+        "[--only SUBSTRING] [--root R] [--format F] [--require-import] [--in-turn]\n");
     return 2;
   }
   std::vector<std::string> files;
@@ -308,14 +332,14 @@ int main(int argc, char** argv) {
     any = true;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string path = entry.path().string();
-      if (entry.path().extension() == ".urdf" && entry.is_regular_file() &&
-          path.find(options.only) != std::string::npos)
-        files.push_back(path);
+      if (!entry.is_regular_file() || path.find(options.only) == std::string::npos) continue;
+      const std::string format = format_of(entry.path());
+      if (!format.empty() && (options.format.empty() || options.format == format)) files.push_back(path);
     }
   }
   if (!any) return kSkipped;
   std::sort(files.begin(), files.end());
-  std::printf("file\troot\toutcome\tspeeds\toperations\tworst error\tof\tseconds\tnote\n");
+  std::printf("file\tformat\toutcome\tspeeds\toperations\tworst error\tof\tseconds\tnote\n");
   std::fflush(stdout);
   int rows[2];
   if (pipe(rows) != 0) return 2;
@@ -331,16 +355,16 @@ int main(int argc, char** argv) {
   }
   close(rows[1]);
   bool failed = files.empty();
-  std::map<std::string, int> totals;
+  std::map<std::string, std::map<std::string, int>> totals;  ///< by format
   int without_forward = 0;
   std::FILE* const lines = fdopen(rows[0], "r");
   for (char line[PIPE_BUF + 1]; std::fgets(line, sizeof line, lines) != nullptr;) {
     std::fputs(line, stdout);
     std::fflush(stdout);
     std::istringstream columns(line);
-    std::string file, root, outcome;
-    std::getline(std::getline(std::getline(columns, file, '\t'), root, '\t'), outcome, '\t');
-    ++totals[outcome];
+    std::string file, format, outcome;
+    std::getline(std::getline(std::getline(columns, file, '\t'), format, '\t'), outcome, '\t');
+    ++totals[format][outcome];
     if (outcome == "right" && std::strstr(line, kWithoutForward) != nullptr) ++without_forward;
     failed = failed ||
              (outcome != "right" && outcome != "skipped" && (outcome != "refused" || options.require_import));
@@ -351,8 +375,12 @@ int main(int argc, char** argv) {
     waitpid(child, &status, 0);
     failed = failed || status != 0;
   }
-  std::printf("%zu robots:", files.size());
-  for (const auto& [outcome, count] : totals) std::printf(" %d %s", count, outcome.c_str());
+  for (const auto& [format, outcomes] : totals) {
+    std::printf("%s:", format.c_str());
+    for (const auto& [outcome, count] : outcomes) std::printf(" %d %s", count, outcome.c_str());
+    std::printf("\n");
+  }
+  std::printf("%zu robots", files.size());
   if (without_forward > 0) std::printf(" (%d right without forward dynamics)", without_forward);
   std::printf(": %s\n", failed ? "FAIL" : "PASS");
   return failed ? 1 : 0;
