@@ -11,7 +11,7 @@ if [ "${1:-}" = reproduce ] || [ "${1:-}" = tests ]; then
   packages="$packages python3 python3-numpy python3-matplotlib python3-yaml"
 fi
 if [ "${1:-}" = tests ]; then
-  packages="$packages git python3 python3-pytest python3-distributed python3-torch clang lld clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
+  packages="$packages git python3 python3-pytest python3-distributed python3-zarr python3-torch clang lld clang-format clang-tidy libclang-rt-14-dev libgtest-dev libgmock-dev libbenchmark-dev
             liborocos-kdl-dev libmujoco-dev libdart-dev libdart-utils-urdf-dev dart-doc libsdformat-dev libsimbody-dev gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm"
 fi
 if [ "${1:-}" = gallery ] || [ "${1:-}" = tests ]; then

@@ -170,15 +170,31 @@ def test_shards_in_a_folder(load, tmp_path):
     folder = alembert.rollout(m, q, qd, steps=20, step=0.01, every=10, shard=16, out=tmp_path / "a")
     assert len(folder) == 4 and folder.missing == [] and folder[3]["q"].shape == (2, 3, 2) and same(folder.read(), whole)
     # What is there is not done again, what is missing is.
-    kept = (tmp_path / "a" / "shard-000001.npy").stat().st_mtime_ns
-    (tmp_path / "a" / "shard-000002.npy").unlink()
+    kept = (tmp_path / "a" / "1").stat().st_mtime_ns
+    (tmp_path / "a" / "2").unlink()
     assert alembert.open_rollouts(tmp_path / "a").missing == [2]
     again = alembert.rollout(m, q, qd, steps=20, step=0.01, every=10, shard=16, out=tmp_path / "a", threads=1)
-    assert same(again.read(), whole) and (tmp_path / "a" / "shard-000001.npy").stat().st_mtime_ns == kept
+    assert same(again.read(), whole) and (tmp_path / "a" / "1").stat().st_mtime_ns == kept
     with pytest.raises(ValueError, match=r"holds another rollout \(of other rollout, step, t\)"):
         alembert.rollout(m, q, qd, steps=20, step=0.02, every=10, shard=16, out=tmp_path / "a")
     with pytest.raises(ValueError, match="no folder of a rollout"):
         alembert.open_rollouts(tmp_path)
+
+
+def test_a_folder_is_an_array_of_zarr(load, tmp_path):
+    zarr = pytest.importorskip("zarr", reason="python3-zarr is missing")
+    m = load("double_pendulum")
+    q, qd = starts(m, 50)
+    for shard in (16, 50, 1000):
+        folder = alembert.rollout(m, q, qd, steps=20, step=0.01, every=10, shard=shard, out=tmp_path / str(shard))
+        array = zarr.open(str(folder.folder), mode="r")
+        whole = folder.read()
+        assert array.shape == (50,) and array.chunks == (min(shard, 50),) and np.array_equal(array.attrs["t"], whole.t)
+        for name in ("q", "qd", "states", "steps", "status", "stopped"):
+            assert np.array_equal(array[:][name], getattr(whole, name)), name
+    (tmp_path / "16" / "2").unlink()
+    records = zarr.open(str(tmp_path / "16"), mode="r")[:]
+    assert np.array_equal(np.flatnonzero(records["steps"] < 0), range(32, 48)) and np.isnan(records["q"][32:48]).all()
 
 
 def test_starts_are_drawn_by_seed_and_shard(load, tmp_path):

@@ -1,9 +1,11 @@
 """Rollouts in shards: on the workers of Dask, into a folder, or both.
 
 A shard is a run of neighbouring motions, and its result a function of what is given for them alone: who does it, how often and
-when changes nothing. In a folder each is one file of NumPy, shard-NNNNNN.npy, a record a motion, which appears under its name
-when it is complete; manifest.json says what they are of. A rollout that was cut off is called again and does what is missing.
+when changes nothing. A folder is an array of Zarr (format 2, one dimension, not compressed): a record a motion and a chunk a
+shard, whose file appears under its name when it is complete; the attributes, .zattrs, say what they are of. A rollout that was
+cut off is called again and does what is missing.
 """
+import base64
 import hashlib
 import json
 import os
@@ -20,7 +22,7 @@ from . import rollouts
 
 __all__ = ["RolloutFolder", "open_rollouts", "run_all"]
 
-_MANIFEST = "manifest.json"
+_ARRAY, _MANIFEST, _PART = ".zarray", ".zattrs", ".part-"
 # Shards that a worker's thread has been given beside the one it does.
 _AHEAD = 3
 
@@ -28,10 +30,10 @@ _AHEAD = 3
 Planned = Union[rollouts.Plan, rollouts.SampledPlan]
 
 
-def _record(plan: Planned) -> "numpy.dtype[Any]":
+def _fields(plan: Planned) -> List[Any]:
     nq, nv, ns = plan.sizes
-    return numpy.dtype([("q", "<f8", (plan.rows, nq)), ("qd", "<f8", (plan.rows, nv)), ("states", "<f8", (plan.rows, ns)),
-                        ("steps", "<i8"), ("status", "<i4"), ("stopped", "?")])
+    return [("q", "<f8", (plan.rows, nq)), ("qd", "<f8", (plan.rows, nv)), ("states", "<f8", (plan.rows, ns)),
+            ("steps", "<i8"), ("status", "<i4"), ("stopped", "|b1")]
 
 
 def _digest(plan: Planned, size: int) -> str:
@@ -49,12 +51,12 @@ def _digest(plan: Planned, size: int) -> str:
 
 
 def _file(folder: pathlib.Path, index: int) -> pathlib.Path:
-    return folder / f"shard-{index:06d}.npy"
+    return folder / str(index)
 
 
 def _durable(path: pathlib.Path, write: Any) -> None:
     """A file that is there as a whole or not at all, whoever else writes the same."""
-    part = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    part = path.with_name(f"{_PART}{path.name}-{uuid.uuid4().hex}")
     try:
         with open(part, "wb") as file:
             write(file)
@@ -66,23 +68,24 @@ def _durable(path: pathlib.Path, write: Any) -> None:
             part.unlink()
 
 
-def _do(plan: rollouts.Plan, index: int, out: Optional[str], cache: Any) -> Optional[NDArray[Any]]:
+def _do(plan: rollouts.Plan, index: int, size: int, out: Optional[str], cache: Any) -> Optional[NDArray[Any]]:
     """A shard: into its file, or as an array."""
     if out is not None and _file(pathlib.Path(out), index).exists():
         return None
     found = rollouts.run(plan, cache)
-    records = numpy.zeros(plan.count, _record(plan))
+    # Chunks of Zarr have one size: behind the last motion of the last one are zeros.
+    records = numpy.zeros(plan.count if out is None else size, _fields(plan))
     for name in records.dtype.names or ():
-        records[name] = found[name]
+        records[name][:plan.count] = found[name]
     if out is None:
         return records
-    _durable(_file(pathlib.Path(out), index), lambda file: numpy.save(file, records, allow_pickle=False))
+    _durable(_file(pathlib.Path(out), index), lambda file: file.write(records.tobytes()))
     return None
 
 
-def _on_worker(pickled: bytes, index: int, out: Optional[str]) -> Tuple[int, Optional[NDArray[Any]]]:
+def _on_worker(pickled: bytes, index: int, size: int, out: Optional[str]) -> Tuple[int, Optional[NDArray[Any]]]:
     """What a worker runs: it takes the mechanism from its own cache, or builds it there."""
-    return index, _do(pickle.loads(pickled), index, out, None)
+    return index, _do(pickle.loads(pickled), index, size, out, None)
 
 
 class RolloutFolder:
@@ -92,9 +95,11 @@ class RolloutFolder:
         self.folder = pathlib.Path(folder)
         try:
             manifest = json.loads((self.folder / _MANIFEST).read_text())
-        except FileNotFoundError:
-            raise ValueError(f"{self.folder}: there is no {_MANIFEST}, so this is no folder of a rollout") from None
+            array = json.loads((self.folder / _ARRAY).read_text())
+        except FileNotFoundError as error:
+            raise ValueError(f"{self.folder}: there is no {pathlib.Path(error.filename).name}, so this is no folder of a rollout") from None
         self.manifest: Dict[str, Any] = manifest
+        self._dtype = numpy.dtype([tuple(tuple(part) if isinstance(part, list) else part for part in field) for field in array["dtype"]])
         self.t: NDArray[Any] = numpy.array(manifest["t"], dtype=float)
         self.count: int = manifest["count"]
 
@@ -111,7 +116,8 @@ class RolloutFolder:
         """The records of a shard, with fields q, qd, states, steps, status, stopped."""
         if not 0 <= index < len(self):
             raise IndexError(f"{self.folder}: there are shards 0 to {len(self) - 1}, not {index}")
-        return numpy.load(_file(self.folder, index), mmap_mode="r", allow_pickle=False)  # type: ignore[no-any-return]
+        size = int(self.manifest["shard"])
+        return numpy.memmap(_file(self.folder, index), self._dtype, "r", shape=(size,))[:self.count - index * size]
 
     def __iter__(self) -> Iterator[NDArray[Any]]:
         return (self[index] for index in range(len(self)))
@@ -133,7 +139,7 @@ def _joined(records: List[NDArray[Any]]) -> Dict[str, NDArray[Any]]:
 def _prepared(plan: Planned, size: int, count: int, folder: pathlib.Path) -> None:
     """The folder with its manifest; ValueError if it is of another rollout."""
     folder.mkdir(parents=True, exist_ok=True)
-    manifest = {"format": 1, "mechanism": plan.source.name, "rollout": _digest(plan, size), "count": plan.count, "shard": size,
+    manifest = {"format": 2, "mechanism": plan.source.name, "rollout": _digest(plan, size), "count": plan.count, "shard": size,
                 "shards": count, "method": rollouts.METHODS[plan.numbers["stepper"]], "step": plan.numbers["h"],
                 "steps": plan.numbers["steps"], "t": plan.moments().tolist()}
     path = folder / _MANIFEST
@@ -143,8 +149,16 @@ def _prepared(plan: Planned, size: int, count: int, folder: pathlib.Path) -> Non
         if other:
             raise ValueError(f"out: {folder} holds another rollout (of other {', '.join(other)}): give a folder of its own")
     else:
-        _durable(path, lambda file: file.write((json.dumps(manifest, indent=1) + "\n").encode()))
-    for part in folder.glob(".shard-*.npy.*"):
+        # What stands where chunks are missing is no motion.
+        none = numpy.zeros((), _fields(plan))
+        for name in ("q", "qd", "states"):
+            none[name] = numpy.nan
+        none["steps"] = none["status"] = -1
+        array = {"zarr_format": 2, "shape": [plan.count], "chunks": [size], "dtype": _fields(plan), "order": "C",
+                 "compressor": None, "filters": None, "fill_value": base64.b64encode(none.tobytes()).decode()}
+        for name, content in ((_ARRAY, array), (_MANIFEST, manifest)):
+            _durable(folder / name, lambda file: file.write((json.dumps(content, indent=1) + "\n").encode()))
+    for part in folder.glob(f"{_PART}*"):
         # A dead process left it: writing one takes no day.
         if time.time() - part.stat().st_mtime > 86400:
             part.unlink()
@@ -159,7 +173,7 @@ def _by_client(plan: Planned, size: int, todo: List[int], client: Any, out: Opti
 
     def submitted(index: int) -> Any:
         part = plan.part(index * size, min(plan.count, (index + 1) * size))
-        return client.submit(_on_worker, cloudpickle.dumps(part), index, out, key=f"alembert-{call}-{index}", pure=False)
+        return client.submit(_on_worker, cloudpickle.dumps(part), index, size, out, key=f"alembert-{call}-{index}", pure=False)
 
     ahead = max(1, sum(client.nthreads().values())) * (1 + _AHEAD)
     waiting = iter(todo)
@@ -181,9 +195,10 @@ def _by_client(plan: Planned, size: int, todo: List[int], client: Any, out: Opti
 
 def run_all(plan: Planned, size: int, client: Any, out: Union[str, "os.PathLike[str]", None], cache: Any) -> Any:
     """All shards of a rollout that are not done: results by name, or the folder."""
-    count = -(-plan.count // size)
-    if count == 0:
+    if plan.count == 0:
         raise ValueError("q: expected at least one motion to cut into shards, found none")
+    size = min(size, plan.count)
+    count = -(-plan.count // size)
     folder = None if out is None else pathlib.Path(out).absolute()
     todo = list(range(count))
     if folder is not None:
@@ -196,7 +211,7 @@ def run_all(plan: Planned, size: int, client: Any, out: Union[str, "os.PathLike[
             found[index] = records
     else:
         for index in todo:
-            records = _do(plan.part(index * size, min(plan.count, (index + 1) * size)), index, place, cache)
+            records = _do(plan.part(index * size, min(plan.count, (index + 1) * size)), index, size, place, cache)
             if records is not None:
                 found[index] = records
     if folder is None:
