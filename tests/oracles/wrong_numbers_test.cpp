@@ -311,6 +311,27 @@ bodies:
 )yaml");
 }
 
+TEST(WrongNumbers, PathOverTwoPointsAtOnePlace) {
+  expect_right(R"yaml(
+coordinates: [q, p]
+bodies:
+  - {name: one, transform: [{rotate: {axis: z, angle: q}}], mass: 1, com: [0.1, 0.2, 0.05], inertia: {xx: 1, yy: 2, zz: 2}}
+  - name: two
+    parent: one
+    transform: [{translate: [0.4, 0, 0]}, {rotate: {axis: [1, 0, 2], angle: p}}]
+    mass: 0.7
+    com: [0.3, 0.1, 0]
+    inertia: {xx: 0.1, yy: 0.2, zz: 0.2}
+frames:
+  - {name: wall, body: world, transform: [{translate: [0.1, -0.5, 0.2]}]}
+  - {name: before, body: one, transform: [{translate: [0.2, 0.1, 0]}]}
+  - {name: behind, body: one, transform: [{translate: [0.2, 0.1, 0]}, {rotate: {axis: x, angle: 0.3}}]}
+  - {name: end, body: two, transform: [{translate: [0.5, 0, 0.1]}]}
+forces:
+  - {name: tendon, path: [wall, before, behind, end], tension: "20*(length - 0.6) + rate"}
+)yaml");
+}
+
 // To turn sin(9^100000000) by multiples of pi takes as many digits of pi.
 TEST(WrongNumbers, PowerBeyondAllNumbers) {
   const std::string text = R"yaml(

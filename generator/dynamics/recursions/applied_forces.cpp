@@ -175,9 +175,10 @@ class AppliedForcesBuilder {
     };
     const auto at = [&](int frame) -> Wrench& { return in_world_[static_cast<std::size_t>(frame)]; };
     for (const FrameDistance& distance : mechanism_.distances) {
-      const Expr by = derivatives_by({distance.symbol}).front();
-      if (by.is_zero()) continue;
-      const Vec3 force = (by / inserted(distance.symbol)) * (origin(distance.to) - origin(distance.from));
+      const Expr by = derivatives_by({distance.symbol}).front(), length = inserted(distance.symbol);
+      // Points that are always at one place pull in no direction.
+      if (by.is_zero() || length.is_zero()) continue;
+      const Vec3 force = (by / length) * (origin(distance.to) - origin(distance.from));
       at(distance.to).force = at(distance.to).force + force;
       at(distance.from).force = at(distance.from).force - force;
     }

@@ -37,14 +37,14 @@ struct Layout {
   }
 
  private:
-  /// From a frame to itself there is no way.
+  /// Between frames that stay at one place there is no way.
   Jet<R> length_over(const std::vector<std::size_t>& points) const {
     Jet<R> length(0.0);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      if (points[i] == points[i + 1]) continue;
       const Vector3<Jet<R>> step =
           frames[points[i + 1]].translation + Jet<R>(-1.0) * frames[points[i]].translation;
-      length = length + sqrt(dot(step, step));
+      const Jet<R> square = dot(step, step);
+      if (!vanishes(square)) length = length + sqrt(square);
     }
     return length;
   }
@@ -231,8 +231,9 @@ void pull_together(const Layout<R>& layout, std::size_t path, const R& tension,
   };
   const std::vector<std::size_t>& way = layout.ways[path];
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    if (way[i] == way[i + 1]) continue;
-    const Vector3<R> pull = tension * normalized(value(way[i + 1]) + R(-1.0) * value(way[i]));
+    const Vector3<R> apart = value(way[i + 1]) + R(-1.0) * value(way[i]);
+    if (vanishes(dot(apart, apart))) continue;
+    const Vector3<R> pull = tension * normalized(apart);
     on[way[i]].force = on[way[i]].force + pull;
     on[way[i + 1]].force = on[way[i + 1]].force + R(-1.0) * pull;
   }

@@ -29,6 +29,18 @@ double leading(const Jet<T>& x) {
   return leading(x.value);
 }
 
+/// Whether it is the constant 0, along all parameters.
+inline bool vanishes(double x) {
+  return x == 0;
+}
+inline bool vanishes(long double x) {
+  return x == 0;
+}
+template <class T>
+bool vanishes(const Jet<T>& x) {
+  return vanishes(x.value) && vanishes(x.first) && vanishes(x.second);
+}
+
 template <class T>
 Jet<T> operator+(const Jet<T>& a, const Jet<T>& b) {
   return {a.value + b.value, a.first + b.first, a.second + b.second};
