@@ -13,6 +13,9 @@ namespace {
 /// M is dense here.
 constexpr Eigen::Index kMostSpeeds = 1000;
 
+/// MuJoCo's own, for what is zero.
+constexpr double kSame = 1e-14;
+
 /// A speed: how fast the point `anchor` shifts and what is around it turns, world axes.
 struct Motion {
   Eigen::Vector3d shift, turn, anchor;
@@ -76,6 +79,29 @@ Eigen::MatrixXd mass_matrix(const MjcfModel& model, const std::vector<Motion>& m
   return out;
 }
 
+/// Whether MuJoCo takes the mass of the body for all of the inertia of its speeds, without armatures: a body that only
+/// slides, along its own axes, which are those of its inertia about its origin, and carries none.
+bool slides_simply(const MjcfModel& model, std::size_t index) {
+  const MjcfBody& body = model.bodies[index];
+  const MjcfBody& parent = model.bodies[body.parent];
+  const Eigen::Vector3d moments = body.mass.inertia.diagonal();
+  const Eigen::Matrix3d products = body.mass.inertia - Eigen::Matrix3d(moments.asDiagonal());
+  // Axes that it works out are sorted by their moments.
+  const bool own_axes = body.turn_is_exact
+                            ? body.inertial_turn->isApprox(Eigen::Quaterniond::Identity(), kSame)
+                            : products.isZero(kSame * moments.sum()) && moments.x() >= moments.y() &&
+                                  moments.y() >= moments.z();
+  const bool fixed_parent = body.parent == 0 || (parent.parent == 0 && parent.joints.empty());
+  if (!own_axes || !fixed_parent || !body.mass.centre.isZero(kSame)) return false;
+  if (std::ranges::any_of(model.bodies, [&](const MjcfBody& other) { return other.parent == index; }))
+    return false;
+  return std::ranges::all_of(body.joints, [&](std::size_t j) {
+    const MjcfJoint& joint = model.joints[j];
+    return joint.type == MjcfJointType::slide && joint.anchor.shift.isZero(kSame) &&
+           (joint.axis.array().abs() > kSame).count() == 1;
+  });
+}
+
 }  // namespace
 
 double inertia_at_reference(const MjcfModel& model, std::size_t joint) {
@@ -115,7 +141,9 @@ void work_out_spring_dampers(MjcfModel& model) {
     MjcfJoint& joint = model.joints[j];
     if (!joint.spring_damper) continue;
     const auto& [time, ratio] = *joint.spring_damper;
-    const double inertia = static_cast<double>(speed_count(joint.type)) / sums[j];
+    const double inertia = slides_simply(model, joint.body)
+                               ? model.bodies[joint.body].mass.mass
+                               : static_cast<double>(speed_count(joint.type)) / sums[j];
     joint.stiffness = inertia / (time * time * ratio * ratio);
     joint.damping = 2 * inertia / time;
   }
