@@ -320,6 +320,11 @@ RigidLinks::Splits::Splits(const RigidLinks& links, std::size_t i, const Regroup
     columns_.emplace_back(at * at.transpose());
     points_.push_back(k);
   }
+  for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
+    const auto [r, c] = kInertiaEntries[e];
+    if (std::ranges::any_of(columns_, [&](const Matrix4e& column) { return column(r, c) != 0; }))
+      reached_ |= 1u << e;
+  }
 }
 
 /// Takes amounts of the columns away, so that entries become zero. False if that cannot be, or if a part
@@ -369,6 +374,7 @@ std::optional<RigidLinks::Split> RigidLinks::Splits::zeroing(unsigned zeros) con
   Split out{inertia_, {}, {}};
   if (zeros != 0) {
     if (!possible_ || std::popcount(zeros) != static_cast<int>(columns_.size())) return std::nullopt;
+    if ((zeros & ~reached_) != 0) return std::nullopt;  // a row of zeros: most sets of entries have one
     std::vector<std::pair<int, int>> entries;
     for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
       if ((zeros >> e & 1u) != 0) entries.push_back(kInertiaEntries[e]);

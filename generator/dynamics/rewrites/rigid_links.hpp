@@ -121,6 +121,7 @@ class RigidLinks {
     const std::vector<Matrix4e>& basis_;  ///< what can move, in the joint's frame
     std::vector<Matrix4e> columns_;       ///< the same and the point masses, in the frame
     std::vector<std::size_t> points_;
+    unsigned reached_ = 0;  ///< entries that a column has something in, by bits
   };
   std::optional<Split> split(std::size_t i, const Regrouping& how, const LinkInertia& inertia) const {
     return Splits(*this, i, how, inertia).zeroing(how.zeros);
