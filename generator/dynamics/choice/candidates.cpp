@@ -42,7 +42,7 @@ std::vector<Expr> Candidates::shortest() const {
   std::optional<Length> shortest;
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const auto& [operations, values] = found_[i];
-    if (2 * operations > 3 * least_) continue;
+    if (is_far_longer(operations, least_)) continue;
     const Length length = least_ > kCounted ? Length{operations, 0} : kinematics_.lengths.of(values);
     if (shortest && !(length < *shortest)) continue;
     shortest = length;

@@ -110,6 +110,7 @@ class Search {
     if (!is_first && !good) return false;
     const std::size_t plain = length_of(values).first;
     if (is_first) small_ = plain <= kSmall;
+    if (good_ && is_far_longer(plain, plain_)) return false;
     const std::size_t here = measure(values).first;
     if (good_ && (here > least_ || (here == least_ && plain >= plain_))) {
       keep_near(here, std::move(values));

@@ -306,6 +306,7 @@ void RigidLinks::keep_frames() {
 RigidLinks::Splits::Splits(const RigidLinks& links, std::size_t i, const Regrouping& how,
                            const LinkInertia& inertia)
     : length_(links.links_[i].size),
+      solvers_(links.solvers_[{i, how.frame, how.points}]),
       moves_terms_(how.moves_terms),
       possible_(!(how.moves_terms && how.points != 0)),
       inertia_(links.in_frame(i, how.frame, inertia)),
@@ -327,31 +328,41 @@ RigidLinks::Splits::Splits(const RigidLinks& links, std::size_t i, const Regroup
   }
 }
 
-/// Takes amounts of the columns away, so that entries become zero. False if that cannot be, or if a part
-/// would become much larger than the whole.
-bool RigidLinks::Splits::take(Matrix4e& remaining, const std::vector<std::pair<int, int>>& zeros,
-                              Matrix4e& moved, std::array<Extended, 4>* points) const {
-  const Extended mass = mass_scale(remaining, length_);
-  const Extended most = kMuchLarger * mass;
-  // Entries as masses, so that they can be compared.
-  const auto scaled = [&](int r, int c, const Extended& x) {
-    Extended out = x;
-    if (r < 3 && length_ > 0) out /= length_;
-    if (c < 3 && length_ > 0) out /= length_;
-    return out;
-  };
+Extended RigidLinks::Splits::as_mass(int row, int column, const Extended& entry) const {
+  Extended out = entry;
+  if (row < 3 && length_ > 0) out /= length_;
+  if (column < 3 && length_ > 0) out /= length_;
+  return out;
+}
+
+const RigidLinks::Splits::Solvers::mapped_type& RigidLinks::Splits::solver(
+    const std::vector<std::pair<int, int>>& entries, unsigned zeros) const {
+  const auto [known, fresh] = solvers_.try_emplace(zeros);
+  if (!fresh) return known->second;
   const Eigen::Index n = static_cast<Eigen::Index>(columns_.size());
   Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> A(n, n);
-  Eigen::Matrix<Extended, Eigen::Dynamic, 1> b(n);
   for (Eigen::Index row = 0; row < n; ++row) {
-    const auto [r, c] = zeros[static_cast<std::size_t>(row)];
-    b[row] = scaled(r, c, remaining(r, c));
+    const auto [r, c] = entries[static_cast<std::size_t>(row)];
     for (Eigen::Index k = 0; k < n; ++k)
-      A(row, k) = scaled(r, c, columns_[static_cast<std::size_t>(k)](r, c));
+      A(row, k) = as_mass(r, c, columns_[static_cast<std::size_t>(k)](r, c));
   }
-  Eigen::FullPivLU<decltype(A)> lu(A);
-  lu.setThreshold(kExtendedRounding);
-  if (!lu.isInvertible()) return false;
+  known->second.setThreshold(kExtendedRounding);
+  known->second.compute(A);
+  return known->second;
+}
+
+/// Takes amounts of the columns away, so that entries become zero. False if that cannot be, or if a part
+/// would become much larger than the whole.
+bool RigidLinks::Splits::take(Matrix4e& remaining, const Solvers::mapped_type& lu,
+                              const std::vector<std::pair<int, int>>& zeros, Matrix4e& moved,
+                              std::array<Extended, 4>* points) const {
+  const Extended mass = mass_scale(remaining, length_);
+  const Extended most = kMuchLarger * mass;
+  Eigen::Matrix<Extended, Eigen::Dynamic, 1> b(static_cast<Eigen::Index>(zeros.size()));
+  for (Eigen::Index row = 0; row < b.size(); ++row) {
+    const auto [r, c] = zeros[static_cast<std::size_t>(row)];
+    b[row] = as_mass(r, c, remaining(r, c));
+  }
   const decltype(b) x = lu.solve(b);
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const Extended& amount = x[static_cast<Eigen::Index>(k)];
@@ -379,11 +390,13 @@ std::optional<RigidLinks::Split> RigidLinks::Splits::zeroing(unsigned zeros) con
     for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
       if ((zeros >> e & 1u) != 0) entries.push_back(kInertiaEntries[e]);
     }
-    if (!take(out.remaining.number, entries, out.moved.number, &out.points)) return std::nullopt;
+    const Solvers::mapped_type& lu = solver(entries, zeros);
+    if (!lu.isInvertible() || !take(out.remaining.number, lu, entries, out.moved.number, &out.points))
+      return std::nullopt;
     if (moves_terms_) {
       for (auto& [term, S] : out.remaining.terms) {
         Matrix4e moved = Matrix4e::Zero();
-        if (!take(S, entries, moved, nullptr)) return std::nullopt;
+        if (!take(S, lu, entries, moved, nullptr)) return std::nullopt;
         if (!moved.isZero(0)) out.moved.terms.emplace(term, moved);
       }
     }

@@ -23,8 +23,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "dynamics/rewrites/link_inertia.hpp"
@@ -112,10 +115,19 @@ class RigidLinks {
     std::optional<Split> zeroing(unsigned zeros) const;
 
    private:
-    bool take(Matrix4e& remaining, const std::vector<std::pair<int, int>>& zeros, Matrix4e& moved,
+    friend class RigidLinks;
+    using Solvers =
+        std::map<unsigned, Eigen::FullPivLU<Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>>>;
+    const Solvers::mapped_type& solver(const std::vector<std::pair<int, int>>& entries, unsigned zeros) const;
+    bool take(Matrix4e& remaining, const Solvers::mapped_type& lu,
+              const std::vector<std::pair<int, int>>& zeros, Matrix4e& moved,
               std::array<Extended, 4>* points) const;
 
+    /// An entry of an inertia as a mass, so that entries can be compared.
+    Extended as_mass(int row, int column, const Extended& entry) const;
+
     const Extended& length_;
+    Solvers& solvers_;  ///< by the entries that become zero
     bool moves_terms_, possible_;
     LinkInertia inertia_;                 ///< in the frame
     const std::vector<Matrix4e>& basis_;  ///< what can move, in the joint's frame
@@ -179,6 +191,8 @@ class RigidLinks {
     std::vector<LinkInertia> handed;  ///< to the parent
   };
   mutable KnownFlow known_;
+  mutable std::map<std::tuple<std::size_t, MassFrame, unsigned>, Splits::Solvers>
+      solvers_;  ///< link, frame and points
   mutable std::optional<Skeleton> skeleton_;
 };
 
