@@ -16,6 +16,18 @@ namespace {
 /// Elements that close chains. URDF has none, but some dialects do.
 constexpr std::string_view kLoops[] = {"loop_joint", "loop", "constraint"};
 
+/// What a <mujoco> says that would change equations, by its element.
+constexpr std::pair<const char*, const char*> kMujoco[] = {{"compiler", "balanceinertia"},
+                                                           {"compiler", "boundinertia"},
+                                                           {"compiler", "boundmass"},
+                                                           {"compiler", "inertiafromgeom"},
+                                                           {"compiler", "inertiagrouprange"},
+                                                           {"compiler", "settotalmass"},
+                                                           {"option", "density"},
+                                                           {"option", "gravity"},
+                                                           {"option", "viscosity"},
+                                                           {"option", "wind"}};
+
 constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
                                        "parent", "child", "axis",       "mimic",  "value", "ixx",
                                        "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
@@ -39,6 +51,7 @@ class RobotReader {
                         {"name", "version"});
     read_robot_name(root);
     warn_of_loops(root);
+    warn_of_mujoco(root);
     Colours colours;
     for (const pugi::xml_node material : root.children("material")) read_material(xml_, material, colours);
     for (const pugi::xml_node link : root.children("link")) {
@@ -87,6 +100,20 @@ class RobotReader {
                      "<{}> '{}' closes a chain, which is left out: the equations are those of the open tree",
                      element.name(), printable(element.attribute("name").value())),
                  "add it to the description as a constraint (mechanisms/README.md)", "loop"});
+    }
+  }
+
+  void warn_of_mujoco(pugi::xml_node root) const {
+    for (const pugi::xml_node mujoco : root.children("mujoco")) {
+      for (const auto& [element, name] : kMujoco) {
+        const pugi::xml_attribute attribute = mujoco.child(element).attribute(name);
+        if (!attribute) continue;
+        xml_.warn({xml_.where(attribute),
+                   fmt::format("{} of MuJoCo's {} is left out: other readers of URDF do not have it", name,
+                               element),
+                   std::string_view(name) == "gravity" ? "write `gravity` into the description" : "",
+                   "mujoco"});
+      }
     }
   }
 
