@@ -375,9 +375,8 @@ int run(int argc, char** argv) {
       ->add_option(
           "--integrator", simulate.integrator,
           "rk4, euler (semi-implicit); for forces that are stiff for the step linearly-implicit or implicit "
-          "(Euler both), which damp")
-      ->check(CLI::IsMember(integrator_names()))
-      ->capture_default_str();
+          "(Euler both), which damp; default: rk4, or implicit where that fails at once")
+      ->check(CLI::IsMember(integrator_names()));
   command->add_option("--csv", simulate.csv,
                       "table to write; - is standard output (default without --html and --glb)");
   command->add_option("--html", simulate.html, "page to write: the motion in three dimensions, with plots");

@@ -44,7 +44,8 @@ CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const Sou
                           std::vector<FunctionKind> functions, Inapplicable inapplicable) {
   CompileOptions options;
   options.inapplicable = inapplicable;
-  options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
+  if (!common.warned)
+    options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };
   options.formulation = common.formulation;
   options.passes = common.passes;
   options.loop_operations = common.loop_operations;

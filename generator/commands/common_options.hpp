@@ -25,6 +25,7 @@ struct CommonOptions {
   Passes passes;                                  ///< all, without those named by --without
   bool verbose = false;
   bool strict = false;       ///< warnings are errors
+  bool warned = false;       ///< warnings of this description have been told
   DescribeOptions describe;  ///< how a file of another format becomes a description
   std::string dump_stage;
   std::vector<std::string> inputs;  ///< --input: NAME=EXPRESSION

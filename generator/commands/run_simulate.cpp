@@ -34,6 +34,8 @@ constexpr std::pair<const char*, IntegrationMethod> kIntegrators[] = {
     {"linearly-implicit", IntegrationMethod::linearly_implicit_euler},
     {"implicit", IntegrationMethod::implicit_euler}};
 
+const StartOptions kNothingGiven;
+
 /// Numbers that a page or scene may hold: more would fill memory, and no browser would show it.
 constexpr double kMostNumbers = 5e7;
 
@@ -115,19 +117,37 @@ class Simulation {
     CommonOptions common = common_;
     common.file = file;
     if (!first) common.inputs.clear();
-    std::vector<FunctionKind> functions = trajectory_functions(method());
-    if (seen_ && std::ranges::find(functions, FunctionKind("body_poses")) == functions.end())
-      functions.push_back(FunctionKind("body_poses"));
     const std::shared_ptr<const SourceText> source = description_of(common);
-    if (!options_.html.empty()) add_live_functions(source, functions);
-    const CompiledMechanism compiled = compile(common, source, functions, Inapplicable::refuse_singular);
+    CompiledMechanism compiled =
+        compile(common, source, functions(source, method()), Inapplicable::refuse_singular);
+    check_outputs(options_, compiled.mechanism->where);
+    const StartOptions& given = first ? options_.start : kNothingGiven;
+    const auto set_out = [&](IntegrationMethod how) {
+      TrajectoryOptions out = trajectory_options(*compiled.mechanism);
+      out.method = how;
+      if (first && !options_.inputs.empty())
+        out.inputs = InputTable(read_source(options_.inputs), *compiled.mechanism);
+      return out;
+    };
+    TrajectoryOptions trajectory = set_out(method());
+    EvaluationState start = start_state(compiled, given, trajectory.note);
+    // Elastic tendons, say, are too stiff for explicit steps.
+    if (options_.integrator.empty() && diverges_at_once(compiled, start, trajectory)) {
+      const IntegrationMethod implicit = IntegrationMethod::implicit_euler;
+      common.warned = true;
+      CompiledMechanism explicit_one = std::exchange(
+          compiled, compile(common, source, functions(source, implicit), Inapplicable::refuse_singular));
+      if (diverges_at_once(compiled, start, set_out(implicit))) {
+        compiled = std::move(explicit_one);
+      } else {
+        trajectory = set_out(implicit);
+        trajectory.note(
+            fmt::format("explicit steps of {:.9g} s diverge at once: these are implicit "
+                        "(--integrator chooses)",
+                        options_.step));
+      }
+    }
     const Mechanism& mechanism = *compiled.mechanism;
-    check_outputs(options_, mechanism.where);
-    TrajectoryOptions trajectory = trajectory_options(mechanism);
-    if (first && !options_.inputs.empty())
-      trajectory.inputs = InputTable(read_source(options_.inputs), mechanism);
-    const EvaluationState start =
-        start_state(compiled, first ? options_.start : StartOptions(), trajectory.note);
 
     std::optional<CsvWriter> csv;
     if (first && !csv_.empty()) csv.emplace(compiled, csv_);
@@ -160,9 +180,21 @@ class Simulation {
   }
 
  private:
+  /// The one that was asked for, or what is tried first.
   IntegrationMethod method() const {
-    return std::ranges::find(kIntegrators, options_.integrator, [](const auto& row) { return row.first; })
-        ->second;
+    const auto* row =
+        std::ranges::find(kIntegrators, options_.integrator, [](const auto& x) { return x.first; });
+    return row == std::end(kIntegrators) ? IntegrationMethod::rk4 : row->second;
+  }
+
+  /// What must be compiled for a motion by a method, and for what is written of it.
+  std::vector<FunctionKind> functions(const std::shared_ptr<const SourceText>& source,
+                                      IntegrationMethod how) const {
+    std::vector<FunctionKind> out = trajectory_functions(how);
+    if (seen_ && std::ranges::find(out, FunctionKind("body_poses")) == out.end())
+      out.push_back(FunctionKind("body_poses"));
+    if (!options_.html.empty()) add_live_functions(source, out);
+    return out;
   }
 
   TrajectoryOptions trajectory_options(const Mechanism& mechanism) const {
@@ -170,7 +202,6 @@ class Simulation {
     out.note = [](const std::string& text) { tell("note: " + text + "\n"); };
     out.duration = options_.duration;
     out.step = options_.step;
-    out.method = method();
     if (isatty(STDERR_FILENO) != 0 && csv_ != "-")
       out.progress = [](double done) { tell(fmt::format("\r{:3.0f} %", 100 * done)); };
     const std::optional<long> steps = step_count(out);

@@ -12,7 +12,7 @@ namespace alembert {
 struct SimulateOptions {
   double duration = 10, step = 1e-3;
   int every = 10;  ///< one row of output each so many steps
-  std::string integrator = "rk4";
+  std::string integrator;  ///< empty: rk4, or implicit where no step of that has a value
   std::string csv;   ///< `-` is standard output, which is the default if nothing else is asked for
   std::string html;  ///< page to be written, if any
   std::string glb;   ///< glTF scene to be written, if any

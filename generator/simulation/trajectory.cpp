@@ -21,6 +21,8 @@ namespace {
 
 /// So often progress is told, and a step compared with shorter ones.
 constexpr long kHundred = 100;
+/// Within these, steps that are far too long for stiff forces leave no finite state.
+constexpr long kFirstSteps = 100;
 /// Shorter steps that make one: two chatter as one does.
 constexpr int kParts = 8;
 
@@ -79,13 +81,19 @@ class MovingMechanism {
       }
       return Status::ok;
     };
-    const Status status = advance();
-    if (status != Status::ok) return failure(status, h);
+    status_ = advance();
+    if (status_ != Status::ok) return failure(status_, h);
     if (std::optional<InputError> singular = check_frames()) {
       set_state(before);
       return singular;
     }
     return std::nullopt;
+  }
+
+  /// Whether the last step led to no finite state.
+  bool diverged() const {
+    return status_ == Status::not_finite || status_ == Status::not_positive_definite ||
+           status_ == Status::residual_too_large;
   }
 
   EvaluationState state() const { return system_.state(q_, u_); }
@@ -210,6 +218,7 @@ class MovingMechanism {
   FrameMonitor monitor_;
   Eigen::VectorXd q_, u_;
   ConstraintReport<Eigen::Dynamic> report_;
+  Status status_ = Status::ok;
 };
 
 }  // namespace
@@ -231,6 +240,19 @@ std::optional<long> step_count(const TrajectoryOptions& options) {
   if (!(steps >= 0) || steps > 1e9) return std::nullopt;
   const double whole = std::round(steps);
   return static_cast<long>(std::abs(steps - whole) <= kRounding * steps ? whole : std::ceil(steps));
+}
+
+bool diverges_at_once(const CompiledMechanism& compiled, const EvaluationState& start,
+                      const TrajectoryOptions& options) {
+  const Mechanism& mechanism = *compiled.mechanism;
+  if (mechanism.forces.empty() && std::ranges::none_of(mechanism.parameters, &Parameter::is_state))
+    return false;
+  MovingMechanism motion(compiled, start, options.inputs);
+  for (long i = 1; i <= std::min(kFirstSteps, step_count(options).value_or(0)); ++i) {
+    if (motion.step(options.method, options.step)) return motion.diverged();
+    motion.set_time(start.t + static_cast<double>(i) * options.step);
+  }
+  return false;
 }
 
 std::optional<InputError> integrate(const CompiledMechanism& compiled, const EvaluationState& start,

@@ -47,6 +47,10 @@ std::vector<FunctionKind> trajectory_functions(IntegrationMethod method);
 /// multiple of the step, the last one is shorter.
 std::optional<long> step_count(const TrajectoryOptions& options);
 
+/// Whether forces or rates of states, which may be stiff, let one of the first steps from `start` lead to no finite state.
+bool diverges_at_once(const CompiledMechanism& compiled, const EvaluationState& start,
+                      const TrajectoryOptions& options);
+
 /// Integrates from `start`, for the duration exactly, and gives each point to `take`, in order, as soon as it
 /// is known. Under constraints the state is projected on them after each step. \return nothing if the motion
 /// reached its end, else why it stopped, where and when: constraints that contradict each other (with the

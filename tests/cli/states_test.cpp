@@ -73,6 +73,22 @@ TEST(States, AreOfTheOrderOfTheirIntegrator) {
   }
 }
 
+// Explicit steps of a state that follows within 10 us overflow.
+TEST(States, ThatAreTooStiffForExplicitStepsTakeImplicitOnes) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("cart.yaml", cart("  - {name: s, rate: 1e5*(u*t - s)}\n", "2*s"));
+  const CommandResult chosen = alembert(folder, "simulate " + file + " --duration 1 --every 1000");
+  EXPECT_EQ(chosen.exit_code, 0);
+  EXPECT_EQ(chosen.err,
+            "note: explicit steps of 0.001 s diverge at once: these are implicit (--integrator chooses)\n");
+  const Csv table(chosen.out);
+  EXPECT_NEAR(table.rows.back()[table.column("s")], 0.8, 2e-5);
+  EXPECT_NEAR(table.rows.back()[table.column("d(x)")], 0.4, 1e-3);
+  const CommandResult given = alembert(folder, "simulate " + file + " --integrator rk4");
+  EXPECT_EQ(given.exit_code, 1);
+  EXPECT_THAT(given.err, HasSubstr("no finite step from t = "));
+}
+
 TEST(States, ThatIntegrateSpeedAndPowerAreDisplacementAndWork) {
   const Csv table = simulated(R"(alembert: 1
 name: pendulum
