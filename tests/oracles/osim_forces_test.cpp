@@ -249,12 +249,12 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
     EXPECT_NEAR(rate_of("elastic_flexor_activation"),
                 change / (change > 0 ? 0.01 * (0.5 + 1.5 * a) : 0.04 / (0.5 + 1.5 * a)), 1e-9);
     const double b = states.at("rigid_extensor_activation");
-    const std::vector<std::array<double, 3>> over_length = {{0.4441, 0.1, 0},
+    const std::vector<std::array<double, 3>> over_length = {{0.4441, 0, 0},
                                                             {0.58705, 0.405224, 1.25 * 0.810448 / 0.2859},
                                                             {0.84, 0.905224, 0.8616},
                                                             {1, 1, 0},
                                                             {1.43115, 0.5, -1 / 0.7123},
-                                                            {1.8123, 0.1, 0}};
+                                                            {1.8123, 0, 0}};
     const double foot = 0.1 * 0.35;
     const std::vector<std::array<double, 3>> stretched = {
         {1, 0, 0}, {1 + foot, 0.1 * foot, 0.2}, {1.7, 1, 2 / 0.7}};
@@ -275,6 +275,46 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
   EXPECT_GE(extending, kStates / 3);
   EXPECT_GE(pulling, kStates / 2);
   EXPECT_GE(balanced, 1);
+}
+
+// With a slack tendon, and with fibres shorter than their curves allow, OpenSim's muscles do not pull, however they move. Beyond
+// the longest active fibres only what is passive does.
+TEST(OsimForces, SlackMusclesDoNotPull) {
+  const Imported imported(ALEMBERT_SOURCE_DIR "/tests/osim/models/slack_muscles.osim");
+  std::mt19937_64 random(5);
+  std::vector<State> states;
+  struct At {
+    double way, speed;
+  };
+  // Fibres end at 0.2 + 0.04441 - 0.1; those of Thelen have no shortest ones.
+  const std::vector<At> slack = {{0.05, 0}, {0.05, 1}, {0.09, -1}, {0.0999, 2}},
+                        short_ones = {{0.13, 0}, {0.139, 1}}, taut = {{0.2, 0}, {0.2, 0.1}};
+  std::vector<At> all = slack;
+  for (const std::vector<At>& more : {short_ones, taut}) all.insert(all.end(), more.begin(), more.end());
+  for (const At& at : all) {
+    State state = random_state(imported.description(), random);
+    state.q = {at.way};
+    state.speeds = {at.speed};
+    for (auto& [name, value] : state.inputs) value = 1;
+    states.push_back(state);
+  }
+  const std::vector<Eigen::VectorXd> tau(states.size(), Eigen::VectorXd::Zero(1));
+  const auto found =
+      ask_functions(ALEMBERT_EXECUTABLE, imported.path(), states, tau, {"force_contributions"});
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Eigen::MatrixXd each = found[i].at("force_contributions").at("Q");
+    ASSERT_EQ(each.size(), 3);
+    const bool is_slack = i < slack.size(), is_short = !is_slack && i < slack.size() + short_ones.size();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      SCOPED_TRACE(std::to_string(i) + ", muscle " + std::to_string(k));
+      const double pull = each.reshaped()(k);
+      if (is_slack || (is_short && k < 2)) {
+        EXPECT_EQ(pull, 0);
+      } else {
+        EXPECT_LT(pull, -100);
+      }
+    }
+  }
 }
 
 TEST(OsimConstraints, HoldPointsAndFrames) {

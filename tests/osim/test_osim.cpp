@@ -130,6 +130,60 @@ TEST(Osim, TakesTextsWithCommentsInThem) {
       testing::AllOf(HasSubstr("mass: 3\n"), HasSubstr("yy: 2")));
 }
 
+/// A model whose body has `frames` and whose constraints are `constraints`, with coordinates q0 to q<count>.
+std::shared_ptr<const SourceText> chain_of(int count, const std::string& frames,
+                                           const std::string& constraints) {
+  std::string bodies, joints;
+  for (int i = 0; i <= count; ++i) {
+    const std::string k = std::to_string(i);
+    bodies += "<Body name='b" + k + "'><mass>1</mass><inertia>1 1 1 0 0 0</inertia>" +
+              (i == 0 ? frames : std::string()) + "</Body>";
+    joints += "<PinJoint name='j" + k +
+              "'><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>b" + k +
+              "</socket_child_frame><coordinates><Coordinate name='q" + k + "'/></coordinates></PinJoint>";
+  }
+  return std::make_shared<const SourceText>(
+      SourceText{"model.osim", "<OpenSimDocument Version='40500'><Model name='m'><BodySet><objects>" +
+                                   bodies + "</objects></BodySet><JointSet><objects>" + joints +
+                                   "</objects></JointSet><ConstraintSet><objects>" + constraints +
+                                   "</objects></ConstraintSet></Model></OpenSimDocument>"});
+}
+
+// Each follows the next one: as deep as there are coordinates.
+TEST(Osim, CoordinatesFollowOneAnotherInChainsOfAnyLength) {
+  constexpr int kCount = 4000;
+  std::string constraints;
+  for (int i = 0; i < kCount; ++i)
+    constraints +=
+        "<CoordinateCouplerConstraint name='c" + std::to_string(i) +
+        "'><coupled_coordinates_function><LinearFunction><coefficients>1 0</coefficients></LinearFunction>"
+        "</coupled_coordinates_function><independent_coordinate_names>q" +
+        std::to_string(i + 1) + "</independent_coordinate_names><dependent_coordinate_name>q" +
+        std::to_string(i) + "</dependent_coordinate_name></CoordinateCouplerConstraint>";
+  const std::string text = described(chain_of(kCount, "", constraints)).text;
+  EXPECT_NE(text.find("coordinates:\n  - name: q4000\ndefinitions:\n  q3999: q4000\n"), std::string::npos);
+  EXPECT_NE(text.find("\n  q0: q1\n"), std::string::npos);
+}
+
+// The last one listed is what the others stand on.
+TEST(Osim, FramesStandOnLaterOnesUpToADepth) {
+  const auto frames = [](int count) {
+    std::string out = "<components>";
+    for (int i = 0; i < count; ++i)
+      out += "<PhysicalOffsetFrame name='f" + std::to_string(i) + "'><socket_parent>" +
+             (i + 1 < count ? "../f" + std::to_string(i + 1) : std::string("..")) +
+             "</socket_parent><translation>0.1 0 0</translation></PhysicalOffsetFrame>";
+    return out + "</components>";
+  };
+  EXPECT_THAT(described(chain_of(0, frames(200), "")).text, HasSubstr("name: f0"));
+  try {
+    described(chain_of(0, frames(3000), ""));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.message(), HasSubstr("stands on more than 200 others"));
+  }
+}
+
 // A hundred thousand elements within each other.
 TEST(Osim, IsNotDeeperThanTheStack) {
   std::string deep;

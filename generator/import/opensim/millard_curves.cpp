@@ -100,6 +100,8 @@ MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, 
           knots.back().x, flat};
 }
 
+// With a rigid tendon, as with damped fibres, OpenSim takes 0 for <minimum_value>, <concentric_slope_at_vmax> and
+// <eccentric_slope_at_vmax>, whatever the file says.
 MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
   const pugi::xml_node length = muscle.child("ActiveForceLengthCurve"),
                        fibre = muscle.child("FiberForceLengthCurve"),
@@ -108,17 +110,17 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
     const double x0 = xml.number(length, "min_norm_active_fiber_length", 0.4441),
                  x1 = xml.number(length, "transition_norm_fiber_length", 0.73),
                  x3 = xml.number(length, "max_norm_active_fiber_length", 1.8123),
-                 slope = xml.number(length, "shallow_ascending_slope", 0.8616),
-                 least = xml.number(length, "minimum_value", 0.1);
+                 slope = xml.number(length, "shallow_ascending_slope", 0.8616);
     constexpr double kHalfPlateau = 0.05;
     const double shoulder = 1 - kHalfPlateau, y1 = 1 - slope * (shoulder - x1);
     const double down = (1 + kHalfPlateau + x3) / 2;
-    active_ = spline({{x0, least, 0, 1},
+    shortest_ = x0;
+    active_ = spline({{x0, 0, 0, 1},
                       {(x0 + x1) / 2, y1 / 2, 1.25 * y1 / (x1 - x0), 1},
                       {(x1 + shoulder) / 2, (1 + y1) / 2, slope, 1},
                       {1, 1, 0, 1},
                       {down, 0.5, -1 / (x3 - kHalfPlateau - (1 + kHalfPlateau)), 1},
-                      {x3, least, 0, 1}},
+                      {x3, 0, 0, 1}},
                      true);
   }
   {
@@ -133,19 +135,17 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
         false);
   }
   {
-    const double c = xml.number(speed, "concentric_slope_at_vmax", 0),
-                 near_c = xml.number(speed, "concentric_slope_near_vmax", 0.25),
+    const double near_c = xml.number(speed, "concentric_slope_near_vmax", 0.25),
                  middle = xml.number(speed, "isometric_slope", 5),
-                 e = xml.number(speed, "eccentric_slope_at_vmax", 0),
                  near_e = xml.number(speed, "eccentric_slope_near_vmax", 0.15),
                  most = xml.number(speed, "max_eccentric_velocity_force_multiplier", 1.4),
                  bend_c = xml.number(speed, "concentric_curviness", 0.6),
                  bend_e = xml.number(speed, "eccentric_curviness", 0.9);
-    over_speed_ = spline({{-1, 0, c, bend_c},
-                          {-0.9, 0.05 * (near_c + c), near_c, bend_c},
+    over_speed_ = spline({{-1, 0, 0, bend_c},
+                          {-0.9, 0.05 * near_c, near_c, bend_c},
                           {0, 1, middle, bend_e},
-                          {0.9, most - 0.05 * (near_e + e), near_e, bend_e},
-                          {1, most, e, bend_e}},
+                          {0.9, most - 0.05 * near_e, near_e, bend_e},
+                          {1, most, 0, bend_e}},
                          true);
   }
 }

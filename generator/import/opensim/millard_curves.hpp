@@ -19,6 +19,9 @@ class MillardCurves {
   std::string passive(const std::string& length) const { return passive_.text(length); }
   std::string over_speed(const std::string& speed) const { return over_speed_.text(speed); }
 
+  /// Fibres below this have no force, in optimal lengths.
+  double shortest() const { return shortest_; }
+
   static constexpr double kTolerance = 0.004;
 
  private:
@@ -36,6 +39,7 @@ class MillardCurves {
   static Spline spline(const std::vector<Corner>& corners, bool flat);
 
   Spline active_, passive_, over_speed_;
+  double shortest_ = 0;
 };
 
 }  // namespace alembert

@@ -62,20 +62,33 @@ class CoordinateRoles {
     }
   }
 
+  /// With what it follows before it; not by recursion, since a file may have a chain longer than the stack.
   void add(std::size_t i) {
-    if (marks_[i] == Mark::done) return;
+    std::vector<std::size_t> open{i};
+    while (!open.empty()) {
+      const std::size_t at = open.back();
+      const std::vector<std::size_t>& of = couplers_[at].of;
+      const auto next =
+          std::ranges::find_if(of, [&](std::size_t each) { return marks_[each] != Mark::done; });
+      if (marks_[at] == Mark::done || next == of.end()) {
+        if (marks_[at] != Mark::done) describe(at);
+        open.pop_back();
+        continue;
+      }
+      marks_[at] = Mark::open;
+      if (const OsimCoordinate& leader = out_.model.coordinates[*next]; marks_[*next] == Mark::open)
+        throw InputError(leader.where, fmt::format("coordinate '{}' follows itself by way of others",
+                                                   printable(leader.name)));
+      open.push_back(*next);
+    }
+  }
+
+  void describe(std::size_t i) {
     const OsimCoordinate& coordinate = out_.model.coordinates[i];
-    if (marks_[i] == Mark::open)
-      throw InputError(coordinate.where, fmt::format("coordinate '{}' follows itself by way of others",
-                                                     printable(coordinate.name)));
-    marks_[i] = Mark::open;
     const std::string& name = out_.coordinate_names[i];
     if (const Coupler& coupler = couplers_[i]; coupler.element) {
       std::vector<std::string> arguments;
-      for (const std::size_t of : coupler.of) {
-        add(of);
-        arguments.push_back(out_.coordinate_names[of]);
-      }
+      for (const std::size_t of : coupler.of) arguments.push_back(out_.coordinate_names[of]);
       const pugi::xml_node element = find_osim_function(coupler.element, "coupled_coordinates_function");
       if (!element)
         throw InputError(out_.xml.where(coupler.element),

@@ -20,6 +20,10 @@ std::string times(double factor, const std::string& of) {
   return factor == 1 ? of : fmt::format("{}*{}", number_text(factor), of);
 }
 
+/// Joints whose first three speeds are an angular velocity, and no rates of their angles.
+constexpr std::string_view kTurningTogether[] = {"BallJoint", "FreeJoint", "EllipsoidJoint",
+                                                 "ScapulothoracicJoint"};
+
 /// The coordinate that a force acts along, with what moves it; none, with a warning, if nothing does in proportion.
 struct Along {
   std::string position, speed;  ///< as expressions
@@ -31,6 +35,13 @@ std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
       resolve_osim_coordinate(out.model, OsimXml::text(force, {"coordinate", "socket_coordinate"}),
                               out.xml.where(force), OsimXml::title(force));
   const std::string& name = out.text_of(coordinate);
+  const OsimJoint& joint = out.model.joints[out.model.coordinates[coordinate].joint];
+  const auto place = std::ranges::find(joint.coordinates, coordinate) - joint.coordinates.begin();
+  if (place < 3 && std::ranges::find(kTurningTogether, joint.type) != std::end(kTurningTogether)) {
+    out.left(force,
+             fmt::format("OpenSim applies it to an angular velocity, of which '{}' is no integral", name));
+    return {};
+  }
   const auto driver = out.driver(coordinate);
   if (!driver) {
     out.left(force, fmt::format("'{}' is locked, prescribed or follows others along a curve", name));
@@ -237,11 +248,16 @@ bool is_no_force(pugi::xml_node component) {
   return false;
 }
 
-/// Of the ForceSet, and of the model's components all that may be forces.
+/// Of the ForceSet, and of the components of the model, its bodies and joints all that may be forces.
 std::vector<pugi::xml_node> acting_elements(const OsimDescription& of) {
   std::vector<pugi::xml_node> all = of.xml.objects(of.model.element, "ForceSet"), out;
-  for (const pugi::xml_node element : of.xml.components(of.model.element))
-    if (!is_no_force(element)) all.push_back(element);
+  const auto add = [&](const std::vector<pugi::xml_node>& components) {
+    for (const pugi::xml_node element : components)
+      if (!is_no_force(element)) all.push_back(element);
+  };
+  add(of.xml.components(of.model.element));
+  for (const OsimBody& body : of.model.bodies) add(OsimXml::elements(body.element.child("components")));
+  for (const OsimJoint& joint : of.model.joints) add(OsimXml::elements(joint.element.child("components")));
   for (const pugi::xml_node force : all)
     if (of.xml.flag(force, "appliesForce", true) && !of.xml.flag(force, "isDisabled", false))
       out.push_back(force);

@@ -26,11 +26,20 @@ constexpr JointType kOsimJointTypes[] = {{"PinJoint", "r"},         {"SliderJoin
 constexpr const char* kSpatialAxes[] = {"rotation1",    "rotation2",    "rotation3",
                                         "translation1", "translation2", "translation3"};
 
-std::array<pugi::xml_node, 6> transform_axes(pugi::xml_node joint) {
+std::array<pugi::xml_node, 6> transform_axes(const OsimXml& xml, pugi::xml_node joint) {
   std::array<pugi::xml_node, 6> out;
-  for (const pugi::xml_node axis : joint.child("SpatialTransform").children("TransformAxis"))
-    for (std::size_t i = 0; i < 6; ++i)
-      if (OsimXml::name_of(axis) == kSpatialAxes[i]) out[i] = axis;
+  for (const pugi::xml_node axis : joint.child("SpatialTransform").children("TransformAxis")) {
+    const std::string name = OsimXml::name_of(axis);
+    const auto which = std::ranges::find(kSpatialAxes, name);
+    if (which == std::end(kSpatialAxes)) {
+      const std::vector<std::string> known(std::begin(kSpatialAxes), std::end(kSpatialAxes));
+      throw InputError(xml.where(axis), fmt::format("a TransformAxis of unknown name '{}'{}", printable(name),
+                                                    did_you_mean(name, known)));
+    }
+    pugi::xml_node& place = out[static_cast<std::size_t>(which - std::begin(kSpatialAxes))];
+    if (place) throw InputError(xml.where(axis), fmt::format("a second TransformAxis '{}'", name));
+    place = axis;
+  }
   return out;
 }
 
@@ -50,7 +59,7 @@ OsimFunction axis_function(const OsimXml& xml, pugi::xml_node axis,
 
 /// Whether OpenSim counts it among angles: where it is one about an axis, or its negative, without a curve between.
 bool turns(const OsimXml& xml, pugi::xml_node joint, const std::string& coordinate) {
-  const std::array<pugi::xml_node, 6> axes = transform_axes(joint);
+  const std::array<pugi::xml_node, 6> axes = transform_axes(xml, joint);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<std::string> names = OsimXml::words(axes[i], "coordinates");
     if (std::ranges::find(names, coordinate) == names.end()) continue;
@@ -63,6 +72,7 @@ bool turns(const OsimXml& xml, pugi::xml_node joint, const std::string& coordina
 }
 
 std::array<double, 3> unit(const OsimXml& xml, pugi::xml_node axis, const std::array<double, 3>& otherwise) {
+  if (axis && !axis.child("axis")) throw InputError(xml.where(axis), "no <axis> in a TransformAxis");
   std::array<double, 3> out = xml.vector<3>(axis, "axis", otherwise);
   const double length = std::sqrt(std::inner_product(out.begin(), out.end(), out.begin(), 0.0));
   if (length == 0) throw InputError(xml.where(axis.child("axis")), "an axis of length 0");
@@ -205,7 +215,7 @@ void OsimFactors::add_motion(YamlNode& out, const OsimJoint& joint, const std::v
 /// Turns about three axes in turn, after shifts along three axes of the parent.
 void OsimFactors::add_spatial(YamlNode& out, const OsimJoint& joint, const std::vector<std::string>& q,
                               const std::vector<std::string>& coordinate_names) const {
-  const std::array<pugi::xml_node, 6> axes = transform_axes(joint.element);
+  const std::array<pugi::xml_node, 6> axes = transform_axes(xml_, joint.element);
   std::array<OsimFunction, 6> functions;
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<std::string> arguments;
@@ -218,6 +228,13 @@ void OsimFactors::add_spatial(YamlNode& out, const OsimJoint& joint, const std::
       arguments.push_back(q[static_cast<std::size_t>(found - coordinate_names.begin())]);
     }
     functions[i] = axis_function(xml_, axes[i], arguments);
+    if (!arguments.empty() && !find_osim_function(axes[i], "function"))
+      xml_.warn(
+          {xml_.where(axes[i]),
+           fmt::format("axis '{}' of {} has coordinates, and no function: it is the coordinate itself, which "
+                       "OpenSim 4 does not take it to be",
+                       kSpatialAxes[i], OsimXml::title(joint.element)),
+           "write the function into the file", "no function"});
     if (!functions[i].smooth)
       throw InputError(xml_.where(axes[i]), "a joint moves by a function that is not twice differentiable");
     if (functions[i].simple()) continue;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -24,6 +25,9 @@ std::string socket_text(pugi::xml_node element, const char* socket, const char* 
       return OsimXml::text(child, "connectee_name");
   return {};
 }
+
+/// Frames that stand on one another, each with its offset: all of them are written for each.
+constexpr std::size_t kDeepestFrame = 200;
 
 class SkeletonReader {
  public:
@@ -103,19 +107,39 @@ class SkeletonReader {
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);
-    // Frames on frames: as many rounds as they are deep.
-    std::vector<Pending> open = std::move(pending_);
-    while (!open.empty()) {
-      std::set<std::string, std::less<>> pending;
-      for (const Pending& frame : open) pending.insert(frame.frame.name);
-      std::vector<Pending> left;
-      for (const Pending& frame : open)
-        if (!place(frame, pending.contains(last_part(frame.parent)))) left.push_back(frame);
-      if (left.size() == open.size())
-        throw InputError(left[0].frame.where,
-                         fmt::format("frame '{}' stands on itself", printable(left[0].frame.name)));
-      open = std::move(left);
+    // Forces and constraints among the model's components, with frames of their own.
+    for (const pugi::xml_node element : xml_.components(model_.element))
+      if (!std::string_view(element.name()).ends_with("Joint"))
+        collect_frames(element.child("frames"), "/" + OsimXml::name_of(element), false);
+    place_frames();
+  }
+
+  /// In the order of the file, and where a frame stands on one that comes later, after that.
+  void place_frames() {
+    std::map<std::string, std::vector<std::size_t>, std::less<>> waiting;  // by the name that they stand on
+    std::set<std::string, std::less<>> open;
+    std::set<std::size_t> round, next;
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      open.insert(pending_[i].frame.name);
+      round.insert(i);
     }
+    while (!round.empty()) {
+      const std::size_t i = *round.begin();
+      round.erase(round.begin());
+      const std::string on = last_part(pending_[i].parent);
+      if (place(pending_[i], open.contains(on))) {
+        if (const auto found = waiting.find(pending_[i].frame.name); found != waiting.end()) {
+          for (const std::size_t each : found->second) (each > i ? round : next).insert(each);
+          waiting.erase(found);
+        }
+      } else {
+        waiting[on].push_back(i);
+      }
+      if (round.empty()) round.swap(next);
+    }
+    if (waiting.empty()) return;
+    const OsimFrame& frame = pending_[waiting.begin()->second.front()].frame;
+    throw InputError(frame.where, fmt::format("frame '{}' stands on itself", printable(frame.name)));
   }
   struct Pending {
     OsimFrame frame;
@@ -141,17 +165,19 @@ class SkeletonReader {
   }
   static std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
   bool place(const Pending& pending, bool parent_is_pending) {
-    std::size_t parent = 0;
-    try {
-      parent = resolve_osim_frame(model_, pending.parent, pending.frame.path, pending.frame.where,
-                                  fmt::format("frame '{}'", printable(pending.frame.name)));
-    } catch (const InputError&) {
-      if (parent_is_pending) return false;
-      throw;
-    }
+    const auto found =
+        pending.parent.empty() ? std::nullopt : find_osim_frame(model_, pending.parent, pending.frame.path);
+    if (!found && parent_is_pending) return false;
+    const std::size_t parent =
+        found ? *found
+              : resolve_osim_frame(model_, pending.parent, pending.frame.path, pending.frame.where,
+                                   fmt::format("frame '{}'", printable(pending.frame.name)));
     OsimFrame frame = pending.frame;
     frame.body = model_.frames[parent].body;
     frame.offsets = model_.frames[parent].offsets;
+    if (frame.offsets.size() >= kDeepestFrame)
+      throw InputError(frame.where, fmt::format("frame '{}' stands on more than {} others, one on the next",
+                                                printable(frame.name), kDeepestFrame));
     if (!pending.offset.is_identity()) frame.offsets.push_back(pending.offset);
     model_.add_frame(std::move(frame));
     return true;

@@ -16,8 +16,10 @@
 namespace alembert {
 namespace {
 
-/// The cosine of the largest pennation.
+/// The cosine of the largest pennation, unless the file says another one, ...
 constexpr double kLeastCosine = 0.1;
+/// ... and the shortest fibres without one, in optimal lengths.
+constexpr double kShortestFibre = 0.01;
 
 std::string n(double value) {
   return number_text(value);
@@ -39,6 +41,8 @@ class Muscle {
     const char* const angle =
         out.xml.property(element, "pennation_angle") ? "pennation_angle" : "pennation_angle_at_optimal";
     pennation_ = out.xml.number(element, angle, 0);
+    least_cosine_ =
+        std::max(0.0, std::cos(out.xml.number(element, "maximum_pennation_angle", std::acos(kLeastCosine))));
   }
 
   /// Its force, with the path; none if there is no path.
@@ -75,16 +79,23 @@ class Muscle {
     const std::string speed = fmt::format("rate/{}", n(fibre_ * speed_));
     return pennation_ == 0 ? "(" + speed + ")" : fmt::format("({}*{})", speed, rigid_cosine());
   }
-  /// force * max(0, of) along the tendon.
-  std::string rigid_tension(const std::string& of) const {
-    const std::string along = fmt::format("{}*max(0, {})", n(force_), of);
-    return pennation_ == 0 ? along : fmt::format("{}*{}", along, rigid_cosine());
+  /// force * max(0, of) along the tendon; none where the fibres are at their shortest and the tendon is slack. `shortest`
+  /// is what the curves allow, in optimal lengths.
+  std::string rigid_tension(const std::string& of, double shortest) const {
+    std::string along = fmt::format("{}*max(0, {})", n(force_), of);
+    if (pennation_ != 0) along += "*" + rigid_cosine();
+    const double thickness = fibre_ * std::sin(pennation_),
+                 widest = std::sqrt(1 - least_cosine_ * least_cosine_);
+    const double least =
+        std::max(fibre_ * shortest, thickness > 0 ? thickness / widest : fibre_ * kShortestFibre);
+    const double reach = std::sqrt(std::max(0.0, least * least - thickness * thickness));
+    return fmt::format("select(length - {}, {}, 0)", n(slack_ + reach), along);
   }
 
   OsimDescription& out_;
   pugi::xml_node element_;
   SourceLocation at_;
-  double force_, fibre_, slack_, speed_, rise_, fall_, pennation_ = 0;
+  double force_, fibre_, slack_, speed_, rise_, fall_, pennation_ = 0, least_cosine_ = kLeastCosine;
   std::string name_, activation_;
   YamlNode* node_ = nullptr;
 
@@ -174,19 +185,21 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
   const std::string& a = muscle.activation_;
   if (muscle.flag("ignore_tendon_compliance")) {
     const std::string length = muscle.rigid_length();
-    muscle.finish(muscle.rigid_tension(fmt::format("{}*{}*{} + {}", a, curves.active(length),
-                                                   curves.over_speed(a, muscle.rigid_speed()),
-                                                   curves.passive(length))));
+    muscle.finish(
+        muscle.rigid_tension(fmt::format("{}*{}*{} + {}", a, curves.active(length),
+                                         curves.over_speed(a, muscle.rigid_speed()), curves.passive(length)),
+                             0));
     return true;
   }
   const std::string& name = muscle.name_;
   const std::string fibre = out.names.add(name + "_fibre", muscle.at_);
   std::string cosine = "1";
   if (muscle.pennation_ != 0)
-    cosine = out.define(name + "_cosine",
-                        fmt::format("sqrt(max({}, 1 - ({}/{})^2))", n(kLeastCosine * kLeastCosine),
-                                    n(std::sin(muscle.pennation_)), fibre),
-                        muscle.at_);
+    cosine =
+        out.define(name + "_cosine",
+                   fmt::format("sqrt(max({}, 1 - ({}/{})^2))", n(muscle.least_cosine_ * muscle.least_cosine_),
+                               n(std::sin(muscle.pennation_)), fibre),
+                   muscle.at_);
   const std::string along = cosine == "1" ? fibre : fmt::format("{}*{}", fibre, cosine);
   muscle.finish(fmt::format(
       "{}*{}", n(muscle.force_),
@@ -218,7 +231,7 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
   std::string sum = fmt::format("{}*{}*{} + {}", muscle.activation_, curves.active(length),
                                 curves.over_speed(speed), curves.passive(length));
   if (damping != 0) sum += fmt::format(" + {}*{}", n(damping), speed);
-  muscle.finish(muscle.rigid_tension(sum));
+  muscle.finish(muscle.rigid_tension(sum, curves.shortest()));
   return true;
 }
 

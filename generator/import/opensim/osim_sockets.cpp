@@ -31,10 +31,8 @@ std::string last_part(const std::string& path) {
 
 }  // namespace
 
-std::size_t resolve_osim_frame(const OsimModel& model, const std::string& socket, const std::string& owner,
-                               const SourceLocation& where, const std::string& what) {
-  if (socket.empty()) throw InputError(where, what + " names no frame");
-  const auto& frames = model.frames;
+std::optional<std::size_t> find_osim_frame(const OsimModel& model, const std::string& socket,
+                                           const std::string& owner) {
   const auto& by_path = model.frame_of_path;
   const std::string absolute = plain_path(socket.starts_with('/') ? socket : owner + "/" + socket);
   auto found = by_path.find(absolute);
@@ -42,16 +40,21 @@ std::size_t resolve_osim_frame(const OsimModel& model, const std::string& socket
   if (found == by_path.end() && socket.starts_with('/') && absolute.find('/', 1) != std::string::npos)
     found = by_path.find(absolute.substr(absolute.find('/', 1)));
   if (found != by_path.end()) return found->second;
-  const std::string name = last_part(socket);
-  if (const auto named = model.frames_of_name.find(name); named != model.frames_of_name.end()) {
-    const auto own = std::ranges::find_if(
-        named->second, [&](std::size_t frame) { return frames[frame].path.starts_with(owner + "/"); });
-    return own != named->second.end() ? *own : named->second.front();
-  }
+  const auto named = model.frames_of_name.find(last_part(socket));
+  if (named == model.frames_of_name.end()) return std::nullopt;
+  const auto own = std::ranges::find_if(
+      named->second, [&](std::size_t frame) { return model.frames[frame].path.starts_with(owner + "/"); });
+  return own != named->second.end() ? *own : named->second.front();
+}
+
+std::size_t resolve_osim_frame(const OsimModel& model, const std::string& socket, const std::string& owner,
+                               const SourceLocation& where, const std::string& what) {
+  if (socket.empty()) throw InputError(where, what + " names no frame");
+  if (const std::optional<std::size_t> found = find_osim_frame(model, socket, owner)) return *found;
   std::vector<std::string> names;
-  for (const OsimFrame& frame : frames) names.push_back(frame.name);
+  for (const OsimFrame& frame : model.frames) names.push_back(frame.name);
   throw InputError(where, fmt::format("{} names an unknown frame '{}'{}", what, printable(socket),
-                                      did_you_mean(name, names)));
+                                      did_you_mean(last_part(socket), names)));
 }
 
 std::size_t resolve_osim_coordinate(const OsimModel& model, const std::string& socket,
