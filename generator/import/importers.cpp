@@ -95,15 +95,18 @@ std::span<const Importer> importers() {
 }
 
 const Importer& importer_of(const SourceText& source) {
-  if (const Importer* const by_name = importer_by_name(source)) return *by_name;
+  const Importer* const by_name = importer_by_name(source);
   const auto by_text = std::ranges::find_if(
       kImporters, [&](const Importer& importer) { return importer.recognises(source.text); });
+  // What stands in a file counts more than its name.
+  if (by_name != nullptr && (by_text == std::end(kImporters) || by_name->recognises(source.text)))
+    return *by_name;
   return by_text != std::end(kImporters) ? *by_text : kImporters[0];
 }
 
 const Importer* importer_unless_description(const SourceText& source) {
-  if (const Importer* const by_name = importer_by_name(source)) return by_name;
-  return begins_with_element(source.text) ? &importer_of(source) : nullptr;
+  const bool is_named = importer_by_name(source) != nullptr;
+  return is_named || begins_with_element(source.text) ? &importer_of(source) : nullptr;
 }
 
 void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string_view format, unsigned taken,

@@ -294,6 +294,8 @@ TEST(Importers, AreChosenByExtensionAndByText) {
   EXPECT_EQ(importer_of({"<stdin>", "<?xml version='1.0'?><robot name='r'/>"}).format, "URDF");
   EXPECT_EQ(importer_of({"robot.xml", "<!-- <robot> --><mujoco model='m'/>"}).format, "MJCF");
   EXPECT_EQ(importer_of({"robot.xml", "<robot name='r'><mujoco/></robot>"}).format, "URDF");
+  EXPECT_EQ(importer_of({"robot.urdf", "<mujoco model='m'/>"}).format, "MJCF");
+  EXPECT_EQ(importer_of({"robot.sdf", "<robot name='r'/>"}).format, "URDF");
   EXPECT_EQ(importer_of({"notes.txt", "neither"}).format, "URDF");
 }
 

@@ -173,22 +173,43 @@ bool has_position(const UrdfJoint& joint) {
          joint.type == UrdfJointType::prismatic;
 }
 
-void read_transmission(pugi::xml_node element, std::vector<UrdfJoint>& joints, const Indices& names) {
-  const pugi::xml_node drive = element.child("actuator");
-  for (const pugi::xml_node of : element.children("joint")) {
-    const auto found = names.find(of.attribute("name").value());
-    if (found == names.end()) continue;
-    UrdfJoint& joint = joints[found->second];
-    const auto read = [&](const pugi::xml_node& node, double& to, double least) {
+void read_transmission(const XmlText& xml, pugi::xml_node element, std::vector<UrdfJoint>& joints,
+                       const Indices& names) {
+  const auto read = [&](const pugi::xml_node& node, double& to, bool is_inertia) {
+    if (!node) return;
+    const std::string what = fmt::format("<{}> of a transmission", node.name());
+    xml.tolerate("it is left out", [&] {
       const pugi::xml_attribute attribute = node.attribute("value");
-      const double value = attribute ? attribute.as_double() : node.text().as_double();
-      if (value > least && value != 0 && std::isfinite(value)) to = value;
-    };
-    constexpr double kAny = -std::numeric_limits<double>::infinity();
-    read(drive.child("mechanicalReduction"), joint.reduction, kAny);
-    read(of.child("mechanicalReduction"), joint.reduction, kAny);
-    read(drive.child("drake:gear_ratio"), joint.reduction, kAny);
-    read(drive.child("drake:rotor_inertia"), joint.rotor_inertia, 0);
+      const double value =
+          attribute ? xml.number(attribute, what) : xml.number_list(node, what, 1, 1).front();
+      if (is_inertia && value < 0) throw InputError(xml.where(node), what + " is negative");
+      if (value != 0) to = value;
+    });
+  };
+  constexpr const char *kReduction = "mechanicalReduction", *kRotor = "drake:rotor_inertia";
+  // One joint and one actuator, or as many of each, in order; joints of a differential share the first.
+  std::vector<pugi::xml_node> drives(element.children("actuator").begin(),
+                                     element.children("actuator").end());
+  const auto driven = element.children("joint");
+  const bool paired = static_cast<std::size_t>(std::distance(driven.begin(), driven.end())) == drives.size();
+  std::size_t k = 0;
+  for (const pugi::xml_node of : driven) {
+    const pugi::xml_node drive = drives.empty() ? pugi::xml_node() : drives[paired ? k : 0];
+    ++k;
+    const std::string name = of.attribute("name").value();
+    const auto found = names.find(name);
+    if (found == names.end()) {
+      if (drive.child(kRotor))
+        xml.warn({xml.where(of),
+                  fmt::format("a transmission drives an unknown joint '{}'{}: its rotor is left out",
+                              printable(name), did_you_mean(name, keys(names)))});
+      continue;
+    }
+    UrdfJoint& joint = joints[found->second];
+    for (const pugi::xml_node& holder : {element, drive, of})
+      read(holder.child(kReduction), joint.reduction, false);
+    read(drive.child("drake:gear_ratio"), joint.reduction, false);
+    read(drive.child(kRotor), joint.rotor_inertia, true);
   }
 }
 

@@ -19,7 +19,8 @@ UrdfJoint read_joint(const XmlText& xml, pugi::xml_node element, const Indices& 
 /// A <transmission>: the reduction between the drive and the joints that it names, and the inertia of its
 /// rotor, of which only Drake's dialect knows. A reduction below 0 turns the other way round; 0, no inertia and
 /// what is no number say nothing.
-void read_transmission(pugi::xml_node element, std::vector<UrdfJoint>& joints, const Indices& names);
+void read_transmission(const XmlText& xml, pugi::xml_node element, std::vector<UrdfJoint>& joints,
+                       const Indices& names);
 
 /// The names, for messages.
 std::vector<std::string> keys(const Indices& indices);

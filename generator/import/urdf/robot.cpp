@@ -28,6 +28,29 @@ constexpr std::pair<const char*, const char*> kMujoco[] = {{"compiler", "balance
                                                            {"option", "viscosity"},
                                                            {"option", "wind"}};
 
+/// What a <gazebo> says that would change equations, where its text is one that does.
+struct GazeboRow {
+  const char* name;
+  bool (*changes)(const std::string& text);
+  const char* note;
+};
+bool is_on(const std::string& text) {
+  return text == "true" || text == "1";
+}
+bool is_off(const std::string& text) {
+  return text == "false" || text == "0";
+}
+bool is_something(const std::string& text) {
+  return std::ranges::any_of(text, [](char c) { return c >= '1' && c <= '9'; });
+}
+constexpr GazeboRow kGazebo[] = {
+    {"springStiffness", is_something, "write `stiffness` at the coordinate in the description"},
+    {"dampingFactor", is_something, "write `damping` at the coordinates in the description"},
+    {"gravity", is_off, ""},
+    {"turnGravityOff", is_on, ""},
+    {"kinematic", is_on, ""},
+    {"static", is_on, "a root that is fixed (without --root floating) stands still"}};
+
 constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
                                        "parent", "child", "axis",       "mimic",  "value", "ixx",
                                        "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
@@ -52,6 +75,7 @@ class RobotReader {
     read_robot_name(root);
     warn_of_loops(root);
     warn_of_mujoco(root);
+    for (const pugi::xml_node gazebo : root.children("gazebo")) warn_of_gazebo(gazebo);
     Colours colours;
     for (const pugi::xml_node material : root.children("material")) read_material(xml_, material, colours);
     for (const pugi::xml_node link : root.children("link")) {
@@ -70,7 +94,7 @@ class RobotReader {
         throw InputError(last.where, fmt::format("a second joint '{}'", printable(last.name)));
     }
     for (const pugi::xml_node transmission : root.children("transmission"))
-      read_transmission(transmission, robot_.joints, joints_);
+      read_transmission(xml_, transmission, robot_.joints, joints_);
     check_tree();
     find_mimicked();
     return std::move(robot_);
@@ -113,6 +137,28 @@ class RobotReader {
                                element),
                    std::string_view(name) == "gravity" ? "write `gravity` into the description" : "",
                    "mujoco"});
+      }
+    }
+  }
+
+  void warn_of_gazebo(pugi::xml_node gazebo) const {
+    for (const pugi::xml_node element : gazebo.children()) {
+      const std::string_view name = element.name();
+      if (name == "joint" && element.attribute("type")) {
+        xml_.warn({xml_.where(element),
+                   fmt::format("<joint> '{}' of a <gazebo> is left out: the equations are those of the tree "
+                               "without it",
+                               printable(element.attribute("name").value())),
+                   "add it to the description as a constraint (mechanisms/README.md)", "gazebo joint"});
+      } else if (const auto row = std::ranges::find(kGazebo, name, &GazeboRow::name);
+                 row != std::end(kGazebo) && row->changes(text_of_element(element))) {
+        xml_.warn({xml_.where(element),
+                   fmt::format("<{}> of a <gazebo> is left out: only Gazebo reads it", name), row->note,
+                   row->name});
+      } else if (name == "plugin" && std::string_view(element.attribute("filename").value()).find("mimic") !=
+                                         std::string_view::npos) {
+        xml_.warn({xml_.where(element), "a <plugin> by which a joint follows another is left out",
+                   "write <mimic joint=\"...\"/> into that joint", "gazebo mimic"});
       }
     }
   }
