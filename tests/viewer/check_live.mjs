@@ -218,7 +218,13 @@ forces:
     return [Number(slider.min), Number(slider.max)];
   }, name, value);
   assert.deepEqual(await slide("push", 1.5), [-4, 4]);
+  const bob = () => page.evaluate(() => window.viewer.live.stage.mechanisms[0].bodies[0].position.toArray());
+  await page.evaluate(() => window.viewer.pause());
+  const [before, t] = [await bob(), (await motionOf(page)).t];
   assert.deepEqual(await slide("l", 0.75), [0.1, 1.5]);
+  const after = await bob();
+  assert.equal((await motionOf(page)).t, t);
+  assert.ok(Math.abs(Math.hypot(...after) - 0.75) < 1e-9 && Math.hypot(...before) < 0.6, `drawn at ${before}, then at ${after}, while paused`);
   const { c, push } = await page.evaluate(() => {
     const motion = window.viewer.live.motions[0];
     return { c: motion.module.mass_matrix_and_bias([0.3], [0], motion.here()).c[0], push: motion.inputs.parameters };
@@ -227,6 +233,26 @@ forces:
   await page.evaluate(() => document.querySelector("#sliders input[data-name=push]").dispatchEvent(new Event("dblclick")));
   assert.equal(await page.evaluate(() => window.viewer.live.motions[0].inputs.parameters[1]), 0);
   await page.screenshot({ path: `${folder}/sliders.png` });
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
+/// The picture goes along with what leaves the recorded motion's part of the world.
+async function checkFarAway(browser) {
+  const { page, wrong } = await livePage(browser, `${mechanisms}/free_body.yaml`);
+  const seen = await page.evaluate(() => {
+    const { live } = window.viewer;
+    window.viewer.pause();
+    const places = [];
+    for (let k = 0; k < 30; ++k) {
+      live.advance(0.05);
+      live.stage.camera.updateMatrixWorld();
+      const point = live.stage.mechanisms[0].middle().clone().project(live.stage.camera);
+      places.push(Math.max(Math.abs(point.x), Math.abs(point.y)));
+    }
+    return places;
+  });
+  assert.ok(Math.max(...seen) < 1, `in the picture at ${seen}`);
   assert.deepEqual(wrong, []);
   await page.close();
 }
@@ -285,6 +311,7 @@ try {
   await elastic.close();
   await checkHand(browser);
   await checkSliders(browser);
+  await checkFarAway(browser);
   await checkLengths(browser);
 } finally {
   await browser.close();

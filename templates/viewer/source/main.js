@@ -131,7 +131,11 @@ function select(index, look) {
   plots = record ? new Plots(element("plots"), record.data, () => {}) : new Plots(element("plots"), mechanism, seek);
   showPlots();
   const motion = record && live.motions[index];
-  if (motion) new Sliders(element("sliders"), mechanism.live, motion.inputs.parameters, (place, value) => motion.setParameter(place, value));
+  const slide = (place, value) => {
+    motion.setParameter(place, value);
+    show();  // paused as well
+  };
+  if (motion) new Sliders(element("sliders"), mechanism.live, motion.inputs.parameters, slide);
   else element("sliders").replaceChildren();
   if (look) stage.frame(index);
 }

@@ -369,22 +369,34 @@ export class Stage {
 
   seek(t) {
     for (const mechanism of this.mechanisms) mechanism.seek(t);
-    if (this.follows) this.follow();
+    if (this.follows) this.followTheMiddle();
+    else this.goAlong(this.away.clone().negate());
     this.draw();
   }
 
-  /// The same of mechanisms as they are now: poses of the bodies and forces, where there are.
+  /// The same of mechanisms as they are now: poses of the bodies and forces, where there are. Where the recorded motion stays
+  /// near, the picture goes along with what leaves the middle of it.
   showLive(moments) {
     this.mechanisms.forEach((mechanism, i) => moments[i] && mechanism.place(moments[i].poses, moments[i].forces));
-    if (this.follows) this.follow();
+    if (this.follows) {
+      this.followTheMiddle();
+    } else {
+      const off = this.meanOfMechanisms().sub(this.bounds.center).sub(this.away);
+      const beyond = 1 - this.bounds.radius / 3 / off.length();
+      if (beyond > 0) this.goAlong(off.multiplyScalar(beyond));
+    }
     this.draw();
+  }
+
+  followTheMiddle() {
+    const middle = this.meanOfMechanisms();
+    this.goAlong(middle.clone().sub(this.middle));
+    this.middle = middle;
   }
 
   /// Camera, ground and light go along with a motion that leads far away; the grid by whole cells.
-  follow() {
-    const middle = this.meanOfMechanisms();
-    const moved = middle.clone().sub(this.middle);
-    this.middle = middle;
+  goAlong(moved) {
+    if (moved.lengthSq() === 0) return;
     this.camera?.position.add(moved);
     this.controls?.target.add(moved);
     this.key.position.add(moved);
