@@ -1,4 +1,5 @@
 """Rollouts: against alembert.simulate, policies, ends, inputs and states, shards on disk, errors."""
+import os
 import subprocess
 import sys
 
@@ -172,7 +173,11 @@ def test_shards_in_a_folder(load, tmp_path):
     # What is there is not done again, what is missing is.
     kept = (tmp_path / "a" / "1").stat().st_mtime_ns
     (tmp_path / "a" / "2").unlink()
-    assert alembert.open_rollouts(tmp_path / "a").missing == [2]
+    os.truncate(tmp_path / "a" / "0", 100)
+    left = alembert.open_rollouts(tmp_path / "a")
+    assert left.missing == [0, 2] and np.array_equal(left[-1]["q"], left[3]["q"])
+    with pytest.raises(ValueError, match="shard 0 is not done"):
+        left.read()
     again = alembert.rollout(m, q, qd, steps=20, step=0.01, every=10, shard=16, out=tmp_path / "a", threads=1)
     assert same(again.read(), whole) and (tmp_path / "a" / "1").stat().st_mtime_ns == kept
     with pytest.raises(ValueError, match=r"holds another rollout \(of other rollout, step, t\)"):

@@ -70,11 +70,12 @@ def _durable(path: pathlib.Path, write: Any) -> None:
 
 def _do(plan: rollouts.Plan, index: int, size: int, out: Optional[str], cache: Any) -> Optional[NDArray[Any]]:
     """A shard: into its file, or as an array."""
-    if out is not None and _file(pathlib.Path(out), index).exists():
+    fields = numpy.dtype(_fields(plan))
+    if out is not None and _is_whole(_file(pathlib.Path(out), index), size * fields.itemsize):
         return None
     found = rollouts.run(plan, cache)
     # Chunks of Zarr have one size: behind the last motion of the last one are zeros.
-    records = numpy.zeros(plan.count if out is None else size, _fields(plan))
+    records = numpy.zeros(plan.count if out is None else size, fields)
     for name in records.dtype.names or ():
         records[name][:plan.count] = found[name]
     if out is None:
@@ -86,6 +87,11 @@ def _do(plan: rollouts.Plan, index: int, size: int, out: Optional[str], cache: A
 def _on_worker(pickled: bytes, index: int, size: int, out: Optional[str]) -> Tuple[int, Optional[NDArray[Any]]]:
     """What a worker runs: it takes the mechanism from its own cache, or builds it there."""
     return index, _do(pickle.loads(pickled), index, size, out, None)
+
+
+def _is_whole(path: pathlib.Path, size: int) -> bool:
+    """Whether a shard is there with all of its bytes."""
+    return path.exists() and path.stat().st_size == size
 
 
 class RolloutFolder:
@@ -110,12 +116,18 @@ class RolloutFolder:
     @property
     def missing(self) -> List[int]:
         """Shards that are not done."""
-        return [index for index in range(len(self)) if not _file(self.folder, index).exists()]
+        return [index for index in range(len(self)) if not self._has(index)]
+
+    def _has(self, index: int) -> bool:
+        return _is_whole(_file(self.folder, index), int(self.manifest["shard"]) * self._dtype.itemsize)
 
     def __getitem__(self, index: int) -> NDArray[Any]:
-        """The records of a shard, with fields q, qd, states, steps, status, stopped."""
-        if not 0 <= index < len(self):
+        """The records of a shard (negative: from the last), with fields q, qd, states, steps, status, stopped."""
+        if not -len(self) <= index < len(self):
             raise IndexError(f"{self.folder}: there are shards 0 to {len(self) - 1}, not {index}")
+        index = int(index) % len(self)
+        if not self._has(index):
+            raise ValueError(f"{self.folder}: shard {index} is not done; `missing` has all that are not, and the same rollout does them")
         size = int(self.manifest["shard"])
         return numpy.memmap(_file(self.folder, index), self._dtype, "r", shape=(size,))[:self.count - index * size]
 
