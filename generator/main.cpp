@@ -252,7 +252,7 @@ std::string about_unknown_word(const CLI::App& app) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"alembert writes the equations of motion of a mechanism as C++.", "alembert"};
+  CLI::App app{"alembert writes the equations of motion of a mechanism as code.", "alembert"};
   app.set_version_flag("--version", "alembert " ALEMBERT_VERSION);
   app.require_subcommand(1);
   CommonOptions common;

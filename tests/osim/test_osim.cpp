@@ -99,6 +99,12 @@ TEST(Osim, WarnsOfUnknownPropertiesAndRefusesMisspeltOnes) {
   EXPECT_THAT(described(pendulum(good + "<colour>red</colour>")).warnings,
               HasSubstr("warning: unknown element <colour> in Body 'b'"));
   EXPECT_THROW(described(pendulum("<mas>1</mas><inertia>1 1 1 0 0 0</inertia>")), InputError);
+  EXPECT_THROW(described(pendulum(good, "<Gravity>0 0 0</Gravity>")), InputError);
+  EXPECT_THROW(
+      described(pendulum(good,
+                         "<ForceSet><objects><SpringGeneralizedForce name='s'><coordinate>q</coordinate>"
+                         "<stifness>1</stifness></SpringGeneralizedForce></objects></ForceSet>")),
+      InputError);
 }
 
 TEST(Osim, TakesWhatTheDefaultsOfATypeSay) {

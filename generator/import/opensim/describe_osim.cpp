@@ -13,11 +13,34 @@
 namespace alembert {
 namespace {
 
-constexpr std::string_view kVitalOsim[] = {"mass",        "mass_center", "inertia",      "inertia_xx",
-                                           "inertia_yy",  "inertia_zz",  "inertia_xy",   "inertia_xz",
-                                           "inertia_yz",  "location",    "orientation",  "translation",
-                                           "coordinates", "axis",        "coefficients", "default_value",
-                                           "parent_body", "Body",        "Coordinate",   "SpatialTransform"};
+constexpr std::string_view kVitalOsim[] = {"mass",
+                                           "mass_center",
+                                           "inertia",
+                                           "inertia_xx",
+                                           "inertia_yy",
+                                           "inertia_zz",
+                                           "inertia_xy",
+                                           "inertia_xz",
+                                           "inertia_yz",
+                                           "location",
+                                           "orientation",
+                                           "translation",
+                                           "coordinates",
+                                           "axis",
+                                           "coefficients",
+                                           "default_value",
+                                           "parent_body",
+                                           "Body",
+                                           "Coordinate",
+                                           "SpatialTransform",
+                                           "gravity",
+                                           "stiffness",
+                                           "viscosity",
+                                           "rest_length",
+                                           "optimal_force",
+                                           "max_isometric_force",
+                                           "optimal_fiber_length",
+                                           "tendon_slack_length"};
 constexpr XmlFormat kOsim{"OpenSimDocument", kVitalOsim};
 
 void add_body(OsimDescription& out, std::size_t index) {
