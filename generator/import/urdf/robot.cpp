@@ -135,8 +135,7 @@ class RobotReader {
         xml_.warn({xml_.where(attribute),
                    fmt::format("{} of MuJoCo's {} is left out: other readers of URDF do not have it", name,
                                element),
-                   std::string_view(name) == "gravity" ? "write `gravity` into the description" : "",
-                   "mujoco"});
+                   std::string_view(name) == "gravity" ? "write `gravity` into the description" : "", name});
       }
     }
   }
