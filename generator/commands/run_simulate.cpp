@@ -121,12 +121,12 @@ class Simulation {
     CompiledMechanism compiled =
         compile(common, source, functions(source, method()), Inapplicable::refuse_singular);
     check_outputs(options_, compiled.mechanism->where);
+    const auto table = first && !options_.inputs.empty() ? read_source(options_.inputs) : nullptr;
     const StartOptions& given = first ? options_.start : kNothingGiven;
     const auto set_out = [&](IntegrationMethod how) {
       TrajectoryOptions out = trajectory_options(*compiled.mechanism);
       out.method = how;
-      if (first && !options_.inputs.empty())
-        out.inputs = InputTable(read_source(options_.inputs), *compiled.mechanism);
+      if (table) out.inputs = InputTable(table, *compiled.mechanism);
       return out;
     };
     TrajectoryOptions trajectory = set_out(method());
@@ -141,10 +141,9 @@ class Simulation {
         compiled = std::move(explicit_one);
       } else {
         trajectory = set_out(implicit);
-        trajectory.note(
-            fmt::format("explicit steps of {:.9g} s diverge at once: these are implicit "
-                        "(--integrator chooses)",
-                        options_.step));
+        trajectory.note(fmt::format(
+            "explicit steps of {:.9g} s diverge at once: these are implicit (--integrator chooses)",
+            options_.step));
       }
     }
     const Mechanism& mechanism = *compiled.mechanism;

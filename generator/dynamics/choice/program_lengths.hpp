@@ -18,8 +18,8 @@ namespace alembert {
 /// and none is shorter (mass matrix and bias of the knee 254 to 292).
 using Length = std::pair<std::size_t, std::size_t>;
 
-/// Whether a list of so many operations will not be the shorter one when both are optimised, which takes time. Of 3,000 choices
-/// among candidates, none was by one that was longer than this to begin with.
+/// Whether a list of so many operations is not worth optimising, which takes time: it is hardly ever the shorter one in the
+/// end. Over 321 choices among candidates and 6,161 trials of forms, none that was so much longer was taken.
 constexpr bool is_far_longer(std::size_t operations, std::size_t least) {
   return operations > least + least / 10 + 30;
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// The cosine of the largest pennation, unless the file says another one, ...
 constexpr double kLeastCosine = 0.1;
-/// ... and the shortest fibres without one, in optimal lengths.
+/// ... and the shortest fibres where that is no angle, in optimal lengths.
 constexpr double kShortestFibre = 0.01;
 
 std::string n(double value) {
@@ -67,27 +67,27 @@ class Muscle {
   /// With a rigid tendon: length of the fibres in optimal lengths, their speed in the largest, and the cosine of the
   /// pennation. The muscle keeps its thickness.
   std::string rigid_length() const {
-    if (pennation_ == 0) return fmt::format("(max(0, {})/{})", beyond_slack(), n(fibre_));
-    return fmt::format("(sqrt({} + max(0, {})^2)/{})", n(std::pow(fibre_ * std::sin(pennation_), 2)),
+    if (pennation_ == 0) return fmt::format("(({})/{})", beyond_slack(), n(fibre_));
+    return fmt::format("(sqrt({} + ({})^2)/{})", n(std::pow(fibre_ * std::sin(pennation_), 2)),
                        beyond_slack(), n(fibre_));
   }
   std::string rigid_cosine() const {
     if (pennation_ == 0) return "1";
-    return fmt::format("max(0, {})/{}/{}", beyond_slack(), n(fibre_), rigid_length());
+    return fmt::format("({})/{}/{}", beyond_slack(), n(fibre_), rigid_length());
   }
   std::string rigid_speed() const {
     const std::string speed = fmt::format("rate/{}", n(fibre_ * speed_));
     return pennation_ == 0 ? "(" + speed + ")" : fmt::format("({}*{})", speed, rigid_cosine());
   }
-  /// force * max(0, of) along the tendon; none where the fibres are at their shortest and the tendon is slack. `shortest`
-  /// is what the curves allow, in optimal lengths.
+  /// force * max(0, of) along the tendon, and 0 where the tendon is slack or the fibres are shorter than pennation and curves
+  /// allow; `shortest` is what the curves allow, in optimal lengths.
   std::string rigid_tension(const std::string& of, double shortest) const {
     std::string along = fmt::format("{}*max(0, {})", n(force_), of);
     if (pennation_ != 0) along += "*" + rigid_cosine();
     const double thickness = fibre_ * std::sin(pennation_),
                  widest = std::sqrt(1 - least_cosine_ * least_cosine_);
     const double least =
-        std::max(fibre_ * shortest, thickness > 0 ? thickness / widest : fibre_ * kShortestFibre);
+        std::max(fibre_ * shortest, widest > 0 ? thickness / widest : fibre_ * kShortestFibre);
     const double reach = std::sqrt(std::max(0.0, least * least - thickness * thickness));
     return fmt::format("select(length - {}, {}, 0)", n(slack_ + reach), along);
   }
