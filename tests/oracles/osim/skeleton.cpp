@@ -340,8 +340,7 @@ SkeletonDynamics OsimSkeleton::dynamics(const std::vector<std::string>& order) {
     matter_.multiplyByM(state_, u, Mu);
     out.M.col(k) = project(Mu);
   }
-  const std::vector<double> field = numbers_in(model_.child("gravity"));
-  const Vec3 gravity(field[0], field[1], field[2]);
+  const Vec3 gravity = vec3(model_.child("gravity"), Vec3(0, -9.80665, 0));
   SimTK::Vector_<SimTK::SpatialVec> weights(matter_.getNumBodies(), SimTK::SpatialVec(Vec3(0), Vec3(0)));
   for (const auto& [name, body] : bodies_) {
     if (name == "ground") continue;
