@@ -322,8 +322,9 @@ RigidLinks::Splits::Splits(const RigidLinks& links, std::size_t i, const Regroup
     points_.push_back(k);
   }
   for (std::size_t e = 0; e < kInertiaEntries.size(); ++e) {
-    const auto [r, c] = kInertiaEntries[e];
-    if (std::ranges::any_of(columns_, [&](const Matrix4e& column) { return column(r, c) != 0; }))
+    const std::pair<int, int> at = kInertiaEntries[e];
+    if (std::ranges::any_of(columns_,
+                            [&](const Matrix4e& column) { return column(at.first, at.second) != 0; }))
       reached_ |= 1u << e;
   }
 }
