@@ -68,7 +68,7 @@ int run_import(const CommonOptions& common, const std::string& out) {
   Warnings warnings;
   const DescribedRobot described = describe(read_expanded(common.file), options, warnings);
   check(described, std::move(warnings), common.strict);
-  if (!described.summary.empty()) tell(fmt::format("{}: note: {}\n", common.file, described.summary));
+  tell(fmt::format("{}: note: {}\n", common.file, summary(described)));
   const std::string text = yaml_text(described.document.root());
   if (out == "-") {
     fmt::print("{}", text);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <utility>
+#include <vector>
 
 #include "import/mjcf/describe_model.hpp"
 #include "import/mjcf/mjcf_model.hpp"
@@ -135,6 +137,28 @@ DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
   if (all.folder.empty() && source->name != "<stdin>")
     all.folder = std::filesystem::absolute(source->name).parent_path().string();
   return importer.describe(source, all, warnings);
+}
+
+std::string summary(const DescribedRobot& described) {
+  constexpr std::pair<std::string_view, std::string_view> kSections[] = {{"bodies", "body"},
+                                                                         {"frames", "frame"},
+                                                                         {"coordinates", "coordinate"},
+                                                                         {"definitions", "definition"},
+                                                                         {"inputs", "input"},
+                                                                         {"states", "state"},
+                                                                         {"forces", "force"},
+                                                                         {"outputs", "output"},
+                                                                         {"constraints", "constraint"}};
+  const std::vector<const YamlNode*>& entries = described.document.root().items;
+  std::string out = "taken:";
+  for (const auto& [many, one] : kSections)
+    for (std::size_t i = 0; i + 1 < entries.size(); i += 2) {
+      const YamlNode& section = *entries[i + 1];
+      if (entries[i]->text != many || section.items.empty()) continue;
+      const std::size_t count = section.items.size() / (section.kind == YamlNode::Kind::mapping ? 2 : 1);
+      out += fmt::format("{} {} {}", out.ends_with(':') ? "" : ",", count, count == 1 ? one : many);
+    }
+  return described.left.empty() ? out : out + "; " + described.left;
 }
 
 std::string importable_formats() {

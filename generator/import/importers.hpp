@@ -45,6 +45,9 @@ void warn_of_unused(const std::shared_ptr<const SourceText>& source, std::string
 DescribedRobot describe_source(const std::shared_ptr<const SourceText>& source,
                                const DescribeOptions& options, Warnings& warnings);
 
+/// What a description has, and what of the file was approximated or left out, in a line.
+std::string summary(const DescribedRobot& described);
+
 /// `URDF`, or `A, B or C`.
 std::string importable_formats();
 

@@ -142,8 +142,7 @@ TEST(MjcfBombs, LongChainsOfFollowersAreCut) {
                                "</equality></mujoco>"),
                       {}, warnings);
   EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 20);
-  EXPECT_THAT(described.summary,
-              testing::HasSubstr("of the joints 19801 as functions of others, 198 constraints"));
+  EXPECT_THAT(summary(described), testing::HasSubstr("19801 definitions, 198 constraints"));
 }
 
 TEST(MjcfLengths, AreOfAnySize) {

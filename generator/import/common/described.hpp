@@ -34,7 +34,7 @@ struct DescribeOptions {
 struct DescribedRobot {
   Document document;
   Warnings warnings;                    ///< what is doubtful or left out
-  std::string summary = {};             ///< what was taken, in a line; empty where the description says it
+  std::string left = {};                ///< what was approximated or left out, in a line
   std::vector<std::string> files = {};  ///< what was read besides the source
 };
 

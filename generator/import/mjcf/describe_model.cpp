@@ -8,13 +8,6 @@
 #include "import/mjcf/relation_nodes.hpp"
 
 namespace alembert {
-namespace {
-
-std::string count_text(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-}  // namespace
 
 DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const SourceText> source,
                               const DescribeOptions& options) {
@@ -62,20 +55,8 @@ DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const Sour
                                      {"outputs", &outputs},
                                      {"constraints", &constraints}})
     if (!section->items.empty()) nodes.put(root, key, *section);
-  std::string summary = fmt::format(
-      "taken: {}, {}, {}", count_text(model.bodies.size() - 1, "body", "bodies"),
-      count_text(model.joints.size(), "joint", "joints"), count_text(model.sites.size(), "frame", "frames"));
-  const std::size_t followers = naming.followers().size();
-  if (followers > 0) summary += fmt::format(", of the joints {} as functions of others", followers);
-  for (const auto& [section, one, many] : {std::tuple(&inputs, "input", "inputs"),
-                                           {&states, "state", "states"},
-                                           {&forces, "force", "forces"},
-                                           {&outputs, "output", "outputs"},
-                                           {&constraints, "constraint", "constraints"}})
-    if (!section->items.empty()) summary += ", " + count_text(section->items.size(), one, many);
-  summary += "; left: contacts, meshes of viewers, cameras, lights and the solver's settings";
-  return {Document(std::move(source), nodes.take(), root), std::move(warnings), std::move(summary),
-          model.files};
+  return {Document(std::move(source), nodes.take(), root), std::move(warnings),
+          "left out: contacts, meshes of viewers, cameras, lights and the solver's settings", model.files};
 }
 
 }  // namespace alembert

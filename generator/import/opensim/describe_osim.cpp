@@ -111,7 +111,7 @@ DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, co
   add_osim_forces(out);
   add_osim_constraints(out);
   YamlNode& root = out.finish();
-  return {Document(source, out.nodes.take(), root), std::move(out.warnings)};
+  return {Document(source, out.nodes.take(), root), std::move(out.warnings), out.left()};
 }
 
 }  // namespace alembert

@@ -35,12 +35,6 @@ void collect_words(const YamlNode& node, std::set<std::string>& out) {
   }
 }
 
-std::string counts(const std::map<std::string, std::size_t>& of) {
-  std::vector<std::string> parts;
-  for (const auto& [what, count] : of) parts.push_back(fmt::format("{} {}", count, what));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 }  // namespace
 
 OsimDescription::OsimDescription(const OsimModel& of, const OsimXml& from, const DescribeOptions& with)
@@ -137,11 +131,10 @@ void OsimDescription::approximated(pugi::xml_node element, const std::string& ho
                       fmt::format("approximated {}", element.name())});
 }
 
-std::string OsimDescription::summary() const {
-  std::string out = fmt::format("OpenSim model '{}'", printable(model.name));
-  if (!taken.empty()) out += "; taken: " + counts(taken);
-  if (!nearly.empty()) out += "; approximated: " + counts(nearly);
-  if (!left_out.empty()) out += "; left out: " + counts(left_out);
+std::string OsimDescription::left() const {
+  std::string out;
+  if (!nearly.empty()) out = "approximated: " + counts_text(nearly);
+  if (!left_out.empty()) out += (out.empty() ? "" : "; ") + ("left out: " + counts_text(left_out));
   return out;
 }
 
@@ -160,7 +153,10 @@ void OsimDescription::drop_unused() {
 YamlNode& OsimDescription::finish() {
   drop_unused();
   const SourceLocation& top = model.where;
-  YamlNode& root = nodes.root(model.name, summary(), top);
+  std::string about = fmt::format("OpenSim model '{}'", printable(model.name));
+  if (!taken.empty()) about += "; taken: " + counts_text(taken);
+  if (const std::string rest = left(); !rest.empty()) about += "; " + rest;
+  YamlNode& root = nodes.root(model.name, about, top);
   nodes.put(root, "gravity", nodes.numbers(model.gravity, top));
   const auto put_named = [&](const char* key, const std::vector<Named>& list) {
     if (list.empty()) return;

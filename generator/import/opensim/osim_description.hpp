@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "import/common/counts.hpp"
 #include "import/common/described.hpp"
 #include "import/common/description_nodes.hpp"
 #include "import/common/fit_names.hpp"
@@ -51,7 +52,8 @@ struct OsimDescription {
   /// Left out, with a warning.
   void left(pugi::xml_node element, const std::string& why, const std::string& note = {});
   void approximated(pugi::xml_node element, const std::string& how, const std::string& note = {});
-  std::string summary() const;
+  /// What was approximated and what left out, in a line.
+  std::string left() const;
 
   /// The whole description.
   YamlNode& finish();
@@ -75,7 +77,7 @@ struct OsimDescription {
     SourceLocation at;
   };
   std::vector<Named> parameters, definitions;
-  std::map<std::string, std::size_t> taken, left_out, nearly;
+  Counts taken, left_out, nearly;
 
  private:
   void drop_unused();

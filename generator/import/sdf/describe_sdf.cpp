@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "import/common/counts.hpp"
 #include "import/common/fit_names.hpp"
 #include "import/common/loop_equations.hpp"
 #include "import/common/mass_nodes.hpp"
@@ -19,10 +20,6 @@ namespace {
 
 std::array<double, 3> entries(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
-}
-
-std::string plural(int count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 /// A position that follows another: factor*base + offset.
@@ -67,7 +64,8 @@ class SdfDescriber {
                                        {"forces", &forces},
                                        {"constraints", &constraints}})
       if (!section->items.empty()) nodes_.put(root, key, *section);
-    return {Document(source, nodes_.take(), root), std::move(warnings_), summary(), model_.files};
+    return {Document(source, nodes_.take(), root), std::move(warnings_),
+            model_.left_out.empty() ? "" : "left out: " + counts_text(model_.left_out), model_.files};
   }
 
  private:
@@ -391,19 +389,6 @@ class SdfDescriber {
       nodes_.put(node, "at", nodes_.text(ends[end], axis.where));
       nodes_.put(node, slides ? "force" : "torque", nodes_.list({along[0], along[1], along[2]}, axis.where));
     }
-  }
-
-  std::string summary() const {
-    std::string out =
-        fmt::format("taken: {}, {}", plural(static_cast<int>(model_.links.size()), "link", "links"),
-                    plural(static_cast<int>(model_.joints.size()), "joint", "joints"));
-    if (!tree_.cuts.empty()) out += fmt::format(", of the joints {} as constraints", tree_.cuts.size());
-    std::string separator = "; left out: ";
-    for (const auto& [what, count] : model_.left_out) {
-      out += fmt::format("{}{} ({})", separator, what, count);
-      separator = ", ";
-    }
-    return out;
   }
 
   const SdfModel& model_;

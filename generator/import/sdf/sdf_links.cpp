@@ -13,7 +13,7 @@ namespace {
 class SdfLinkReader {
  public:
   SdfLinkReader(const SdfFiles& files, SdfScopes& scopes, std::size_t scope, std::size_t named,
-                std::map<std::string, int>& left_out)
+                Counts& left_out)
       : files_(files),
         scopes_(scopes),
         scope_(scope),
@@ -241,14 +241,14 @@ class SdfLinkReader {
   SdfScopes& scopes_;
   std::size_t scope_, named_;
   SdfNamed of_;
-  std::map<std::string, int>& left_out_;
+  Counts& left_out_;
   SdfLink link_;
 };
 
 }  // namespace
 
 SdfLink read_sdf_link(const SdfFiles& files, SdfScopes& scopes, std::size_t scope, std::size_t named,
-                      std::map<std::string, int>& left_out) {
+                      Counts& left_out) {
   return SdfLinkReader(files, scopes, scope, named, left_out).read();
 }
 

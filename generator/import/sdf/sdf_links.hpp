@@ -8,6 +8,6 @@ namespace alembert {
 
 /// Throws InputError at what cannot be understood or expressed. `left_out` counts what has no place in a description.
 SdfLink read_sdf_link(const SdfFiles& files, SdfScopes& scopes, std::size_t scope, std::size_t named,
-                      std::map<std::string, int>& left_out);
+                      Counts& left_out);
 
 }  // namespace alembert

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "import/common/counts.hpp"
 #include "import/common/solid_shape.hpp"
 
 namespace alembert {
@@ -65,7 +66,7 @@ struct SdfModel {
   std::vector<SdfLink> links;
   std::vector<SdfJoint> joints;
   std::vector<SdfFrame> frames;
-  std::map<std::string, int> left_out;                 ///< by what it is: sensors and so on
+  Counts left_out;                                     ///< by what it is: sensors and so on
   std::map<const SourceText*, SourceLocation> places;  ///< of included texts, in the first one
   std::vector<std::string> files;                      ///< included ones and meshes
   SourceLocation where;

@@ -44,7 +44,8 @@ class Describer {
     add_forces(forces);
     if (!forces.items.empty()) nodes_.put(root, "forces", forces);
     warn();
-    return {Document(std::move(source), nodes_.take(), root), std::move(warnings_)};
+    return {Document(std::move(source), nodes_.take(), root), std::move(warnings_),
+            robot_.left_out.empty() ? "" : "left out: " + counts_text(robot_.left_out)};
   }
 
  private:

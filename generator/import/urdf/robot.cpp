@@ -51,6 +51,11 @@ constexpr GazeboRow kGazebo[] = {
     {"kinematic", is_on, ""},
     {"static", is_on, "a root that is fixed (without --root floating) stands still"}};
 
+/// What has no place in a description: in the robot, its links and its joints.
+constexpr std::string_view kLeftOut[] = {
+    "calibration", "collision", "constraint",        "contact",      "gazebo", "loop",
+    "loop_joint",  "mujoco",    "safety_controller", "ros2_control", "sensor"};
+
 constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
                                        "parent", "child", "axis",       "mimic",  "value", "ixx",
                                        "iyy",    "izz",   "ixy",        "ixz",    "iyz",   "xyz",
@@ -73,6 +78,10 @@ class RobotReader {
                          "ros2_control", "loop_joint", "loop", "constraint"},
                         {"name", "version"});
     read_robot_name(root);
+    for (const pugi::xml_node element : root.children()) {
+      count_left_out(element);
+      for (const pugi::xml_node inner : element.children()) count_left_out(inner);
+    }
     warn_of_loops(root);
     warn_of_mujoco(root);
     for (const pugi::xml_node gazebo : root.children("gazebo")) warn_of_gazebo(gazebo);
@@ -114,6 +123,11 @@ class RobotReader {
     if (!robot_.name.empty()) return;
     robot_.name = "robot";
     xml_.warn({robot_.where, "the robot has no name; it is called 'robot'"});
+  }
+
+  void count_left_out(pugi::xml_node element) {
+    if (std::ranges::find(kLeftOut, std::string_view(element.name())) != std::end(kLeftOut))
+      ++robot_.left_out[element.name()];
   }
 
   void warn_of_loops(pugi::xml_node root) const {

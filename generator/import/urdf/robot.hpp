@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "import/common/counts.hpp"
 #include "import/common/solid_shape.hpp"
 #include "support/error.hpp"
 
@@ -73,6 +74,7 @@ struct UrdfRobot {
   std::size_t root = 0;               ///< index of the link that no joint moves
   std::vector<std::size_t> joint_of;  ///< by link: the joint that it is the child of; of the root: none
   std::vector<std::vector<std::size_t>> children;  ///< by link: the joints that it is the parent of
+  Counts left_out;                                 ///< elements that have no place in a description
   SourceLocation where;
 };
 
