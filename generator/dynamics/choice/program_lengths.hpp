@@ -2,14 +2,17 @@
 // operations that it takes: what counts in the end. The same list is optimised once only.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "symbolic/expr.hpp"
+#include "symbolic/rewrite/optimize.hpp"
 
 namespace alembert {
 
@@ -24,10 +27,26 @@ constexpr bool is_far_longer(std::size_t operations, std::size_t least) {
   return operations > least + least / 10 + 30;
 }
 
+/// How far optimising goes behind each of its stages: the most that was seen of lists that are compared with one another,
+/// which are alike. By it a list is given up that would be longer in the end than what there is.
+class LengthTrend {
+ public:
+  /// Whether a list will take more than `most` operations, of which it takes so many at a stage.
+  bool is_above(std::size_t most, std::size_t stage, std::size_t operations) const;
+  /// \param met  operations at each stage
+  void add(const std::array<std::size_t, kOptimizeStages>& met, std::size_t in_the_end);
+
+ private:
+  int seen_ = 0;
+  std::array<double, kOptimizeStages> least_{1, 1};  ///< of the operations in the end by those at a stage
+};
+
 /// Lists that were optimised, and their lengths.
 class ProgramLengths {
  public:
   Length of(std::span<const Expr> values) { return measured(values).length; }
+  /// Nothing where that is more than `most` operations for certain, or by the trend.
+  std::optional<Length> within(std::size_t most, std::span<const Expr> values, LengthTrend& trend);
   const std::vector<Expr>& optimized(std::span<const Expr> values) { return measured(values).values; }
 
  private:
@@ -35,9 +54,13 @@ class ProgramLengths {
     Length length;
     std::vector<Expr> values;
   };
+  using Key = std::vector<std::uint32_t>;  ///< the bits of the values
+  static Key key_of(std::span<const Expr> values);
   const Measured& measured(std::span<const Expr> values);
+  const Measured& add(Key key, std::vector<Expr> optimized);
 
-  std::map<std::vector<std::uint32_t>, Measured> known_;  ///< by the bits of the values
+  std::map<Key, Measured> known_;
+  std::map<Key, std::size_t> above_;  ///< the most that lists were given up for
 };
 
 }  // namespace alembert

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "dynamics/choice/conditioning.hpp"
@@ -111,7 +112,9 @@ class Search {
     const std::size_t plain = length_of(values).first;
     if (is_first) small_ = plain <= kSmall;
     if (good_ && is_far_longer(plain, plain_)) return false;
-    const std::size_t here = measure(values).first;
+    const std::optional<std::size_t> length = length_if_kept(values);
+    if (!length) return false;
+    const std::size_t here = *length;
     if (good_ && (here > least_ || (here == least_ && plain >= plain_))) {
       keep_near(here, std::move(values));
       return false;
@@ -206,7 +209,7 @@ class Search {
   std::vector<std::vector<Expr>> near_ones() const {
     std::vector<std::vector<Expr>> out;
     for (const Near& list : near_) {
-      if (list.length <= least_ + least_ / 20) out.push_back(list.values);
+      if (list.length <= near_limit()) out.push_back(list.values);
     }
     return out;
   }
@@ -217,6 +220,16 @@ class Search {
     std::vector<Expr> values;
   };
 
+  /// Operations of what may be the best list or one of those near it.
+  std::optional<std::size_t> length_if_kept(const std::vector<Expr>& values) {
+    std::size_t most = std::numeric_limits<std::size_t>::max();
+    if (good_) most = near_limit();
+    if (good_ && near_.size() == kNear) most = std::min(most, near_.back().length);
+    if (!small_) return length_of(values).first;
+    const std::optional<Length> length = kinematics_.lengths.within(most, values, trend_);
+    return length ? std::optional(length->first) : std::nullopt;
+  }
+  std::size_t near_limit() const { return least_ + least_ / 20; }
   bool is_near(const std::vector<Expr>& values) const {
     return std::any_of(near_.begin(), near_.end(), [&](const Near& list) { return list.values == values; });
   }
@@ -243,6 +256,7 @@ class Search {
   std::size_t plain_ = 0;
   double work_ = 0;
   std::vector<Near> near_;  ///< by length
+  LengthTrend trend_;
 };
 
 /// The shortest lists of those that were added.

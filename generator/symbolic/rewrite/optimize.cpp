@@ -26,19 +26,22 @@ constexpr int kRounds = 8;
 // Up to this weight a round that neither gains nor loses is followed by another one: gravity of lwr_full takes 97 operations
 // instead of 120. Longer programs gain one in ten thousand, and take a seventh more time.
 constexpr std::size_t kShort = 1'000;
+const GoesOn kAlways = [](std::size_t, std::size_t) { return true; };
 
 /// Roots, their nodes and what they cost.
 struct Candidate {
   explicit Candidate(LiveNodes values)
-      : nodes(std::move(values)), weight(count_operations(nodes.roots, nodes.order).weight) {}
+      : nodes(std::move(values)), count(count_operations(nodes.roots, nodes.order)), weight(count.weight) {}
   LiveNodes nodes;
+  OperationCount count;
   std::size_t weight;
 };
 
 class Rewriting {
  public:
   explicit Rewriting(FactorsLeft left) : left_(left) {}
-  Candidate run(std::vector<Expr> roots);
+  /// Nothing where `goes_on` is false at stage 0.
+  std::optional<Candidate> run(std::vector<Expr> roots, const GoesOn& goes_on);
   FactorsLeft met() const { return met_; }
 
  private:
@@ -98,8 +101,9 @@ std::optional<std::vector<Expr>> merge_equal_values(std::span<const Expr> roots)
 
 // Rewriting and value numbering in turn, for as long as that gains or, where little is to be done, brings forth another
 // form that is as long: the next round may gain from it.
-Candidate Rewriting::run(std::vector<Expr> roots) {
+std::optional<Candidate> Rewriting::run(std::vector<Expr> roots, const GoesOn& goes_on) {
   Candidate best = rewrite(std::move(roots));
+  if (!goes_on(0, best.count.all())) return std::nullopt;
   int idle = 0;  // rounds since the last gain
   for (int round = 0; round < kRounds && idle < 2; ++round) {
     std::optional<std::vector<Expr>> merged = merge_equal_values(best.nodes.roots);
@@ -113,17 +117,19 @@ Candidate Rewriting::run(std::vector<Expr> roots) {
 }
 
 /// In a graph that holds little else: most nodes that rewriting makes are of no use in the end.
-std::vector<Expr> optimize_alone(std::span<const Expr> roots) {
+std::optional<std::vector<Expr>> optimize_alone(std::span<const Expr> roots, const GoesOn& goes_on) {
   const Candidate given(LiveNodes(round_constants(roots)));
   // Which factors had better stay in sums shows in the end only.
   Rewriting sparing({true, false});
-  Candidate best = sparing.run(given.nodes.roots);
+  std::optional<Candidate> first = sparing.run(given.nodes.roots, goes_on);
+  if (!first || !goes_on(1, first->count.all())) return std::nullopt;
+  Candidate best = *std::move(first);
   if (sparing.met().in_common_pairs) {
-    Candidate other = Rewriting({false, false}).run(given.nodes.roots);
+    Candidate other = *Rewriting({false, false}).run(given.nodes.roots, kAlways);
     if (other.weight <= best.weight) best = std::move(other);
   }
   if (sparing.met().twos) {
-    Candidate other = Rewriting({true, true}).run(given.nodes.roots);
+    Candidate other = *Rewriting({true, true}).run(given.nodes.roots, kAlways);
     if (other.weight < best.weight) best = std::move(other);
   }
   if (best.weight > given.weight) return given.nodes.roots;
@@ -137,9 +143,15 @@ std::vector<Expr> optimize_alone(std::span<const Expr> roots) {
 }  // namespace
 
 std::vector<Expr> optimize(std::span<const Expr> roots) {
-  if (roots.empty()) return {};
+  return *optimize(roots, kAlways);
+}
+
+std::optional<std::vector<Expr>> optimize(std::span<const Expr> roots, const GoesOn& goes_on) {
+  if (roots.empty()) return std::vector<Expr>();
   ExprGraph alone;
-  return transferred(optimize_alone(transferred(roots, alone)), roots.front().graph());
+  const std::optional<std::vector<Expr>> found = optimize_alone(transferred(roots, alone), goes_on);
+  if (!found) return std::nullopt;
+  return transferred(*found, roots.front().graph());
 }
 
 }  // namespace alembert
