@@ -420,7 +420,16 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
     log.done("base", fmt::format("{} base parameters", base_columns.size()));
   }
 
-  const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, options, log);
+  std::vector<FunctionKind> kinds =
+      options.functions.empty() ? default_functions(mechanism) : options.functions;
+  // Short equations are searched for where something is made of them.
+  const auto have_lengths = [&] {
+    return std::ranges::find(kinds, FunctionKind("constraints")) != kinds.end();
+  };
+  CompileOptions searching = options;
+  if (!have_lengths() && !dumping("equations") && std::ranges::none_of(kinds, is_of_equations))
+    searching.passes = plain_passes();
+  const std::vector<EquationsOfMotion> candidates = candidate_equations(kinematics, searching, log);
   if (dumping("equations")) {
     dump_expressions(*options.dump, "Q", candidates.front().Q);
     dump_expressions(*options.dump, "M", candidates.front().M);
@@ -429,11 +438,9 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
 
   const std::vector<SymbolBinding> bindings = symbol_bindings(mechanism, graph);
   const Certificate certificate(kinematics, bindings, options.states);
-  std::vector<FunctionKind> kinds =
-      options.functions.empty() ? default_functions(mechanism) : options.functions;
   check_applicable(kinematics, certificate.plain(), options, kinds);
   log.done("certificate", "the plain equations, and whether M is singular");
-  if (std::ranges::find(kinds, FunctionKind("constraints")) != kinds.end())
+  if (have_lengths())
     lengths = row_lengths(kinematics,
                           constraint_equations(mechanism, kinematics.tree, kinematics.derivatives, graph),
                           candidates.front().M);

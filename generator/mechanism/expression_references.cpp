@@ -160,17 +160,17 @@ Quantity ExpressionReader::of_path(const Reading& reading, const PostfixToken& t
   if (found == paths_.end()) {
     std::vector<std::string> names;
     for (const auto& [known, path] : paths_) names.push_back(known);
-    throw error(
-        reading, token.referent,
-        fmt::format("unknown path '{}'{}", printable(name), did_you_mean(name, names)),
-        "paths are the forces with 'between' or 'path'; a condition of a path may use those before it");
+    throw error(reading, token.referent,
+                fmt::format("unknown path '{}'{}", printable(name), did_you_mean(name, names)),
+                "paths are the forces with 'between', 'path' or 'along'; a condition of a path may use the "
+                "paths before it");
   }
   const Path& path = found->second;
   if (word == "rate") return {path.rate, kUnknown, Dependence::coordinate | Dependence::speed, nullptr};
   if (word == "tension") {
     if (!path.tension)
       throw error(reading, token.begin,
-                  fmt::format("the tension of '{}' is not known before its force is read", name),
+                  fmt::format("'{}' has no tension, or none that is known before its force is read", name),
                   "tension() stands in forces that come later, in rates of states and in outputs");
     return *path.tension;
   }

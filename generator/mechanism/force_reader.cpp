@@ -1,5 +1,5 @@
-// Section `forces`: list of mappings in, forces out: along speeds, of potentials, of tensions along paths from
-// frame to frame, and wrenches on frames.
+// Section `forces`: list of mappings in, forces out: along speeds, of potentials, along functions of the coordinates, of
+// tensions along paths from frame to frame, and wrenches on frames.
 #include "mechanism/force_reader.hpp"
 
 #include <fmt/format.h>
@@ -26,12 +26,11 @@ struct KindKey {
 };
 
 const std::vector<KindKey>& kind_keys() {
-  static const std::vector<KindKey> keys = {{"on", ForceKind::on_speed, {"value"}},
-                                            {"potential", ForceKind::potential, {}},
-                                            {"between", ForceKind::path, {"tension"}},
-                                            {"path", ForceKind::path, {"tension"}},
-                                            {"at", ForceKind::wrench, {"axes", "force", "torque"}},
-                                            {"contact", ForceKind::wrench, {}}};
+  static const std::vector<KindKey> keys = {
+      {"on", ForceKind::on_speed, {"value"}}, {"potential", ForceKind::potential, {}},
+      {"along", ForceKind::along, {"value"}}, {"between", ForceKind::path, {"tension"}},
+      {"path", ForceKind::path, {"tension"}}, {"at", ForceKind::wrench, {"axes", "force", "torque"}},
+      {"contact", ForceKind::wrench, {}}};
   return keys;
 }
 
@@ -41,8 +40,8 @@ class ForceReader {
       : loading_(loading),
         document_(loading.document),
         section_(loading.document, item, "a force",
-                 {"name", "on", "value", "potential", "between", "path", "tension", "at", "axes", "force",
-                  "torque", "contact"}) {}
+                 {"name", "on", "value", "potential", "along", "between", "path", "tension", "at", "axes",
+                  "force", "torque", "contact"}) {}
 
   /// Name, kind, and of a path its frames: forces may use the lengths of paths that come later.
   void declare() {
@@ -52,6 +51,16 @@ class ForceReader {
     const KindKey& key = kind_key();
     force_.kind = key.kind;
     if (key.kind == ForceKind::path) declare_path(section_.require(key.key), key.key == "between");
+  }
+  /// What a force is along, once all paths are declared.
+  void declare_function() {
+    if (force_.kind != ForceKind::along) return;
+    const YamlNode& node = section_.require("along");
+    const std::string what = of_force("what it is along");
+    const Quantity function = loading_.reader.read(node, Allowed::potential, what);
+    if (!includes(function.dependence, Dependence::coordinate))
+      throw InputError(document_.where(node), what + " depends on no coordinate: it moves nothing");
+    declare_length(function.expr);
   }
   const Force& declared() const { return force_; }
 
@@ -66,6 +75,12 @@ class ForceReader {
         break;
       case ForceKind::potential:
         force_.value = read_expression("potential", Allowed::potential, "the potential");
+        break;
+      case ForceKind::along:
+        force_.value = loading_.reader
+                           .read_with(section_.require("value"), {{"rate", force_.rate, kMoving}},
+                                      Allowed::force, of_force("the value"))
+                           .expr;
         break;
       case ForceKind::path:
         read_tension();
@@ -94,7 +109,7 @@ class ForceReader {
     }
     if (found == nullptr)
       throw InputError(force_.where, fmt::format("force '{}' does not say what it acts on", force_.name),
-                       "expected one of on, potential, between, path, at, contact");
+                       "expected one of on, potential, along, between, path, at, contact");
     for (const KindKey& other : kind_keys())
       for (const std::string_view key : other.others)
         if (section_.find(key) != nullptr && std::ranges::find(found->others, key) == found->others.end())
@@ -178,16 +193,18 @@ class ForceReader {
                          fmt::format("{} goes from frame '{}' to itself", what,
                                      loading_.mechanism.frames[static_cast<std::size_t>(frame)].name));
     }
-    force_.length = length_of(points);
+    declare_length(length_of(points));
+  }
+  void declare_length(const Expr& length) {
+    force_.length = length;
     force_.rate = loading_.graph.symbol(fmt::format("rate({})", force_.name));
     loading_.reader.declare_path(force_.name, force_.length, force_.rate);
   }
 
   void read_tension() {
-    constexpr Dependence moving = Dependence::coordinate | Dependence::speed;
     Quantity tension = loading_.reader.read_with(
         section_.require("tension"),
-        {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, moving}}, Allowed::force,
+        {{"length", force_.length, Dependence::coordinate}, {"rate", force_.rate, kMoving}}, Allowed::force,
         of_force("the tension"));
     force_.value = tension.expr;
     loading_.reader.set_tension(force_.name, tension);
@@ -212,6 +229,8 @@ class ForceReader {
       force_.torque = loading_.reader.read_vector(*node, Allowed::force, of_force("the torque"));
   }
 
+  static constexpr Dependence kMoving = Dependence::coordinate | Dependence::speed;
+
   Loading& loading_;
   const Document& document_;
   Section section_;
@@ -232,6 +251,7 @@ void read_forces(Loading& loading, const YamlNode& list) {
       throw InputError(force.where,
                        fmt::format("'{}' is already a force (line {})", force.name, earlier->second));
   }
+  for (ForceReader& reader : readers) reader.declare_function();
   for (ForceReader& reader : readers)
     for (Force& force : reader.read()) loading.mechanism.forces.push_back(std::move(force));
 }

@@ -144,6 +144,9 @@ struct Shape {
   SourceLocation where;
 };
 
+/// A transform may depend on so many speeds: a body has no more freedom.
+inline constexpr int kMostSpeedsOfATransform = 6;
+
 struct Body {
   std::string name;
   int parent = -1;  ///< index of an earlier body, or -1 for the world: bodies are ordered parents first
@@ -199,6 +202,7 @@ struct Constraint {
 enum class ForceKind {
   on_speed,   ///< added along a speed
   potential,  ///< minus its derivative along every speed; counts as potential energy
+  along,      ///< along any function of the coordinates
   path,       ///< a line of a tension, from frame to frame, that is to be shorter
   wrench,     ///< force at the origin of a frame and torque on it
 };
@@ -214,11 +218,11 @@ struct PathPoint {
 struct Force {
   std::string name;
   ForceKind kind = ForceKind::on_speed;
-  int speed = -1;               ///< on_speed: which one
-  Expr value;                   ///< on_speed: the generalized force; potential: J; path: the tension, N
+  int speed = -1;  ///< on_speed: which one
+  Expr value;      ///< on_speed, along: the generalized force; potential: J; path: the tension, N
   std::vector<PathPoint> path;  ///< path: from end to end
-  Expr length;                  ///< path: over Mechanism::distances
-  Expr rate;                    ///< path: the symbol that stands for the rate of the length
+  Expr length;                  ///< path: over Mechanism::distances; along: the function
+  Expr rate;                    ///< path, along: the symbol that stands for the rate of that
   int frame = -1;               ///< wrench: index into Mechanism::frames
   bool frame_axes = true;       ///< wrench: in the axes of the frame, else in the world's
   Vec3 force, torque;

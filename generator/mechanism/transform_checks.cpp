@@ -10,6 +10,7 @@
 #include <random>
 #include <span>
 
+#include "mechanism/model.hpp"
 #include "mechanism/section.hpp"
 #include "mechanism/symbols_below.hpp"
 #include "mechanism/transforms.hpp"
@@ -22,9 +23,8 @@ namespace {
 constexpr double kRotationTolerance = 1e-9;
 constexpr int kRandomStates = 6;
 constexpr int kAttempts = 30;  // to find them inside the domains of the functions used
-constexpr int kMaximumSpeeds = 6;
 // Seven coordinates have more speeds than a transform may have, whichever they are.
-static_assert(SymbolsBelow::kMost > kMaximumSpeeds);
+static_assert(SymbolsBelow::kMost > kMostSpeedsOfATransform);
 
 /// What is wrong with a numerical rotation, or nothing.
 std::string objection_to_rotation(std::span<const double, 9> r) {
@@ -150,12 +150,12 @@ void check_coordinates(const Loading& loading, const std::vector<const Body*>& b
       speeds += mechanism.coordinates[static_cast<std::size_t>(c)].nv();
       names.push_back(mechanism.coordinates[static_cast<std::size_t>(c)].name);
     }
-    if (speeds > kMaximumSpeeds)
+    if (speeds > kMostSpeedsOfATransform)
       throw InputError(body->where,
                        fmt::format("the transform of body '{}' depends on more than {} speeds", body->name,
-                                   kMaximumSpeeds),
+                                   kMostSpeedsOfATransform),
                        fmt::format("coordinates {}; a rigid body in its parent has no more than {} freedoms",
-                                   fmt::join(names, ", "), kMaximumSpeeds));
+                                   fmt::join(names, ", "), kMostSpeedsOfATransform));
     for (const Shape& shape : body->geometry)
       for (const Factor& factor : shape.transform.factors)
         for (const Expr& x : expressions_of(factor, mechanism))

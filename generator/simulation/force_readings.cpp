@@ -55,6 +55,9 @@ class ReadingsBuilder {
       case ForceKind::on_speed:
         add_force(force.name + axis_of(force), units_.along(force.speed), force.value);
         break;
+      case ForceKind::along:
+        add_force(force.name, "", force.value);
+        break;
       case ForceKind::potential:
         add_force(force.name, "J", force.value);
         break;

@@ -48,7 +48,7 @@ TEST(Import, SaysWhatItTookAndLeft) {
         std::pair(tests + "sdf/models/frames.sdf",
                   "note: taken: 5 bodies, 2 frames, 7 coordinates, 1 definition, 2 forces\n"),
         std::pair(tests + "osim/doubtful/left_out.osim",
-                  "3 forces; approximated: 1 BushingForce, 1 ConditionalPathPoint, 1 "
+                  "4 forces; approximated: 1 ConditionalPathPoint, 1 "
                   "Millard2012EquilibriumMuscle, 1 PathActuator; left out: 1 CoordinateActuator, 2 Hunt")}) {
     const CommandResult result = alembert(folder, "import " + file);
     EXPECT_EQ(result.exit_code, 0);

@@ -19,7 +19,7 @@
 namespace alembert::oracles {
 namespace {
 
-constexpr std::uint64_t kSeeds = 40;
+constexpr std::uint64_t kSeeds = 44;
 
 std::string forced(std::uint64_t seed) {
   return with_random_forces(random_mechanism(seed), seed);
@@ -44,7 +44,7 @@ TEST(RandomForces, OfEveryKind) {
           "in0",         "w0:",         "contact: ",      "plane: ",     "sphere: "})
       meet(word);
     for (const char* word :
-         {"s1", "rate: \"", "y0", "tension\\(", "when: \"min", "when: \"length", "when: \"s"})
+         {"s1", "rate: \"", "y0", "along: ", "tension\\(", "when: \"min", "when: \"length", "when: \"s"})
       meet(word);
   }
   for (const auto& [word, count] : met) EXPECT_GE(count, 2) << word;
@@ -173,9 +173,9 @@ TEST(ForceLaws, DampedPathsTakePower) {
         q.emplace_back(x.value + dt * x.first + dt * dt / 2 * x.second);
       const auto frames = frame_poses(d, q, Jet<double>(state.time));
       double sum = 0;
-      for (std::size_t i = 0; i + 1 < d.paths[path].size(); ++i) {
-        const auto &a = frames[d.paths[path][i].frame].translation,
-                   &b = frames[d.paths[path][i + 1].frame].translation;
+      for (std::size_t i = 0; i + 1 < d.paths[path].points.size(); ++i) {
+        const auto &a = frames[d.paths[path].points[i].frame].translation,
+                   &b = frames[d.paths[path].points[i + 1].frame].translation;
         sum += std::hypot(b[0].value - a[0].value, b[1].value - a[1].value, b[2].value - a[2].value);
       }
       return sum;

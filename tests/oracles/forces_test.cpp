@@ -239,6 +239,31 @@ forces:
   EXPECT_NEAR(Q(0.9, 1.5, {{"u", -3}}), -6 + std::sin(0.9), kExact);
 }
 
+// Along a function of two coordinates and a path, whose rate damps.
+TEST(AppliedForces, AlongAFunction) {
+  const Description d = parse_description(R"yaml(
+name: linkage
+inputs: [u]
+coordinates: [q, x]
+bodies:
+  - {name: arm, transform: [{rotate: {axis: z, angle: q}}], mass: 1}
+  - {name: cart, transform: [{translate: [x, 0, 0]}], mass: 1}
+frames:
+  - {name: eye, body: world, transform: [{translate: [0, 0, 1]}]}
+  - {name: hook, body: cart, transform: []}
+forces:
+  - {name: drive, along: "x*sin(q) + length(wire)^2", value: "3*u - 2*rate + rate(turn)"}
+  - {name: turn, along: q^2, value: 0}
+  - {name: wire, between: [eye, hook], tension: 0}
+)yaml");
+  const double q = 0.7, x = -0.4, qd = 1.3, xd = 0.9, u = 0.8;
+  State state{{q, x}, {qd, xd}, {0, 0}, 0};
+  state.inputs = {{"u", u}};
+  const Eigen::Vector2d slope(x * std::cos(q), std::sin(q) + 2 * x);
+  const double value = 3 * u - 2 * slope.dot(Eigen::Vector2d(qd, xd)) + 2 * q * qd;
+  EXPECT_LE((forces_at(d, state) - value * slope).cwiseAbs().maxCoeff(), kExact);
+}
+
 // A cart that a motor moves through its current, and a needle whose turn a state follows.
 TEST(States, RatesAndTheirDerivatives) {
   const Description d = parse_description(R"yaml(

@@ -146,6 +146,49 @@ TEST(OsimForces, FollowTheirLaws) {
   EXPECT_EQ(rig.imported.description().force_names.size(), 14U);  // that which is off is not there
 }
 
+/// A coordinate that follows another along a curve, and the dampers of a bushing: along an angle or a shift d of one frame
+/// in the other, Q = -c d' grad d.
+TEST(OsimForces, AreAlongCurvesAndDampedInBushings) {
+  Rig rig("forces_along_curves.osim");
+  int engaged = 0;
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    const OsimSkeleton& at = rig.skeleton;
+    const double q = at.coordinate("drive"), u = at.speed("drive");
+    const auto expect = [&](const char* name, double value) {
+      Eigen::VectorXd expected = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motion.order.size()));
+      const auto by = at.gradient("drive");
+      for (std::size_t k = 0; k < motion.order.size(); ++k)
+        if (by.count(motion.order[k]) > 0)
+          expected(static_cast<Eigen::Index>(k)) = value * by.at(motion.order[k]);
+      expect_near(name, rig.contribution(i, name), expected, 1e-11);
+    };
+    expect("geared_motor", 3 * rig.states[i].inputs.at("geared_motor"));
+    expect("geared_coil", -5 * (q + 0.1) - 0.6 * u);
+    const double above = SimTK::stepUp(std::clamp((q - 0.1) / 0.3, 0.0, 1.0)),
+                 below = SimTK::stepUp(std::clamp((-0.2 - q) / 0.3, 0.0, 1.0));
+    engaged += above > 0 || below > 0 ? 1 : 0;
+    expect("geared_stop", -80 * above * (q - 0.1) + 50 * below * (-0.2 - q) - 2 * (above + below) * u);
+    const char* names[] = {"bush_turn_x", "bush_turn_y", "bush_turn_z", "bush_shift_x", "bush_shift_z"};
+    const int axes[] = {0, 1, 2, 3, 5};
+    const double damping[] = {0.3, 0.2, 0.4, 0.7, 0.9};
+    for (std::size_t d = 0; d < 5; ++d) {
+      const Eigen::VectorXd slope =
+          numeric_gradient(rig.skeleton, motion, [axis = axes[d]](const OsimSkeleton& s) {
+            const SimTK::Transform X = ~s.pose("/bodyset/cart", "") * s.pose("bush_offset", "bush");
+            return axis < 3 ? X.R().convertRotationToBodyFixedXYZ()[axis] : X.p()[axis - 3];
+          });
+      double rate = 0;
+      for (std::size_t k = 0; k < motion.order.size(); ++k)
+        rate += slope(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
+      expect_near(names[d], rig.contribution(i, names[d]), -damping[d] * rate * slope, 10 * kDifferences);
+    }
+  }
+  EXPECT_GE(engaged, kStates / 3);
+  EXPECT_EQ(rig.imported.description().force_names.size(), 9U);
+}
+
 /// Thelen's curves, in optimal lengths and largest forces.
 struct ThelenMuscle {
   double force, fibre, slack, pennation, speed, strain = 0.04, gamma = 0.45, kpe = 5, af = 0.25, flen = 1.4;

@@ -62,7 +62,7 @@ class ForceWriter : private RandomQuantities {
   }
 
  private:
-  static constexpr int kKinds = 7, kPath = 3;
+  static constexpr int kKinds = 8, kPath = 3;
 
   /// Those that the text mentions.
   std::string used(const std::map<std::string, std::string>& declarations) const {
@@ -224,6 +224,16 @@ class ForceWriter : private RandomQuantities {
         return add("at: " + at + ", force: " + force);
       }
       case 5: {
+        with_speeds_ = false;
+        const std::string place = draw_.chance(0.5) && !reals_.empty()
+                                      ? coordinate()
+                                      : length("distance(" + two_frames(", ") + ")");
+        const std::string function = value() + " + 0.7*" + place;
+        with_speeds_ = true;
+        return add("along: \"" + function + "\", value: \"" + times(torque(), value() + " - 0.3*rate") +
+                   "\"");
+      }
+      case 6: {
         const std::string at = one_of(frames_), force = three_values(units_.force),
                           torques = three_values(torque());
         return add("at: " + at + ", axes: world, force: " + force + ", torque: " + torques);

@@ -229,6 +229,9 @@ def test_starts_are_drawn_by_seed_and_shard(load, tmp_path):
     (r"steps: expected a whole number, 0 or more, found 1.5", {"steps": 1.5}),
     (r"hold: expected a whole number, 1 or more, found 0", {"hold": 0}),
     (r"step: expected a finite number", {"step": float("nan")}),
+    (r"step: expected a finite number, found None", {"step": None}),
+    (r"within\['q'\]: expected the least before the largest, found 1 and 0", {"within": {"q": (1, 0)}}),
+    (r"client: expected a dask.distributed.Client, found 'tcp://here'", {"client": "tcp://here"}),
     (r"method: expected one of 'semi-implicit-euler', 'rk4'", {"method": "euler"}),
     (r"controls: double_pendulum has no inputs", {"controls": "inputs"}),
     (r"within: unknown name 'qdd'; did you mean 'qd'", {"within": {"qdd": (0, 1)}}),
@@ -242,6 +245,16 @@ def test_errors_name_the_argument(load, message, change):
     m = load("double_pendulum")
     with pytest.raises(ValueError, match=message):
         alembert.rollout(m, **{"q": np.zeros((4, 2)), "steps": 5, "step": 0.01, **change})
+
+
+def test_controls_over_time_or_over_motions(load):
+    """For one start, (K, nu) are K motions; who meant one motion is told how to write it."""
+    m = load("double_pendulum")
+    u = np.arange(10.0).reshape(5, 2)
+    with pytest.warns(UserWarning, match=r"for one motion with 5 controls give u\[None\]"):
+        many = alembert.rollout(m, [0, 0], u=u, steps=5, step=0.01)
+    assert many.q.shape[0] == 5
+    assert alembert.rollout(m, [0, 0], u=u[None], steps=5, step=0.01).q.shape[0] == 1
 
 
 def test_modules_that_cannot(load, tmp_path):

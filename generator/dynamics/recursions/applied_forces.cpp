@@ -3,6 +3,7 @@
 //
 //   along a speed    value, to that speed
 //   potential V      -D_k V
+//   along e          value D_k e
 //   tension T        -T D_k L for a path of length L
 //   wrench (f, n)    f . D_k p + n . om_k for a frame at p, om_k being its angular velocity for that speed
 //
@@ -89,8 +90,8 @@ class AppliedForcesBuilder {
     for (const Force& force : mechanism_.forces) {
       if (force.kind == ForceKind::potential)
         pull(force.value, -graph_.one());
-      else if (force.kind == ForceKind::path)
-        pull(force.length, -inserted(force.value));
+      else if (force.kind == ForceKind::path || force.kind == ForceKind::along)
+        pull(force.length, strength_along(force));
       else if (force.kind == ForceKind::wrench) {
         Wrench& sum = (force.frame_axes ? in_frame : in_world_)[static_cast<std::size_t>(force.frame)];
         sum = sum + Wrench{inserted(force.torque), inserted(force.force)};
@@ -140,10 +141,11 @@ class AppliedForcesBuilder {
           add(partial.speed, -without_inputs(partial.values.front()), Q_);
         break;
       }
+      case ForceKind::along:
       case ForceKind::path: {
-        const Expr length = with_inputs(force.length), tension = inserted(force.value);
+        const Expr length = with_inputs(force.length), strength = strength_along(force);
         for (const SpeedPartial& lever : derivatives_.partials(std::span(&length, 1)))
-          add(lever.speed, -(tension * lever.values.front()), Q_);
+          add(lever.speed, strength * without_inputs(lever.values.front()), Q_);
         break;
       }
       case ForceKind::wrench:
@@ -152,6 +154,11 @@ class AppliedForcesBuilder {
     }
   }
 
+  /// Along what is in Force::length: a tension shortens it.
+  Expr strength_along(const Force& force) const {
+    const Expr value = inserted(force.value);
+    return force.kind == ForceKind::path ? -value : value;
+  }
   Mat3 rotation(int frame) const {
     const std::span<const Expr> pose = pose_of(frame);
     return {{pose[0], pose[1], pose[2], pose[4], pose[5], pose[6], pose[8], pose[9], pose[10]}};

@@ -110,7 +110,7 @@ std::vector<std::pair<Expr, Expr>> moving_values(const Mechanism& mechanism, con
                                                  const SpeedDerivatives& derivatives, ExprGraph& graph) {
   std::vector<std::pair<Expr, Expr>> values = frame_values(mechanism, tree, derivatives, graph);
   for (const Force& force : mechanism.forces) {
-    if (force.kind != ForceKind::path) continue;
+    if (!force.rate.valid()) continue;
     const std::vector<Expr> length = substitute(std::span(&force.length, 1), values);
     values.emplace_back(force.rate, derivatives.first_rate(derivatives.partials(length), 1).front());
   }

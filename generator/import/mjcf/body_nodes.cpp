@@ -9,13 +9,12 @@
 #include "import/common/mass_nodes.hpp"
 #include "import/common/snapped_angle.hpp"
 #include "import/mjcf/sums.hpp"
+#include "mechanism/model.hpp"
 
 namespace alembert {
 namespace {
 
 using Vector = std::array<double, 3>;
-
-constexpr std::size_t kMostSpeedsOfATransform = 6;
 
 Vector array_of(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
@@ -204,7 +203,7 @@ void MjcfBodyNodes::add_tendon_armature(YamlNode& list, std::size_t tendon, cons
     if (const std::optional<std::size_t>& base = naming_.text(term.joint).base; base && term.factor != 0)
       coordinates.insert(*base);
   if (coordinates.empty()) return;
-  if (coordinates.size() > kMostSpeedsOfATransform)
+  if (static_cast<int>(coordinates.size()) > kMostSpeedsOfATransform)
     throw InputError(of.where,
                      fmt::format("the armature of a tendon along more than {} joints cannot be expressed",
                                  kMostSpeedsOfATransform));

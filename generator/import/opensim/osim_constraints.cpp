@@ -119,14 +119,14 @@ std::vector<std::string> point_on_line(OsimDescription& out, pugi::xml_node elem
           product_of_lines(line.origin(), point.origin(), line.origin(), to_v)};
 }
 
-struct ConstraintType {
+struct OsimConstraintType {
   std::string_view name;
   std::vector<std::string> (*equations)(OsimDescription&, pugi::xml_node);
 };
-constexpr ConstraintType kConstraintTypes[] = {{"WeldConstraint", weld},
-                                               {"PointConstraint", point},
-                                               {"ConstantDistanceConstraint", distance},
-                                               {"PointOnLineConstraint", point_on_line}};
+constexpr OsimConstraintType kOsimConstraintTypes[] = {{"WeldConstraint", weld},
+                                                       {"PointConstraint", point},
+                                                       {"ConstantDistanceConstraint", distance},
+                                                       {"PointOnLineConstraint", point_on_line}};
 
 }  // namespace
 
@@ -136,8 +136,8 @@ void add_osim_constraints(OsimDescription& out) {
         !osim_is_enforced(out.xml, element))
       continue;
     const auto type =
-        std::ranges::find(kConstraintTypes, std::string_view(element.name()), &ConstraintType::name);
-    if (type == std::end(kConstraintTypes)) {
+        std::ranges::find(kOsimConstraintTypes, std::string_view(element.name()), &OsimConstraintType::name);
+    if (type == std::end(kOsimConstraintTypes)) {
       out.left(element, "the equations are those without it", "add it to the description as a constraint");
       continue;
     }

@@ -26,6 +26,7 @@ class CoordinateRoles {
     const auto& all = out_.model.coordinates;
     out_.coordinate_names.resize(all.size());
     out_.independent.assign(all.size(), false);
+    out_.driven.assign(all.size(), false);
     for (std::size_t i = 0; i < all.size(); ++i)
       out_.coordinate_names[i] = out_.names.add(all[i].name, all[i].where);
     marks_.assign(all.size(), Mark::unseen);
@@ -98,6 +99,8 @@ class CoordinateRoles {
         throw InputError(out_.xml.where(element),
                          "a coordinate follows by a function that is not twice differentiable");
       const double scale = out_.xml.number(coupler.element, "scale_factor", 1);
+      out_.driven[i] = !function.constant &&
+                       std::ranges::any_of(coupler.of, [&](std::size_t of) { return out_.driven[of]; });
       if (function.linear) out_.follows[i] = {coupler.of[0], scale * (*function.linear)[0]};
       out_.definitions.push_back({name, scaled_text(scale, function), out_.xml.where(coupler.element)});
       out_.took(kCoupler);
@@ -119,7 +122,7 @@ class CoordinateRoles {
 
   void add_independent(std::size_t i) {
     const OsimCoordinate& coordinate = out_.model.coordinates[i];
-    out_.independent[i] = true;
+    out_.independent[i] = out_.driven[i] = true;
     const SourceLocation& at = coordinate.where;
     YamlNode& node = out_.nodes.add_named(*out_.sections["coordinates"], out_.coordinate_names[i], at);
     if (coordinate.value != 0) out_.put(node, "initial", number_text(coordinate.value), at);

@@ -66,9 +66,11 @@ struct OsimDescription {
   FitNames names{"coordinate", warnings}, body_names{"body", warnings}, frame_names{"frame", warnings},
       force_names{"force", warnings}, constraint_names{"constraint", warnings};
   OsimFactors factors;
-  std::vector<std::string> bodies;                                ///< names by body; the ground is the world
-  std::vector<std::string> coordinate_names;                      ///< by coordinate
-  std::vector<bool> independent;                                  ///< by coordinate
+  std::vector<std::string> bodies;            ///< names by body; the ground is the world
+  std::vector<std::string> coordinate_names;  ///< by coordinate
+  std::vector<bool> independent;              ///< by coordinate
+  std::vector<bool>
+      driven;  ///< by coordinate: independent, or follows others that are, along a curve or in proportion
   std::map<std::size_t, std::pair<std::size_t, double>> follows;  ///< of those coupled in proportion
   /// Sections that are lists, and the names and texts of the others.
   std::map<std::string, YamlNode*> sections;

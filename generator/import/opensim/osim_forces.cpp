@@ -24,10 +24,10 @@ std::string times(double factor, const std::string& of) {
 constexpr std::string_view kTurningTogether[] = {"BallJoint", "FreeJoint", "EllipsoidJoint",
                                                  "ScapulothoracicJoint"};
 
-/// The coordinate that a force acts along, with what moves it; none, with a warning, if nothing does in proportion.
+/// The coordinate that a force acts along, with what moves it; none, with a warning, if nothing does.
 struct Along {
   std::string position, speed;  ///< as expressions
-  std::string on;
+  std::string on;               ///< the coordinate that moves it in proportion; none if it follows a curve
   double factor = 1;
 };
 std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
@@ -43,8 +43,9 @@ std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
     return {};
   }
   const auto driver = out.driver(coordinate);
+  if (!driver && out.driven[coordinate]) return Along{name, "rate", "", 1};
   if (!driver) {
-    out.left(force, fmt::format("'{}' is locked, prescribed or follows others along a curve", name));
+    out.left(force, fmt::format("'{}' is locked or prescribed", name));
     return {};
   }
   const std::string& on = out.text_of(driver->first);
@@ -54,7 +55,7 @@ std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
 void put_along(OsimDescription& out, pugi::xml_node element, const Along& where, const std::string& value) {
   const SourceLocation at = out.xml.where(element);
   YamlNode& force = out.add_force(OsimXml::name_of(element), at);
-  out.put(force, "on", where.on, at);
+  out.put(force, where.on.empty() ? "along" : "on", where.on.empty() ? where.position : where.on, at);
   out.put(force, "value",
           where.factor == 1 ? value : fmt::format("{}*({})", number_text(where.factor), value), at);
 }
@@ -142,7 +143,8 @@ bool add_point_spring(OsimDescription& out, pugi::xml_node element) {
   return true;
 }
 
-/// The energy of three angles, of the second frame in the first, and of its origin in the first's axes.
+/// The energy of three angles, of the second frame in the first, and of its origin in the first's axes; damping acts along
+/// each of the six.
 bool add_bushing(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string owner = "/forceset/" + OsimXml::name_of(element);
@@ -171,22 +173,30 @@ bool add_bushing(OsimDescription& out, pugi::xml_node element) {
   const std::string angles[] = {fmt::format("atan2(-{}, {})", entry('y', 'z'), entry('z', 'z')),
                                 fmt::format("asin({})", entry('x', 'z')),
                                 fmt::format("atan2(-{}, {})", entry('x', 'y'), entry('x', 'x'))};
+  const auto shift_along = [&](std::size_t axis) {
+    std::vector<std::string> sum;
+    for (const char k : {'x', 'y', 'z'})
+      sum.push_back(fmt::format("rotation({0}).{1}{2}*(position({3}).{1} - position({0}).{1})", a, k,
+                                static_cast<char>('x' + axis), b));
+    return sum_text(sum);
+  };
   std::vector<std::string> terms;
   for (std::size_t i = 0; i < 3; ++i)
     if (turn[i] != 0) terms.push_back(times(turn[i] / 2, angles[i] + "^2"));
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (shift[i] == 0) continue;
-    std::vector<std::string> along_axis;
-    for (const char k : {'x', 'y', 'z'})
-      along_axis.push_back(fmt::format("rotation({0}).{1}{2}*(position({3}).{1} - position({0}).{1})", a, k,
-                                       static_cast<char>('x' + i), b));
-    terms.push_back(times(shift[i] / 2, fmt::format("({})^2", sum_text(along_axis))));
-  }
-  if (out.xml.vector<3>(element, "rotational_damping", none) != none ||
-      out.xml.vector<3>(element, "translational_damping", none) != none)
-    out.approximated(element, "is taken without its damping");
+  for (std::size_t i = 0; i < 3; ++i)
+    if (shift[i] != 0) terms.push_back(times(shift[i] / 2, fmt::format("({})^2", shift_along(i))));
   YamlNode& force = out.add_force(OsimXml::name_of(element), at);
   out.put(force, "potential", sum_text(terms), at);
+  const std::array<double, 3> slow_turn = out.xml.vector<3>(element, "rotational_damping", none),
+                              slow_shift = out.xml.vector<3>(element, "translational_damping", none);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double damping = i < 3 ? slow_turn[i] : slow_shift[i - 3];
+    if (damping == 0) continue;
+    YamlNode& damper = out.add_force(
+        fmt::format("{}_{}_{}", OsimXml::name_of(element), i < 3 ? "turn" : "shift", "xyz"[i % 3]), at);
+    out.put(damper, "along", i < 3 ? angles[i] : shift_along(i - 3), at);
+    out.put(damper, "value", times(-damping, "rate"), at);
+  }
   return true;
 }
 

@@ -10,6 +10,7 @@ import os
 import pathlib
 import platform
 import shlex
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
@@ -300,6 +301,16 @@ def _whole(label: str, value: Any, least: int) -> int:
     return int(value)
 
 
+def _number(label: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = numpy.nan
+    if not numpy.isfinite(number):
+        raise ValueError(f"{label}: expected a finite number, found {value!r}")
+    return number
+
+
 def _one_of(label: str, value: Any, known: Sequence[str]) -> int:
     if value not in known:
         raise ValueError(f"{label}: expected one of {', '.join(map(repr, known))}; found {value!r}")
@@ -317,6 +328,9 @@ def _controls(states: Any, value: Any, nu: int, moments: int) -> NDArray[Any]:
         raise ValueError(expected)
     if array.ndim == 1:
         return array[None, None]
+    if array.ndim == 2 and states.count is None and len(array) == moments > 1:
+        warnings.warn(f"u: {array.shape} is taken for {moments} motions, each with one control that is held; for one motion with "
+                      f"{moments} controls give u[None]", stacklevel=4)
     if len(array) > 1 or states.count is None:
         array = states.take("u", array, array.shape[1:])
     return array[:, None] if array.ndim == 2 else array
@@ -331,10 +345,7 @@ def make_plan(module: ModuleType, q: ArrayLike, qd: Optional[ArrayLike], u: Unio
         "steps": _whole("steps", steps, 0), "every": _whole("every", every, 0), "hold": _whole("hold", hold, 1),
         "threads": _whole("threads", threads, 0), "stepper": _one_of("method", method, METHODS),
         "instructions": _one_of("instructions", instructions, INSTRUCTIONS)}
-    for label, value in (("step", step), ("t", t)):
-        if not numpy.isfinite(value):
-            raise ValueError(f"{label}: expected a finite number, found {value}")
-    numbers.update(h=float(step), t=float(t))
+    numbers.update(h=_number("step", step), t=_number("t", t))
     ni, ns = len(module.input_names), len(module.state_names)
     if controls is None:
         controls = "inputs" if ni else "forces"
@@ -383,9 +394,12 @@ def make_plan(module: ModuleType, q: ArrayLike, qd: Optional[ArrayLike], u: Unio
         for name, size in (("q", module.nq), ("qd", module.nv)):
             try:
                 low, high = within.get(name, (-numpy.inf, numpy.inf))
-                bounds += [numpy.broadcast_to(numpy.asarray(b, dtype=float), (size,)) for b in (low, high)]
+                pair = [numpy.broadcast_to(numpy.asarray(b, dtype=float), (size,)) for b in (low, high)]
             except (TypeError, ValueError):
                 raise ValueError(f"within[{name!r}]: expected a pair of bounds, each a number or of shape ({size},)") from None
+            if not (pair[0] <= pair[1]).all():
+                raise ValueError(f"within[{name!r}]: expected the least before the largest, found {low!r} and {high!r}")
+            bounds += pair
         arrays["bounds"] = numpy.concatenate(bounds)
     return Plan(source, count, (module.nq, module.nv, ns), numbers, arrays, policy, stop), one
 
@@ -452,6 +466,8 @@ def rollout(module: ModuleType, q: Union[ArrayLike, Start], qd: Optional[ArrayLi
     >>> end = alembert.rollout(arm, np.tile(arm.initial_coordinates, (1000, 1)), u=lambda t, q, qd: -qd, steps=500, step=1e-3)
     >>> end.q[:, -1], end.status
     """
+    if client is not None and not callable(getattr(client, "submit", None)):
+        raise ValueError(f"client: expected a dask.distributed.Client, found {client!r}")
     if client is not None and threads == 0:
         threads = 1  # a worker does as many shards at once as it has threads
     size = 1024 if shard is None else _whole("shard", shard, 1)

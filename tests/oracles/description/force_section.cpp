@@ -2,6 +2,7 @@
 #include "oracles/description/force_section.hpp"
 
 #include <array>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -62,10 +63,10 @@ FramePath read_path(const YAML::Node& points, const YAML::Node& root, const Name
   FramePath path;
   for (const YAML::Node& point : points) {
     if (point.IsScalar())
-      path.push_back({frame_index(root, point.as<std::string>()), nullptr});
+      path.points.push_back({frame_index(root, point.as<std::string>()), nullptr});
     else
-      path.push_back({frame_index(root, point["frame"].as<std::string>()),
-                      point["when"] ? expression_of(point["when"], names) : nullptr});
+      path.points.push_back({frame_index(root, point["frame"].as<std::string>()),
+                             point["when"] ? expression_of(point["when"], names) : nullptr});
   }
   return path;
 }
@@ -221,11 +222,14 @@ void declare_quantities(const YAML::Node& root, Names& names, Description& resul
       for (const char column : {'x', 'y', 'z'}) declare("rotation(" + frame + ")." + row + column);
     declare_three("angular_velocity(" + frame + ")");
   }
-  for (const YAML::Node& force : root["forces"]) {
-    if (!frames_along(force)) continue;
-    const std::string name = force["name"].as<std::string>();
-    declare("length(" + name + ")");
-    declare("rate(" + name + ")");
+  // What a force is along may be of all paths.
+  for (const bool of_path : {true, false}) {
+    for (const YAML::Node& force : root["forces"]) {
+      if (of_path ? !frames_along(force) : !force["along"]) continue;
+      const std::string name = force["name"].as<std::string>();
+      declare("length(" + name + ")");
+      declare("rate(" + name + ")");
+    }
   }
   for (const std::string& from : frames)
     for (const std::string& to : frames)
@@ -246,20 +250,35 @@ void read_coordinate_forces(const YAML::Node& node, const Names& names, Coordina
 }
 
 void read_forces(const YAML::Node& root, Names& names, Description& result) {
+  std::map<std::string, std::size_t> paths;
+  for (const YAML::Node& force : root["forces"]) {
+    if (!frames_along(force)) continue;
+    paths[force["name"].as<std::string>()] = result.paths.size();
+    result.paths.push_back(read_path(frames_along(force), root, names));
+  }
+  for (const YAML::Node& force : root["forces"]) {
+    if (!force["along"]) continue;
+    paths[force["name"].as<std::string>()] = result.paths.size();
+    result.paths.push_back({{}, expression_of(force["along"], names)});
+  }
   for (const YAML::Node& force : root["forces"]) {
     if (force["on"]) {
       result.forces.emplace_back(SpeedForce{speed_index(force["on"].as<std::string>(), result),
                                             expression_of(force["value"], names)});
     } else if (force["potential"]) {
       result.forces.emplace_back(Potential{expression_of(force["potential"], names)});
+    } else if (force["along"]) {
+      const std::string name = force["name"].as<std::string>();
+      Names own = names;
+      own["rate"] = names.at("rate(" + name + ")");
+      result.forces.emplace_back(ForceAlong{paths.at(name), expression_of(force["value"], own)});
     } else if (frames_along(force)) {
       const std::string name = force["name"].as<std::string>();
       Names own = names;
       own["length"] = names.at("length(" + name + ")");
       own["rate"] = names.at("rate(" + name + ")");
       const Expression tension = expression_of(force["tension"], own);
-      result.forces.emplace_back(Tension{result.paths.size(), tension});
-      result.paths.push_back(read_path(frames_along(force), root, names));
+      result.forces.emplace_back(Tension{paths.at(name), tension});
       names["tension(" + name + ")"] = tension;
     } else if (force["contact"]) {
       const ContactText contact(force["contact"], root, names);

@@ -1,6 +1,6 @@
 // What acts on a mechanism beside gravity and wrenches, as a description says it. Expressions here are over a longer
 // list of variables than others: coordinates, speeds, the position of each frame, inputs, states, then of each frame
-// its velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length and rate.
+// its velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length or value and the rate of that.
 #pragma once
 
 #include <optional>
@@ -33,8 +33,11 @@ struct PathPoint {
   std::size_t frame;  ///< index
   Expression when;    ///< of no speeds, and of paths before this one; null: always
 };
-/// From one point to the next.
-using FramePath = std::vector<PathPoint>;
+/// From one point to the next; or, without points, something that has a value as a path has a length.
+struct FramePath {
+  std::vector<PathPoint> points;
+  Expression value;  ///< of no speeds, and of paths before this one
+};
 
 struct SpeedForce {
   int speed;  ///< index
@@ -47,6 +50,11 @@ struct Tension {
   std::size_t path;    ///< index
   Expression tension;  ///< positive: shortens the path
 };
+/// Along what has a value in place of points.
+struct ForceAlong {
+  std::size_t path;  ///< index
+  Expression value;  ///< positive: lets it grow
+};
 struct FrameForce {
   std::size_t frame;        ///< index; at its origin, and on its turn
   bool world_axes = false;  ///< or along the frame's axes
@@ -57,6 +65,6 @@ struct Output {
   std::string name;
   Expression value;
 };
-using AppliedForce = std::variant<SpeedForce, Potential, Tension, FrameForce>;
+using AppliedForce = std::variant<SpeedForce, Potential, Tension, ForceAlong, FrameForce>;
 
 }  // namespace alembert::oracles

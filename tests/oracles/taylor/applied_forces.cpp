@@ -26,7 +26,12 @@ struct Layout {
       : frames(frame_poses(description, q, t)) {
     for (const FramePath& path : description.paths) {
       std::vector<std::size_t> on_it;
-      for (const PathPoint& point : path) {
+      if (path.value) {
+        lengths.push_back(evaluate(path.value, variables_along(description, state, q, *this), t));
+        ways.emplace_back();
+        continue;
+      }
+      for (const PathPoint& point : path.points) {
         if (!point.when ||
             leading(evaluate(point.when, variables_along(description, state, q, *this), t)) > 0)
           on_it.push_back(point.frame);
@@ -150,6 +155,7 @@ struct Strength {
   Result operator()(const SpeedForce& f) const { return scalar(value(f.value)); }
   Result operator()(const Potential&) const { return scalar(R(-1.0)); }
   Result operator()(const Tension& f) const { return scalar(-value(f.tension)); }
+  Result operator()(const ForceAlong& f) const { return scalar(value(f.value)); }
   Result operator()(const FrameForce& f) const { return {in_world(f, f.force), in_world(f, f.torque)}; }
 };
 
@@ -165,6 +171,7 @@ struct WorkAlong {
   R operator()(const SpeedForce& f) const { return f.speed == k ? strength[0][0] : R(0.0); }
   R operator()(const Potential& f) const { return strength[0][0] * evaluate(f.value, variables, t).first; }
   R operator()(const Tension& f) const { return strength[0][0] * layout.lengths[f.path].first; }
+  R operator()(const ForceAlong& f) const { return strength[0][0] * layout.lengths[f.path].first; }
   R operator()(const FrameForce& f) const {
     const RigidMotion<Jet<R>>& frame = layout.frames[f.frame];
     const Vector3<Jet<R>>& p = frame.translation;
@@ -221,66 +228,95 @@ std::vector<R> applied_forces(const Description& description, const StateOf<R>& 
 
 namespace {
 
-/// Adds what a tension along a path does to the frames that it leads over.
+/// What forces do to frames that hold potentials and paths: a strength times the derivatives of these.
 template <class R>
-void pull_together(const Layout<R>& layout, std::size_t path, const R& tension,
-                   std::vector<FrameWrench<R>>& on) {
-  const auto value = [&](std::size_t frame) {
-    const Vector3<Jet<R>>& p = layout.frames[frame].translation;
-    return Vector3<R>{p[0].value, p[1].value, p[2].value};
-  };
-  const std::vector<std::size_t>& way = layout.ways[path];
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const Vector3<R> apart = value(way[i + 1]) + R(-1.0) * value(way[i]);
-    if (vanishes(dot(apart, apart))) continue;
-    const Vector3<R> pull = tension * normalized(apart);
-    on[way[i]].force = on[way[i]].force + pull;
-    on[way[i + 1]].force = on[way[i + 1]].force + R(-1.0) * pull;
+class FramePull {
+ public:
+  FramePull(const Description& description, const StateOf<R>& state)
+      : description_(description),
+        t_(state.time, R(0.0), R(0.0)),
+        moving_(moving_layout(description, state)),
+        variables_(variables_at(description, state, moving_)),
+        positions_(state.q.size() + state.speeds.size()),
+        after_(positions_ + 3 * description.frames.size() + description.inputs.size() +
+               description.states.size()),
+        on_(description.frames.size()) {}
+
+  std::vector<FrameWrench<R>> of_all() {
+    for (const AppliedForce& force : description_.forces) {
+      const auto strength = std::visit(Strength<R>{variables_, t_.value, moving_}, force);
+      if (const auto* at = std::get_if<FrameForce>(&force)) {
+        on_[at->frame].force = on_[at->frame].force + strength[0];
+        on_[at->frame].torque = on_[at->frame].torque + strength[1];
+      } else if (const auto* tension = std::get_if<Tension>(&force)) {
+        add_path(tension->path, strength[0][0]);
+      } else if (const auto* along = std::get_if<ForceAlong>(&force)) {
+        add_path(along->path, strength[0][0]);
+      } else if (const auto* potential = std::get_if<Potential>(&force)) {
+        add_expression(potential->value, strength[0][0]);
+      }
+    }
+    return on_;
   }
-}
+
+ private:
+  void add_path(std::size_t path, const R& strength) {
+    if (const Expression& value = description_.paths[path].value)
+      add_expression(value, strength);
+    else
+      add_line(path, strength);
+  }
+  void add_line(std::size_t path, const R& strength) {
+    const auto place = [&](std::size_t frame) {
+      const Vector3<Jet<R>>& p = moving_.frames[frame].translation;
+      return Vector3<R>{p[0].value, p[1].value, p[2].value};
+    };
+    const std::vector<std::size_t>& way = moving_.ways[path];
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+      const Vector3<R> apart = place(way[i + 1]) + R(-1.0) * place(way[i]);
+      if (vanishes(dot(apart, apart))) continue;
+      const Vector3<R> push = strength * normalized(apart);
+      on_[way[i]].force = on_[way[i]].force + R(-1.0) * push;
+      on_[way[i + 1]].force = on_[way[i + 1]].force + push;
+    }
+  }
+  void add_expression(const Expression& of, const R& strength) {
+    const auto slope = [&](std::size_t variable) {
+      std::vector<Jet<R>> moved;
+      for (const R& x : variables_) moved.emplace_back(x, R(0.0), R(0.0));
+      moved[variable].first = R(1.0);
+      return strength * evaluate(of, moved, t_).first;
+    };
+    for (std::size_t frame = 0; frame < on_.size(); ++frame) {
+      for (std::size_t i = 0; i < 3; ++i)
+        on_[frame].force[i] = on_[frame].force[i] + slope(positions_ + 3 * frame + i);
+      for (std::size_t column = 0; column < 3; ++column) {
+        Vector3<R> axis, by;
+        for (std::size_t row = 0; row < 3; ++row) {
+          axis[row] = moving_.frames[frame].column[column][row].value;
+          by[row] = slope(after_ + 15 * frame + 3 + 3 * row + column);
+        }
+        on_[frame].torque = on_[frame].torque + cross(axis, by);
+      }
+    }
+    for (std::size_t path = 0; path < moving_.lengths.size(); ++path)
+      if (const R by = slope(after_ + 15 * on_.size() + 2 * path); !vanishes(by)) add_path(path, by);
+  }
+
+  const Description& description_;
+  Jet<R> t_;
+  Layout<R> moving_;
+  std::vector<R> variables_;
+  std::size_t positions_, after_;  ///< of frames, and of what moves, among the variables
+  std::vector<FrameWrench<R>> on_;
+};
 
 }  // namespace
 
 template <class R>
 std::vector<FrameWrench<R>> wrenches_on_frames(const Description& description, const StateOf<R>& state) {
-  std::vector<FrameWrench<R>> on(description.frames.size());
-  if (description.forces.empty()) return on;
-  const Layout<R> moving = moving_layout(description, state);
-  const std::vector<R> variables = variables_at(description, state, moving);
-  const std::size_t frames = on.size();
-  const std::size_t positions = state.q.size() + state.speeds.size();
-  const std::size_t after = positions + 3 * frames + description.inputs.size() + description.states.size();
-  for (const AppliedForce& force : description.forces) {
-    const auto strength = std::visit(Strength<R>{variables, state.time, moving}, force);
-    if (const auto* tension = std::get_if<Tension>(&force)) {
-      pull_together(moving, tension->path, R(-1.0) * strength[0][0], on);
-    } else if (const auto* at = std::get_if<FrameForce>(&force)) {
-      on[at->frame].force = on[at->frame].force + strength[0];
-      on[at->frame].torque = on[at->frame].torque + strength[1];
-    } else if (const auto* potential = std::get_if<Potential>(&force)) {
-      const auto slope = [&](std::size_t variable) {
-        std::vector<Jet<R>> moved;
-        for (const R& x : variables) moved.emplace_back(x, R(0.0), R(0.0));
-        moved[variable].first = R(1.0);
-        return R(-1.0) * evaluate(potential->value, moved, Jet<R>(state.time, R(0.0), R(0.0))).first;
-      };
-      for (std::size_t frame = 0; frame < frames; ++frame) {
-        for (std::size_t i = 0; i < 3; ++i)
-          on[frame].force[i] = on[frame].force[i] + slope(positions + 3 * frame + i);
-        for (std::size_t column = 0; column < 3; ++column) {
-          Vector3<R> axis, by;
-          for (std::size_t row = 0; row < 3; ++row) {
-            axis[row] = moving.frames[frame].column[column][row].value;
-            by[row] = slope(after + 15 * frame + 3 + 3 * row + column);
-          }
-          on[frame].torque = on[frame].torque + cross(axis, by);
-        }
-      }
-      for (std::size_t path = 0; path < moving.lengths.size(); ++path)
-        pull_together(moving, path, R(-1.0) * slope(after + 15 * frames + 2 * path), on);
-    }
-  }
-  return on;
+  if (description.forces.empty()) return std::vector<FrameWrench<R>>(description.frames.size());
+  return FramePull<R>(description, state).of_all();
 }
 template std::vector<FrameWrench<double>> wrenches_on_frames(const Description&, const StateOf<double>&);
 template std::vector<FrameWrench<long double>> wrenches_on_frames(const Description&,
