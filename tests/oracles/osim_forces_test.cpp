@@ -45,10 +45,22 @@ struct Rig {
     const pugi::xml_node path = force(name).child("GeometryPath");
     const Eigen::VectorXd arms =
         numeric_gradient(skeleton, motion, [&](const OsimSkeleton& at) { return path_length(at, path); });
-    double rate = 0;
+    return -tension(path_length(skeleton, path), rate(motion, arms)) * arms;
+  }
+  /// Of what has a gradient.
+  static double rate(const NamedMotion& motion, const Eigen::VectorXd& gradient) {
+    double sum = 0;
     for (std::size_t k = 0; k < motion.order.size(); ++k)
-      rate += arms(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
-    return -tension(path_length(skeleton, path), rate) * arms;
+      sum += gradient(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
+    return sum;
+  }
+  /// What a force along a coordinate does, which may follow others.
+  Eigen::VectorXd along(const NamedMotion& motion, const char* coordinate, double value) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motion.order.size()));
+    const auto by = skeleton.gradient(coordinate);
+    for (std::size_t k = 0; k < motion.order.size(); ++k)
+      if (by.count(motion.order[k]) > 0) out(static_cast<Eigen::Index>(k)) = value * by.at(motion.order[k]);
+    return out;
   }
 
   std::string file;
@@ -73,11 +85,7 @@ TEST(OsimForces, FollowTheirLaws) {
     const OsimSkeleton& at = rig.skeleton;
     const auto& inputs = rig.states[i].inputs;
     const auto along = [&](const char* coordinate, double value) {
-      Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motion.order.size()));
-      const auto by = at.gradient(coordinate);
-      for (std::size_t k = 0; k < motion.order.size(); ++k)
-        if (by.count(motion.order[k]) > 0) out(static_cast<Eigen::Index>(k)) = value * by.at(motion.order[k]);
-      return out;
+      return rig.along(motion, coordinate, value);
     };
     const auto of_energy = [&](const std::function<double(const OsimSkeleton&)>& energy) {
       return Eigen::VectorXd(-numeric_gradient(rig.skeleton, motion, energy));
@@ -157,12 +165,7 @@ TEST(OsimForces, AreAlongCurvesAndDampedInBushings) {
     const OsimSkeleton& at = rig.skeleton;
     const double q = at.coordinate("drive"), u = at.speed("drive");
     const auto expect = [&](const char* name, double value) {
-      Eigen::VectorXd expected = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(motion.order.size()));
-      const auto by = at.gradient("drive");
-      for (std::size_t k = 0; k < motion.order.size(); ++k)
-        if (by.count(motion.order[k]) > 0)
-          expected(static_cast<Eigen::Index>(k)) = value * by.at(motion.order[k]);
-      expect_near(name, rig.contribution(i, name), expected, 1e-11);
+      expect_near(name, rig.contribution(i, name), rig.along(motion, "drive", value), 1e-11);
     };
     expect("geared_motor", 3 * rig.states[i].inputs.at("geared_motor"));
     expect("geared_coil", -5 * (q + 0.1) - 0.6 * u);
@@ -179,10 +182,8 @@ TEST(OsimForces, AreAlongCurvesAndDampedInBushings) {
             const SimTK::Transform X = ~s.pose("/bodyset/cart", "") * s.pose("bush_offset", "bush");
             return axis < 3 ? X.R().convertRotationToBodyFixedXYZ()[axis] : X.p()[axis - 3];
           });
-      double rate = 0;
-      for (std::size_t k = 0; k < motion.order.size(); ++k)
-        rate += slope(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
-      expect_near(names[d], rig.contribution(i, names[d]), -damping[d] * rate * slope, 10 * kDifferences);
+      expect_near(names[d], rig.contribution(i, names[d]), -damping[d] * Rig::rate(motion, slope) * slope,
+                  kDifferences);
     }
   }
   EXPECT_GE(engaged, kStates / 3);

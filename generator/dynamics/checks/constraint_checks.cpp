@@ -120,9 +120,9 @@ ConstraintLaws constraint_laws(const Kinematics& kinematics, const ConstraintEqu
     position.push_back(equations.position[i]);
     its_velocity.push_back(equations.velocity[i]);
   }
-  constexpr unsigned kStatesOfRank = 16, kRequired = 4;
+  constexpr unsigned kLawStates = 16, kRequired = 4;
   Worst position_rate, velocity_rate;
-  for (unsigned seed = 1; seed <= kStatesOfRank; ++seed) {
+  for (unsigned seed = 1; seed <= kLawStates; ++seed) {
     const std::vector<double> state = state_values(mechanism, kinematics.graph, seed);
     const MovingState motion(kinematics, state);
     if (!position.empty()) position_rate.measure(motion, position, values_of(its_velocity, state));

@@ -27,8 +27,9 @@ constexpr bool is_far_longer(std::size_t operations, std::size_t least) {
   return operations > least + least / 10 + 30;
 }
 
-/// How far optimising goes behind each of its stages: the most that was seen of lists that are compared with one another,
-/// which are alike. By it a list is given up that would be longer in the end than what there is.
+/// How much shorter optimising still makes a list behind each of its stages, at most, of the lists seen so far. Lists that are
+/// compared with one another are alike: one that would end longer than it may, by this, is given up. It is a choice of length
+/// only.
 class LengthTrend {
  public:
   /// Whether a list will take more than `most` operations, of which it takes so many at a stage.

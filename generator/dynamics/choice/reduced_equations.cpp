@@ -222,10 +222,9 @@ class Search {
 
   /// Operations of what may be the best list or one of those near it.
   std::optional<std::size_t> length_if_kept(const std::vector<Expr>& values) {
-    std::size_t most = std::numeric_limits<std::size_t>::max();
-    if (good_) most = near_limit();
-    if (good_ && near_.size() == kNear) most = std::min(most, near_.back().length);
     if (!small_) return length_of(values).first;
+    std::size_t most = std::numeric_limits<std::size_t>::max();
+    if (good_) most = near_.size() == kNear ? std::min(near_limit(), near_.back().length) : near_limit();
     const std::optional<Length> length = kinematics_.lengths.within(most, values, trend_);
     return length ? std::optional(length->first) : std::nullopt;
   }

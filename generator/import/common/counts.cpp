@@ -12,4 +12,11 @@ std::string counts_text(const Counts& counts) {
   return out;
 }
 
+std::string left_text(const Counts& approximated, const Counts& left_out) {
+  std::string out;
+  if (!approximated.empty()) out = "approximated: " + counts_text(approximated);
+  if (!left_out.empty()) out += (out.empty() ? "" : "; ") + ("left out: " + counts_text(left_out));
+  return out;
+}
+
 }  // namespace alembert

@@ -111,7 +111,8 @@ DescribedRobot describe_osim(const std::shared_ptr<const SourceText>& source, co
   add_osim_forces(out);
   add_osim_constraints(out);
   YamlNode& root = out.finish();
-  return {Document(source, out.nodes.take(), root), std::move(out.warnings), out.left()};
+  return {Document(source, out.nodes.take(), root), std::move(out.warnings),
+          left_text(out.nearly, out.left_out)};
 }
 
 }  // namespace alembert

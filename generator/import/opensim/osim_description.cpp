@@ -131,13 +131,6 @@ void OsimDescription::approximated(pugi::xml_node element, const std::string& ho
                       fmt::format("approximated {}", element.name())});
 }
 
-std::string OsimDescription::left() const {
-  std::string out;
-  if (!nearly.empty()) out = "approximated: " + counts_text(nearly);
-  if (!left_out.empty()) out += (out.empty() ? "" : "; ") + ("left out: " + counts_text(left_out));
-  return out;
-}
-
 /// Parameters and definitions that nothing needs, such as the position of a locked coordinate that turns nothing.
 void OsimDescription::drop_unused() {
   for (bool more = true; more;) {
@@ -155,7 +148,7 @@ YamlNode& OsimDescription::finish() {
   const SourceLocation& top = model.where;
   std::string about = fmt::format("OpenSim model '{}'", printable(model.name));
   if (!taken.empty()) about += "; taken: " + counts_text(taken);
-  if (const std::string rest = left(); !rest.empty()) about += "; " + rest;
+  if (const std::string rest = left_text(nearly, left_out); !rest.empty()) about += "; " + rest;
   YamlNode& root = nodes.root(model.name, about, top);
   nodes.put(root, "gravity", nodes.numbers(model.gravity, top));
   const auto put_named = [&](const char* key, const std::vector<Named>& list) {

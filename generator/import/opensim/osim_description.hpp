@@ -24,8 +24,6 @@ struct OsimDescription {
 
   /// What stands for a coordinate in expressions: itself, a parameter or a definition.
   const std::string& text_of(std::size_t coordinate) const { return coordinate_names[coordinate]; }
-  /// Whether it is a coordinate of the description too.
-  bool moves(std::size_t coordinate) const { return independent[coordinate]; }
 
   /// The coordinate of the description that moves this one, and how far this one goes for it: itself and 1, or what
   /// it follows in proportion. None if it stands still, is prescribed, or follows along a curve.
@@ -52,8 +50,6 @@ struct OsimDescription {
   /// Left out, with a warning.
   void left(pugi::xml_node element, const std::string& why, const std::string& note = {});
   void approximated(pugi::xml_node element, const std::string& how, const std::string& note = {});
-  /// What was approximated and what left out, in a line.
-  std::string left() const;
 
   /// The whole description.
   YamlNode& finish();
@@ -69,8 +65,7 @@ struct OsimDescription {
   std::vector<std::string> bodies;            ///< names by body; the ground is the world
   std::vector<std::string> coordinate_names;  ///< by coordinate
   std::vector<bool> independent;              ///< by coordinate
-  std::vector<bool>
-      driven;  ///< by coordinate: independent, or follows others that are, along a curve or in proportion
+  std::vector<bool> driven;                   ///< by coordinate: independent, or a function of such ones
   std::map<std::size_t, std::pair<std::size_t, double>> follows;  ///< of those coupled in proportion
   /// Sections that are lists, and the names and texts of the others.
   std::map<std::string, YamlNode*> sections;

@@ -45,7 +45,7 @@ std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
   const auto driver = out.driver(coordinate);
   if (!driver && out.driven[coordinate]) return Along{name, "rate", "", 1};
   if (!driver) {
-    out.left(force, fmt::format("'{}' is locked or prescribed", name));
+    out.left(force, fmt::format("'{}' is locked or prescribed, or follows what is", name));
     return {};
   }
   const std::string& on = out.text_of(driver->first);

@@ -64,8 +64,8 @@ class SdfDescriber {
                                        {"forces", &forces},
                                        {"constraints", &constraints}})
       if (!section->items.empty()) nodes_.put(root, key, *section);
-    return {Document(source, nodes_.take(), root), std::move(warnings_),
-            model_.left_out.empty() ? "" : "left out: " + counts_text(model_.left_out), model_.files};
+    return {Document(source, nodes_.take(), root), std::move(warnings_), left_text({}, model_.left_out),
+            model_.files};
   }
 
  private:

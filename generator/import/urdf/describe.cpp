@@ -45,7 +45,7 @@ class Describer {
     if (!forces.items.empty()) nodes_.put(root, "forces", forces);
     warn();
     return {Document(std::move(source), nodes_.take(), root), std::move(warnings_),
-            robot_.left_out.empty() ? "" : "left out: " + counts_text(robot_.left_out)};
+            left_text({}, robot_.left_out)};
   }
 
  private:

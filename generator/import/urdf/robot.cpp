@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "import/common/xml_text.hpp"
@@ -51,10 +52,9 @@ constexpr GazeboRow kGazebo[] = {
     {"kinematic", is_on, ""},
     {"static", is_on, "a root that is fixed (without --root floating) stands still"}};
 
-/// What has no place in a description: in the robot, its links and its joints.
-constexpr std::string_view kLeftOut[] = {
-    "calibration", "collision", "constraint",        "contact",      "gazebo", "loop",
-    "loop_joint",  "mujoco",    "safety_controller", "ros2_control", "sensor"};
+/// What else has no place in a description: in the robot, its links and its joints.
+constexpr std::string_view kLeftOut[] = {"calibration", "collision",         "contact",      "gazebo",
+                                         "mujoco",      "safety_controller", "ros2_control", "sensor"};
 
 constexpr std::string_view kVital[] = {"link",   "joint", "inertial",   "origin", "mass",  "inertia",
                                        "parent", "child", "axis",       "mimic",  "value", "ixx",
@@ -126,8 +126,10 @@ class RobotReader {
   }
 
   void count_left_out(pugi::xml_node element) {
-    if (std::ranges::find(kLeftOut, std::string_view(element.name())) != std::end(kLeftOut))
-      ++robot_.left_out[element.name()];
+    const auto is_among = [&](std::span<const std::string_view> names) {
+      return std::ranges::find(names, std::string_view(element.name())) != names.end();
+    };
+    if (is_among(kLeftOut) || is_among(kLoops)) ++robot_.left_out[element.name()];
   }
 
   void warn_of_loops(pugi::xml_node root) const {

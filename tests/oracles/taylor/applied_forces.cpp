@@ -25,12 +25,12 @@ struct Layout {
          const Jet<R>& t)
       : frames(frame_poses(description, q, t)) {
     for (const FramePath& path : description.paths) {
-      std::vector<std::size_t> on_it;
       if (path.value) {
         lengths.push_back(evaluate(path.value, variables_along(description, state, q, *this), t));
         ways.emplace_back();
         continue;
       }
+      std::vector<std::size_t> on_it;
       for (const PathPoint& point : path.points) {
         if (!point.when ||
             leading(evaluate(point.when, variables_along(description, state, q, *this), t)) > 0)
