@@ -107,18 +107,21 @@ class ImplicitEquations {
     return Status::ok;
   }
 
-  /// x of the linearly implicit step.
-  [[nodiscard]] Status predict(Speeds& rate, Unknowns& x) {
+  /// M and c of the start, at the time of the end, and units by them.
+  [[nodiscard]] Status begin() {
     system_.set_time(start_ + h_);  // so that a motion prescribed in time is followed
     system_.mass_matrix_and_bias(q_, u_, mass_, c_);
+    return set_units();
+  }
+  /// x of the linearly implicit step. \return not_positive_definite where M is singular
+  [[nodiscard]] Status predict(Speeds& rate, Unknowns& x) {
+    x.setZero(A_.rows());
     if (system_.nc() == 0) {
       auto factor = mass_;
       rate = c_;
       if (const Status status = solve_for_rates(tau_, factor, rate); status != Status::ok) return status;
     }
-    if (const Status status = set_units(); status != Status::ok) return status;
     system_.inverse_dynamics_derivatives(q_, u_, rate, K_, C_);
-    x.setZero(A_.rows());
     const Eigen::Index n = u_.rows();
     for (Eigen::Index i = 0; i < n; ++i) {
       S side = tau_(i) - c_(i);
@@ -280,11 +283,12 @@ template <class System, class Coordinates, class Speeds>
     if (const Status status = equations.set_constraints(options, rate, report); status != Status::ok)
       return status;
   }
+  if (const Status status = equations.begin(); status != Status::ok) return status;
   typename Equations::Unknowns x;
   const Status predicted = equations.predict(rate, x);
   if (predicted != Status::ok) {
-    if (predicted != Status::singular_step || !iterate) return predicted;
-    x.setZero();
+    if (predicted == Status::not_finite || !iterate) return predicted;
+    x.setZero();  // the step's end may be regular all the same, by the forces
   }
   converged = !iterate || !(h < 0 || h > 0) || equations.refine(x);
   if (!converged && predicted != Status::ok) return predicted;

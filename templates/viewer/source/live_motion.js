@@ -2,7 +2,8 @@
 // (scene_data.js), time that passes, a point that is pulled. Out: coordinates, speeds, poses, energy.
 //
 // Without forces in the description, steps are RK4, by forward_dynamics where there are no constraints; with forces, which may
-// be stiff, they are linearly implicit as linearly_implicit_euler_step of the runtime. Constraints are kept by projecting the state after each step.
+// be stiff, they are of the backward Euler method. Steps that are inexact are made again in halves. Constraints are kept by projecting the
+// state after each step.
 import { ConstrainedEquations } from "./linear_equations.js";
 import { Pull } from "./pull.js";
 
@@ -14,6 +15,8 @@ const kProjections = 6;
 const kHalvings = 7;      // of a step
 const kExact = 1e-4;      // of the kinetic energy may be lost in a step
 const kBearable = 1e-2;   // of it in one that is not halved again
+const kIterations = 3;
+const kImplicitlyExact = 1e-10;  // of the kinetic energy may be that of what an iteration adds to the speeds
 const kRounding = 1e-12;  // of the potential energy cannot be told
 const kKept = 1e-9;       // a constraint is kept to
 
@@ -179,28 +182,63 @@ export class LiveMotion {
     this.work += work;
   }
 
+  /// Backward Euler by Newton's method: M (u - u0) = h (tau - c) and the constraints' velocities, where the step ends. From the second
+  /// iteration on, an iteration of the old matrix shows whether it has converged; returns whether it did.
   stepImplicitly(h) {
+    const { q, u, A, pull, dynamics, derivatives, side, tau } = this;
     const { nv } = this.module;
-    const { A, pull } = this;
-    const rate = new Float64Array(nv);
-    this.accelerate(this.q, this.u, this.t + h, this.states, rate);
-    const { M, c } = this.dynamics;
-    const { tau_q, tau_qd } = this.module.inverse_dynamics_derivatives(this.q, this.u, rate, this.inputs, this.derivatives);
-    for (let k = 0; k < A.length; ++k) A[k] = M[k] + h * (tau_qd[k] + h * tau_q[k]);
-    const change = new Float64Array(nv);
-    for (let i = 0; i < nv; ++i) {
-      let sum = -c[i];
-      for (let j = 0; j < nv; ++j) sum -= h * tau_q[i * nv + j] * this.u[j];
-      change[i] = h * sum;
-    }
-    pull?.addToStep(A, change, this.u, h);
-    for (let r = 0; r < this.nc; ++r) this.side[r] = -h * this.rows.gamma[r];
-    if (!this.equations.solve(A, change, this.rows.P, this.side)) this.problem = "the equations of a step are singular here";
-    for (let i = 0; i < nv; ++i) this.u[i] += change[i];
-    this.work += pull?.workInStep(this.u, change, h) ?? 0;
-    this.addRates(this.q, this.u, h);
+    const [q0, u0] = [q, u].map((x) => Float64Array.from(x));
+    const [change, rate, correction] = [0, 0, 0].map(() => new Float64Array(nv));
+    let before = null;
     this.t += h;
+    // The equations at the speeds that there are now into correction.
+    const residual = () => {
+      q.set(q0);
+      this.addRates(q, u, h);
+      const inputs = this.evaluate(q, u, this.t, this.states);
+      before ??= this.kineticOf(u0);
+      tau.fill(0);
+      pull?.move(q, inputs);
+      pull?.addTo(tau, u);
+      for (let i = 0; i < nv; ++i) {
+        change[i] = u[i] - u0[i];
+        correction[i] = h * (tau[i] - dynamics.c[i]);
+      }
+      for (let i = 0; i < nv; ++i) for (let j = 0; j < nv; ++j) correction[i] -= dynamics.M[i * nv + j] * change[j];
+      for (let r = 0; r < this.nc; ++r) side[r] = -this.rows.velocity[r];
+      return inputs;
+    };
+    const iterate = () => {
+      if (!this.equations.solve(A, correction, this.rows.P, side)) this.problem = "the equations of a step are singular here";
+      for (let i = 0; i < nv; ++i) u[i] += correction[i];
+    };
+    let converged = false;
+    for (let k = 0; k < kIterations && !converged && !this.problem; ++k) {
+      const inputs = residual();
+      for (let i = 0; i < nv; ++i) rate[i] = change[i] / h;
+      const { tau_q, tau_qd } = this.module.inverse_dynamics_derivatives(q, u, rate, inputs, derivatives);
+      for (let i = 0; i < A.length; ++i) A[i] = dynamics.M[i] + h * (tau_qd[i] + h * tau_q[i]);
+      pull?.addToMatrix(A, h);
+      iterate();
+      residual();
+      iterate();
+      const scale = Math.max(before, this.kineticOf(u), this.kineticOf(change));
+      converged = this.kineticOf(correction) <= kImplicitlyExact * scale + kRounding * Math.abs(this.energy()[1]);
+    }
+    q.set(q0);
+    this.addRates(q, u, h);
+    for (let i = 0; i < nv; ++i) change[i] = u[i] - u0[i];
+    this.work += pull?.workInStep(u, change, h) ?? 0;
     this.stepStates(h);
+    return converged;
+  }
+  /// Of speeds u with the mass matrix that was evaluated last, J.
+  kineticOf(u) {
+    const { M } = this.dynamics;
+    const n = u.length;
+    let sum = 0;
+    for (let i = 0; i < n; ++i) for (let j = 0; j < n; ++j) sum += 0.5 * u[i] * M[i * n + j] * u[j];
+    return sum;
   }
   /// q goes on at speeds u for a time.
   addRates(q, u, h) {
@@ -250,29 +288,32 @@ export class LiveMotion {
     this.kept = position.every((x) => Math.abs(x) <= kKept);
   }
 
-  /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Steps of RK4 after which the energy has
-  /// not changed by the work of the hand are made again, in halves; where the shortest ones fail, the motion stops.
+  /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Inexact steps are made again, in halves: of RK4
+  /// those after which the energy has not changed by the work of the hand, of backward Euler those whose iterations do not converge. Where the
+  /// shortest of them fail, the motion stops.
   step(h, halvings = kHalvings) {
     const state = [this.q, this.u, this.states];
     const before = state.map((x) => Float64Array.from(x));
     const { t, work, kept } = this;
+    const last = halvings === 0;
     const energy = this.energy();
-    if (this.stiff) this.stepImplicitly(h);
+    let exact = true;
+    if (this.stiff) exact = this.stepImplicitly(h);
     else this.stepByRk4(h);
     this.settle();
     const finite = state.every((x) => x.every(Number.isFinite));
-    const inexact = finite && kept && this.isInexact(energy, work, halvings === 0 ? kBearable : kExact);
-    if (finite && this.problem === "" && !inexact) return true;
-    const problem = this.problem || (inexact ? "the motion is too fast here for its steps" : "the motion has no finite state from here");
+    if (finite && kept && !this.stiff) exact = !this.isInexact(energy, work, last ? kBearable : kExact);
+    if (finite && this.problem === "" && exact) return true;
+    const problem = this.problem || (finite ? "the motion is too fast here for its steps" : "the motion has no finite state from here");
     state.forEach((x, k) => x.set(before[k]));
     Object.assign(this, { t, work, kept, problem: "" });
-    if (halvings > 0 && !this.stiff) return this.step(h / 2, halvings - 1) && this.step(h / 2, halvings - 1);
+    if (!last) return this.step(h / 2, halvings - 1) && this.step(h / 2, halvings - 1);
     this.problem = problem;
     return false;
   }
   /// Not told where something else than the hand may do work, nor of a step from a state that breaks constraints.
   isInexact([kinetic, potential], work, share) {
-    if (this.stiff || this.timed) return false;
+    if (this.timed) return false;
     const [after, place] = this.energy();
     const gained = after + place - kinetic - potential;
     const untold = kRounding * Math.max(Math.abs(potential), Math.abs(place));

@@ -59,26 +59,23 @@ export class Pull {
     return power;
   }
 
-  /// Adds to the equations A du = b of a step h the force that there will be at its end.
-  addToStep(A, b, u, h) {
+  /// Adds to the matrix of a step of h that ends here what the force changes by with the speeds after it.
+  addToMatrix(A, h) {
     const { J, size: n, stiffness, damping } = this;
     const stiffer = h * damping + h * h * stiffness;
-    for (let a = 0; a < 3; ++a) {
-      const force = stiffness * (this.target[a] - this.at[a]) - (damping + h * stiffness) * this.velocity(u, a);
+    for (let a = 0; a < 3; ++a)
       for (let i = 0; i < n; ++i) {
         const entry = J[a * n + i];
         if (entry === 0) continue;
-        b[i] += h * entry * force;
         for (let j = 0; j < n; ++j) A[i * n + j] += stiffer * entry * J[a * n + j];
       }
-    }
   }
-  /// The work of that force, with the speeds after the step and their change.
+  /// The work in a step of h that ended here, with the speeds after it and their change.
   workInStep(u, change, h) {
     let work = 0;
     for (let a = 0; a < 3; ++a) {
       const after = this.velocity(u, a);
-      const force = this.stiffness * (this.target[a] - this.at[a] - h * after) - this.damping * after;
+      const force = this.stiffness * (this.target[a] - this.at[a]) - this.damping * after;
       work += h * force * (after - this.velocity(change, a) / 2);
     }
     return work;
