@@ -184,7 +184,53 @@ async function checkHand(browser) {
   await page.keyboard.press("ArrowRight");
   assert.equal(await page.evaluate(() => document.body.dataset.mode), "live");
   await page.keyboard.press(" ");
-  assert.equal(await page.evaluate(() => document.querySelector("#play").dataset.state), "paused");
+  const playing = () => page.evaluate(() => document.querySelector("#play").dataset.state);
+  assert.equal(await playing(), "paused");
+
+  // Paths are of the live motion there, from when they are asked for or the motion begins anew, and of the recorded one in its mode.
+  await page.click("#trails");
+  const paths = () => page.evaluate(() => {
+    const { live } = window.viewer;
+    const { trails, bodies, data } = live.stage.mechanisms[0];
+    const center = bodies[1].position.clone().set(...data.bodies[1].center).applyMatrix4(bodies[1].updateMatrix() ?? bodies[1].matrix);
+    const { array } = trails.live.children[1].geometry.attributes.position;
+    const last = array.subarray(3 * (trails.count - 1), 3 * trails.count);
+    return { live: trails.live.visible, recorded: trails.recorded.visible, count: trails.count, off: Math.hypot(...center.toArray().map((x, a) => x - last[a])) };
+  });
+  const moveBy = (steps) => page.evaluate((steps) => {
+    const { live } = window.viewer;
+    for (let k = 0; k < steps; ++k) {
+      live.motions[0].step(0.002);
+      live.show();
+    }
+    live.show();  // the same moment again
+  }, steps);
+  await moveBy(1500);
+  let path = await paths();
+  assert.ok(path.live && !path.recorded && path.count === 1200 && path.off < 1e-6, JSON.stringify(path));
+  await page.click("#reset");
+  await moveBy(9);
+  path = await paths();
+  assert.ok(path.count === 10 && path.off < 1e-6, JSON.stringify(path));
+  await page.click("#recorded");
+  path = await paths();
+  assert.ok(path.recorded && !path.live);
+  await page.click("#live");
+  await page.keyboard.press(" ");
+
+  // What stopped by itself moves again after a reset; what was paused stays so.
+  await page.click("#reset");
+  assert.equal(await playing(), "paused");
+  await page.evaluate(() => {
+    window.viewer.live.motions[0].problem = "a wall";
+    window.viewer.play();
+  });
+  await page.waitForFunction(() => document.querySelector("#play").dataset.state === "paused");
+  assert.match(await page.$eval("#hint", (hint) => hint.textContent), /^It stops: a wall/);
+  await page.click("#reset");
+  assert.equal(await playing(), "playing");
+  await page.waitForFunction(() => window.viewer.time > 0);
+  await page.keyboard.press(" ");
 
   // A finger.
   [x, y] = await place();

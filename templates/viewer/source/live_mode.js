@@ -9,6 +9,7 @@ export class LiveMode {
   constructor(stage, data, onGrab) {
     this.stage = stage;
     this.motions = data.mechanisms.map(({ live, bodies }) => (live ? new LiveMotion(live, bodies) : null));
+    this.names = data.mechanisms.map(({ name }) => name);
     this.records = data.mechanisms.map((mechanism, i) => this.motions[i] && new LiveRecord(mechanism, this.motions[i]));
     this.on = false;
     this.grab = new Grab(stage, this.motions, () => this.on, onGrab);
@@ -20,20 +21,24 @@ export class LiveMode {
     else this.show();
   }
 
-  /// Time passes. Returns what stops a mechanism, or nothing.
+  /// Time passes for the mechanisms that nothing stops.
   advance(seconds) {
-    let problem = "";
-    this.motions.forEach((motion, i) => {
-      if (!motion) return;
-      if (!motion.advance(seconds)) problem ||= motion.problem;
-      this.records[i].append();
-    });
+    this.motions.forEach((motion, i) => motion?.advance(seconds) && this.records[i].append());
     this.show();
-    return problem;
+  }
+  /// What stops mechanisms, of which they may be one of several, or nothing.
+  get problem() {
+    const stopped = this.names.map((name, i) => [name, this.motions[i]?.problem]).filter(([, problem]) => problem);
+    return stopped.map(([name, problem]) => (this.names.length > 1 ? `${name}: ${problem}` : problem)).join("; ");
+  }
+  /// Whether nothing moves any more.
+  get stopped() {
+    return this.motions.every((motion) => !motion || motion.problem);
   }
 
   reset() {
     this.grab.release();
+    this.stage.clearLiveTrails();
     this.motions.forEach((motion, i) => {
       motion?.reset();
       this.records[i]?.clear();
@@ -42,11 +47,11 @@ export class LiveMode {
   }
 
   show() {
-    this.stage.showLive(this.motions.map((motion, i) => motion && { poses: motion.poses(), forces: this.records[i].now }));
+    this.stage.showLive(this.motions.map((motion, i) => motion && { poses: motion.poses(), time: motion.t, forces: this.records[i].now }));
     this.grab.show();
   }
 
   get time() {
-    return this.motions.find((motion) => motion)?.t ?? 0;
+    return this.motions.reduce((latest, motion) => Math.max(latest, motion?.t ?? -Infinity), -Infinity);
   }
 }

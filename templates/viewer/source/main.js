@@ -49,11 +49,13 @@ function setMode(on) {
 }
 
 function reset() {
+  const goesOn = state.playing || live.stopped;  // what stopped by itself was not paused
   setMode(true);
   live.reset();
   note("");
   show();
   plots.resize(state.theme);
+  if (goesOn) play();
 }
 
 function note(text) {
@@ -73,13 +75,11 @@ function step(now) {
   const elapsed = Math.min(Math.max(now - state.last, 0) / 1000, 0.1);  // the first frame may lie before play()
   state.last = now;
   if (live?.on) {
-    const problem = live.advance(elapsed * speed());
+    live.advance(elapsed * speed());
     showClock(live.time);
     plots.grow(state.theme);
-    if (problem) {
-      note(problem);
-      pause();
-    }
+    if (live.problem) note(live.problem);
+    if (live.stopped) pause();
     requestAnimationFrame(step);
     return;
   }

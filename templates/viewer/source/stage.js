@@ -1,7 +1,7 @@
 // The three-dimensional part: meshes, lights, ground and camera. In: a scene (scene_data.js) and a time. Out: a picture.
 import {
   ACESFilmicToneMapping, BufferAttribute, BufferGeometry, Box3, CircleGeometry, Color, DirectionalLight, DoubleSide,
-  Fog, FrontSide, Group, HemisphereLight, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial,
+  Fog, FrontSide, Group, HemisphereLight, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial,
   PCFShadowMap, PerspectiveCamera, PMREMGenerator, Quaternion, Scene, ShadowMaterial, Sphere, SRGBColorSpace, Vector3,
   WebGLRenderer,
 } from "three";
@@ -9,6 +9,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { ForcesView } from "./forces_view.js";
 import { frameAt } from "./scene_data.js";
+import { Trails } from "./trails.js";
 
 const kLook = {
   light: { background: "#eef0f3", grid: "#c3c9d1", sky: "#ffffff", ground: "#b8bcc4", hemisphere: 0.7, environment: 0.35, key: 2.0, shadow: 0.28 },
@@ -141,14 +142,17 @@ class MechanismView {
       }
       node.quaternion.normalize();
     });
+    this.trails?.choose(false);
     if (this.liveForces) this.liveForces.group.visible = false;
     this.forces = this.recordedForces;
     this.forces.group.visible = true;
     this.forces.seek(frame, share);
   }
 
-  /// Bodies at poses [R p], row by row, and forces as they are now (live_record.js).
-  place(W, forces) {
+  /// Bodies at poses [R p], row by row, at a time, and forces as they are then (live_record.js).
+  place(W, time, forces) {
+    this.trails?.choose(true);
+    this.trails?.append(W, time);
     const matrix = new Matrix4();
     const size = new Vector3();
     this.bodies.forEach((node, i) => {
@@ -165,26 +169,13 @@ class MechanismView {
     this.forces.seek(0, 0);
   }
 
+  /// Paths are of the live motion from when they are first asked for.
   showTrails(visible) {
     if (visible && !this.trails) {
-      this.trails = new Group();
-      for (const body of this.data.bodies) {
-        const points = new Float32Array(body.origins.length);
-        const point = new Vector3();
-        const rotation = new Quaternion();
-        for (let k = 0; 3 * k < points.length; ++k) {
-          rotation.fromArray(body.rotations, 4 * k);
-          point.fromArray(body.center).applyQuaternion(rotation);
-          for (let a = 0; a < 3; ++a) points[3 * k + a] = body.origins[3 * k + a] + point.getComponent(a);
-        }
-        const geometry = new BufferGeometry();
-        geometry.setAttribute("position", new BufferAttribute(points, 3));
-        const color = new Color(...(body.parts[0]?.color ?? [0.5, 0.5, 0.5])).convertSRGBToLinear();
-        this.trails.add(new Line(geometry, new LineBasicMaterial({ color, transparent: true, opacity: 0.75 })));
-      }
-      this.group.add(this.trails);
+      this.trails = new Trails(this.data.bodies);
+      this.group.add(this.trails.group);
     }
-    if (this.trails) this.trails.visible = visible;
+    if (this.trails) this.trails.group.visible = visible;
   }
 }
 
@@ -377,7 +368,7 @@ export class Stage {
   /// The same of mechanisms as they are now: poses of the bodies and forces, where there are. Where the recorded motion stays
   /// near, the picture goes along with what leaves the middle of it.
   showLive(moments) {
-    this.mechanisms.forEach((mechanism, i) => moments[i] && mechanism.place(moments[i].poses, moments[i].forces));
+    this.mechanisms.forEach((mechanism, i) => moments[i] && mechanism.place(moments[i].poses, moments[i].time, moments[i].forces));
     if (this.follows) {
       this.followTheMiddle();
     } else {
@@ -407,6 +398,9 @@ export class Stage {
     this.floor.position.set(this.away.x, this.away.y, 0).add(this.floorCenter);
   }
 
+  clearLiveTrails() {
+    for (const { trails } of this.mechanisms) trails?.clear();
+  }
   showTrails(visible) {
     for (const mechanism of this.mechanisms) mechanism.showTrails(visible);
     this.draw();
