@@ -58,12 +58,14 @@ def test_stiff_forces_are_taken_at_the_step_of_a_frame(tmp_path):
         u = (2 * u - h * 2000 * x) / (2 + h * 4001 + h * h * 2000)
         x = x + h * u
         assert np.allclose(motion.q[k, :, 0], x, rtol=1e-11, atol=0) and np.allclose(motion.qd[k, :, 0], u, rtol=1e-9, atol=1e-12)
+    by_newton = alembert.simulate(m, [[1.0], [-2.0]], [[0.0], [0.5]], 1, h, method="implicit")
+    assert np.allclose(by_newton.q, motion.q, rtol=1e-9, atol=0)
     assert not np.all(np.abs(alembert.simulate(m, [1.0], [0.0], 1, h).q) < 1e3)
     # What tau is, it is for a step: from its beginning.
     times = []
     alembert.simulate(m, [1.0], [0.0], 0.03, 0.01, lambda t, q, qd: times.append(t) or 0 * qd, method="linearly-implicit")
     assert times == [0, 0.01, 0.02]
-    with pytest.raises(ValueError, match="method: expected 'rk4' or 'linearly-implicit', found 'magic'"):
+    with pytest.raises(ValueError, match="method: expected 'rk4', 'linearly-implicit' or 'implicit', found 'magic'"):
         alembert.simulate(m, [1.0], [0.0], 1, h, method="magic")
     short = alembert.load(file, functions=["mass_matrix_and_bias"])
     with pytest.raises(ValueError, match="written without inverse_dynamics_derivatives, which motions need"):
@@ -170,10 +172,33 @@ def test_what_is_not_finite_stays_so_without_a_word(load):
     assert not np.all(np.isfinite(motion.q[-1, 0])) and np.all(np.isfinite(motion.q[:, 1]))
 
 
-def test_constraints_and_missing_functions_are_refused(load):
+def test_constraints_are_kept(load):
     disc = load("paper/rolling_disc")
-    with pytest.raises(ValueError, match="rolling_disc has constraints"):
-        alembert.simulate(disc, disc.initial_coordinates, disc.initial_speeds, 1, 0.1)
+    motion = disc.simulate(disc.initial_coordinates, disc.initial_speeds, 0.205, 0.01, every=4)
+    assert np.allclose(motion.t, [0, 0.04, 0.08, 0.12, 0.16, 0.2, 0.205], atol=1e-14) and motion.q.shape == (7, disc.nq)
+    rows = by_the_command("paper/rolling_disc", 0.205, 0.01, disc.initial_coordinates, disc.initial_speeds)[[0, 4, 8, 12, 16, 20, 21]]
+    assert np.allclose(motion.q, rows[:, 1:1 + disc.nq], rtol=0, atol=1e-9)
+    assert np.allclose(motion.qd, rows[:, 1 + disc.nq:1 + disc.nq + disc.nv], rtol=0, atol=1e-9)
+    assert np.abs(disc.constraints(motion.q, motion.qd).velocity).max() < 1e-9
+    # Many, with a law of forces, which sees each as one does.
+    law = lambda t, q, qd: -0.1 * qd
+    q, qd = np.tile(disc.initial_coordinates, (3, 1)), np.outer([1, 0.5, 0], disc.initial_speeds)
+    many = disc.simulate(q, qd, 0.1, 0.01, law, method="implicit")
+    one = disc.simulate(q[1], qd[1], 0.1, 0.01, law, method="implicit")
+    assert many.qd.shape == (11, 3, disc.nv) and np.array_equal(many.q[:, 1], one.q) and np.array_equal(many.qd[:, 1], one.qd)
+    assert not np.allclose(one.qd, disc.simulate(q[1], qd[1], 0.1, 0.01, method="implicit").qd, atol=1e-6)
+
+
+def test_steps_that_there_are_none_of_are_nan_with_a_warning(load):
+    disc = load("paper/rolling_disc")
+    q, qd = np.tile(disc.initial_coordinates, (2, 1)), np.tile(disc.initial_speeds, (2, 1))
+    qd[1] *= 1e200
+    with pytest.warns(RuntimeWarning, match=r"motion 1 of rolling_disc ends at t = 0 s: "):
+        motion = disc.simulate(q, qd, 0.03, 0.01)
+    assert np.all(np.isfinite(motion.q[:, 0])) and np.all(np.isfinite(motion.q[0])) and np.all(np.isnan(motion.q[1:, 1]))
+
+
+def test_missing_functions_are_refused(load):
     m = load("free_body", ["energy"])
     with pytest.raises(ValueError, match="without forward_dynamics"):
         alembert.simulate(m, m.initial_coordinates, m.initial_speeds, 1, 0.1)

@@ -1,10 +1,13 @@
 """The motion of a loaded mechanism in time, of one state or of many at once: alembert.simulate."""
 import math
+import warnings
 from types import ModuleType
-from typing import Any, Callable, Dict, Mapping, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
+
+from .rollouts import STATUSES, rollout
 
 __all__ = ["Motion", "simulate"]
 
@@ -29,8 +32,6 @@ def _start(module: ModuleType, label: str, value: ArrayLike, size: int) -> NDArr
 
 
 def _needed(module: ModuleType, method: str) -> None:
-    if module.constraint_names:
-        raise ValueError(f"{module.name} has constraints, which this does not keep: `alembert simulate` does")
     missing = [] if hasattr(module, "forward_dynamics") or hasattr(module, "mass_matrix_and_bias") else ["forward_dynamics"]
     if module.quaternion_offsets and not hasattr(module, "coordinate_rates"):
         missing.append("coordinate_rates")
@@ -107,6 +108,43 @@ def _forces(module: ModuleType, value: ArrayLike, speeds: NDArray[Any]) -> NDArr
         raise ValueError(f"tau: expected what broadcasts to {speeds.shape}, found {array.shape}") from None
 
 
+def _by_compiled_steps(module: ModuleType, times: NDArray[Any], kept: List[int], start: Tuple[NDArray[Any], ...], step: float,
+                       tau: Union[ArrayLike, Force, None], method: str, inputs: Dict[str, Any]) -> Motion:
+    """A motion by the steppers of alembert.rollout, which keep constraints. NaN, with a warning, after the last step that there is."""
+    one = start[0].ndim == 1
+    now = [array[None] if one else array for array in start]
+
+    def force(t: float, q: NDArray[Any], qd: NDArray[Any], *_: Any) -> Any:
+        return _forces(module, tau(t, q[0], qd[0]) if one else tau(t, q, qd), qd[0] if one else qd)  # type: ignore[operator]
+
+    u = force if callable(tau) else _forces(module, 0.0 if tau is None else tau, now[1])
+    count = len(times) - 1
+    whole = count - 1 if count > 0 and abs(times[-1] - times[-2] - step) > 1e-9 * step else count
+    rows = [[array[:, None]] for array in now]  # moments of all motions, one after the other
+    steps, status = numpy.zeros(len(now[0]), int), numpy.zeros(len(now[0]), int)
+    for first, last in ((0, whole), (whole, count)):
+        if first == last:
+            continue
+        length = step if first == 0 and whole > 0 else float(times[last] - times[first])
+        done = rollout(module, now[0], now[1], u, controls="forces", steps=last - first, step=length, t=float(times[first]),
+                       method=method, every=1, states=now[2] if module.state_names else None, **inputs)
+        for row, array in zip(rows, (done.q, done.qd, done.states)):
+            row.append(array[:, 1:])
+        now = [array[:, -1] for array in (done.q, done.qd, done.states)]
+        steps, status = numpy.where(status == 0, steps + done.steps, steps), numpy.where(status == 0, done.status, status)
+    for i in numpy.flatnonzero(status):
+        which = "" if one else f" {i}"
+        warnings.warn(f"motion{which} of {module.name} ends at t = {times[steps[i]]:.9g} s: {STATUSES[status[i]]}", RuntimeWarning,
+                      stacklevel=3)
+    found = []
+    for row in rows:
+        array = numpy.concatenate(row, axis=1)
+        for i in numpy.flatnonzero(status):
+            array[i, steps[i] + 1:] = numpy.nan
+        found.append(array[0, kept] if one else array[:, kept].transpose(1, 0, 2))
+    return Motion(times[kept], *found)
+
+
 def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step: float,
              tau: Union[ArrayLike, Force, None] = None, *, t: float = 0.0, every: int = 1, method: str = "rk4",
              states: Optional[ArrayLike] = None, **inputs: Any) -> Motion:
@@ -121,23 +159,28 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     tau     generalized forces: nothing; an array that broadcasts to qd, which is held; or a function of (t, q, qd), called four
             times a step, whose q has unit quaternions
     t       time of the beginning, s
-    method  "rk4"; or "linearly-implicit": the linearly implicit Euler method, order 1 and L-stable, for hard springs and
-            strong dampers of the description at long steps. It damps, takes `tau` once a step and holds it, and needs
-            mass_matrix_and_bias and inverse_dynamics_derivatives
+    method  "rk4"; or, of order 1 and L-stable, for hard springs, strong dampers and contacts of the description at long steps:
+            "linearly-implicit", which needs mass_matrix_and_bias and inverse_dynamics_derivatives, or "implicit". They damp,
+            take `tau` once a step and hold it
     states  (ns,) or (N, ns): what the states of the description, state_names, begin with; their initial values unless given
     every   how many steps lie between moments that are kept; the first and the last one are kept in any case
     inputs  parameters, wrenches, threads and runtime parameters by name, as the module's functions take them
 
-    Returns Motion(t, q, qd, states). A state that leaves the finite numbers stays out there, without an error. ValueError for a
-    mechanism with constraints.
+    Under constraints, and with "implicit", steps are those of alembert.rollout: of a module of alembert.load, compiled by a C++
+    compiler, with `tau` held over each; the first step moves a start that breaks constraints to where they are kept.
+
+    Returns Motion(t, q, qd, states). A state that leaves the finite numbers stays out there, without an error; what compiled steps
+    cannot go on with is NaN from there on, with a RuntimeWarning.
 
     >>> arm = alembert.load("arm.yaml")
     >>> motion = alembert.simulate(arm, arm.initial_coordinates, arm.initial_speeds, 2, 1e-3, lambda t, q, qd: -qd)
     >>> motion.q[-1]
     """
-    if method not in ("rk4", "linearly-implicit"):
-        raise ValueError(f"method: expected 'rk4' or 'linearly-implicit', found {method!r}")
-    _needed(module, method)
+    if method not in ("rk4", "linearly-implicit", "implicit"):
+        raise ValueError(f"method: expected 'rk4', 'linearly-implicit' or 'implicit', found {method!r}")
+    compiled = bool(module.constraint_names) or method == "implicit"
+    if not compiled:
+        _needed(module, method)
     if isinstance(every, bool) or not isinstance(every, (int, numpy.integer)) or every < 1:
         raise ValueError(f"every: expected a whole number above 0, found {every!r}")
     times = _times(float(t), float(until), float(step))
@@ -163,6 +206,10 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     now = numpy.broadcast_to(now, shape + (module.nq,)).copy()
     speeds = numpy.broadcast_to(speeds, shape + (module.nv,)).copy()
     rest = numpy.broadcast_to(rest, shape + (len(module.state_names),)).copy()
+    kept = [k for k in range(len(times)) if k % every == 0 or k == len(times) - 1]
+    now = _unit(module, now)
+    if compiled:
+        return _by_compiled_steps(module, times, kept, (now, speeds, rest), float(step), tau, method, inputs)
     held: Optional[NDArray[Any]] = None
     if not callable(tau):
         held = _forces(module, 0.0 if tau is None else tau, speeds)
@@ -187,8 +234,6 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
         sdot = module.state_rates(unit, u, moment, **given) if module.state_names else s
         return qdot(at, u), for_all(_accelerations(module, moment, unit, u, force(moment, unit, u), given), u), sdot
 
-    now = _unit(module, now)
-    kept = [k for k in range(len(times)) if k % every == 0 or k == len(times) - 1]
     motion = Motion(times[kept], numpy.empty((len(kept),) + now.shape, now.dtype),
                     numpy.empty((len(kept),) + speeds.shape, speeds.dtype),
                     numpy.empty((len(kept),) + rest.shape, rest.dtype))
