@@ -1,6 +1,7 @@
 """Two hundred seated legs kick at once, each with another activation of the quadriceps; the hamstrings brake.
-The work of the muscles must become the energy of the leg."""
+The work of the muscles must become the energy of the leg. `knee.py kicks.png` draws some of the kicks, by matplotlib."""
 import pathlib
+import sys
 
 import alembert
 import numpy as np
@@ -38,12 +39,45 @@ def rates(t, state):
     return np.array([qd, knee.forward_dynamics(q, qd, tau), tau * qd])
 
 
+def forward(W):
+    """Of the shank, degrees from the vertical."""
+    shank = W[:, knee.body_names.index("shank")]
+    return np.degrees(np.arctan2(shank[:, 2, 0], shank[:, 0, 0]))
+
+
+def arm(muscle, F, J):
+    """Moment arm about the shank's axis of rotation: by how much the muscle shortens with the angle, m."""
+    line = F[:, muscle[1], :, 3] - F[:, muscle[0], :, 3]
+    lengthens = np.sum(line * (J[:, muscle[1], 3:, 0] - J[:, muscle[0], 3:, 0]), axis=1) / np.linalg.norm(line, axis=1)
+    return lengthens / J[:, muscle[1], 1, 0]
+
+
+def draw(path, times, angles):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, (kicks, arms) = pyplot.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
+    for i in range(0, len(ACTIVATION), 33):
+        kicks.plot(times, angles[:, i], label=f"{ACTIVATION[i]:.2f}", color=pyplot.cm.viridis(i / 200))
+    kicks.set(xlabel="time [s]", ylabel="shank from the vertical [deg]", title="kicks")
+    kicks.legend(title="activation", fontsize="small", loc="lower left")
+    q = np.linspace(0.85, 2.3, 60)[:, None]
+    F, J = knee.frame_poses(q), knee.frame_jacobians(q)
+    for name, muscle in (("quadriceps", QUADRICEPS), ("hamstrings", HAMSTRINGS)):
+        arms.plot(forward(knee.body_poses(q)), 1000 * arm(muscle, F, J), label=name)
+    arms.set(xlabel="shank from the vertical [deg]", ylabel="moment arm [mm]", title="moment arms")
+    arms.legend(fontsize="small")
+    figure.savefig(path, dpi=110)
+
+
 def main():
     count, h = len(ACTIVATION), 2e-3
     state = np.zeros((3, count, 1))
     state[0] = 1.66  # the shank hangs
     start = knee.energy(state[0], state[1]).sum(axis=1)
-    highest = np.full(count, -180.0)  # degrees from the vertical
+    angles = []
     for k in range(300):
         t = k * h
         k1 = rates(t, state)
@@ -51,8 +85,10 @@ def main():
         k3 = rates(t + h / 2, state + h / 2 * k2)
         k4 = rates(t + h, state + h * k3)
         state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-        shank = knee.body_poses(state[0])[:, knee.body_names.index("shank")]
-        highest = np.maximum(highest, np.degrees(np.arctan2(shank[:, 2, 0], shank[:, 0, 0])))
+        angles.append(forward(knee.body_poses(state[0])))
+    highest = np.max(angles, axis=0)
+    if len(sys.argv) > 1:
+        draw(sys.argv[1], h * np.arange(1, 301), np.array(angles))
     gained = knee.energy(state[0], state[1]).sum(axis=1) - start
     print("activation  highest shank [deg]  work [J]")
     for i in range(0, count, 33):
