@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "import/common/snapped_angle.hpp"
 
@@ -13,6 +15,7 @@ namespace {
 
 struct CurvePoint {
   double x, y;
+  bool corner = false;
 };
 
 /// Value of the natural cubic spline through the points at x within them, from its second derivatives.
@@ -43,19 +46,12 @@ double rounded(double value) {
   return std::round(value * 1e6) / 1e6;
 }
 
-}  // namespace
-
-std::string MillardCurves::Spline::text(const std::string& argument) const {
-  const std::string within =
-      flat ? fmt::format("clamp({}, {}, {})", argument, number_text(first), number_text(last))
-           : fmt::format("max({}, {})", argument, number_text(first));
-  return fmt::format("spline({}; {})", within, points);
-}
-
-MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, bool flat) {
+/// Points of the quintic Bezier curves between corners.
+template <class Corner>
+std::vector<CurvePoint> bezier_curves(const std::vector<Corner>& corners) {
   // The control points of a corner lie on the tangents at its ends.
   constexpr int kSteps = 200;
-  std::vector<CurvePoint> curve, knots;
+  std::vector<CurvePoint> curve;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const Corner &a = corners[i], &b = corners[i + 1];
     const double meet = std::abs(a.slope - b.slope) < 1e-8
@@ -69,15 +65,32 @@ MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, 
       const double t = static_cast<double>(k) / kSteps, s = 1 - t;
       const double weight[] = {s * s * s * s * s,      5 * s * s * s * s * t, 10 * s * s * s * t * t,
                                10 * s * s * t * t * t, 5 * s * t * t * t * t, t * t * t * t * t};
-      CurvePoint point{0, 0};
+      CurvePoint point{0, 0, k == 0 || k == kSteps};
       for (std::size_t m = 0; m < 6; ++m) {
         point.x += weight[m] * xs[m];
         point.y += weight[m] * ys[m];
       }
-      curve.push_back({rounded(point.x), rounded(point.y)});
-      if (k == 0 || k == kSteps) knots.push_back(curve.back());
+      curve.push_back({rounded(point.x), rounded(point.y), point.corner});
     }
   }
+  return curve;
+}
+
+}  // namespace
+
+std::string MillardCurves::Spline::text(const std::string& argument) const {
+  const std::string within =
+      ends == Ends::flat   ? fmt::format("clamp({}, {}, {})", argument, number_text(first), number_text(last))
+      : ends == Ends::grow ? fmt::format("max({}, {})", argument, number_text(first))
+                           : argument;
+  return fmt::format("spline({}; {})", within, points);
+}
+
+MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, Ends ends, bool inverse) {
+  std::vector<CurvePoint> knots, curve = bezier_curves(corners);
+  if (inverse)
+    for (CurvePoint& point : curve) std::swap(point.x, point.y);
+  std::ranges::copy_if(curve, std::back_inserter(knots), &CurvePoint::corner);
   // A knot more where the spline is farthest off, until it is near everywhere.
   constexpr std::size_t kMost = 30;
   while (knots.size() < kMost) {
@@ -97,15 +110,16 @@ MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, 
     ys.push_back(number_text(knot.y));
   }
   return {fmt::format("[{}]; [{}]", fmt::join(xs, ", "), fmt::join(ys, ", ")), knots.front().x,
-          knots.back().x, flat};
+          knots.back().x, ends};
 }
 
 // With a rigid tendon, as with damped fibres, OpenSim takes 0 for <minimum_value>, <concentric_slope_at_vmax> and
-// <eccentric_slope_at_vmax>, whatever the file says.
-MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
+// <eccentric_slope_at_vmax>, whatever the file says; else at least 0.1 and half of the slopes near the largest speed.
+MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool steep) {
   const pugi::xml_node length = muscle.child("ActiveForceLengthCurve"),
                        fibre = muscle.child("FiberForceLengthCurve"),
-                       speed = muscle.child("ForceVelocityCurve");
+                       speed = muscle.child("ForceVelocityCurve"),
+                       tendon = muscle.child("TendonForceLengthCurve");
   {  // Ascending, shallow, plateau at 1, descending.
     const double x0 = xml.number(length, "min_norm_active_fiber_length", 0.4441),
                  x1 = xml.number(length, "transition_norm_fiber_length", 0.73),
@@ -114,14 +128,15 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
     constexpr double kHalfPlateau = 0.05;
     const double shoulder = 1 - kHalfPlateau, y1 = 1 - slope * (shoulder - x1);
     const double down = (1 + kHalfPlateau + x3) / 2;
+    const double least = steep ? std::max(0.1, xml.number(length, "minimum_value", 0.1)) : 0;
     shortest_ = x0;
-    active_ = spline({{x0, 0, 0, 1},
+    active_ = spline({{x0, least, 0, 1},
                       {(x0 + x1) / 2, y1 / 2, 1.25 * y1 / (x1 - x0), 1},
                       {(x1 + shoulder) / 2, (1 + y1) / 2, slope, 1},
                       {1, 1, 0, 1},
                       {down, 0.5, -1 / (x3 - kHalfPlateau - (1 + kHalfPlateau)), 1},
-                      {x3, 0, 0, 1}},
-                     true);
+                      {x3, least, 0, 1}},
+                     Ends::flat);
   }
   {
     const double none = 1 + xml.number(fibre, "strain_at_zero_force", 0),
@@ -132,7 +147,7 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
                  foot = std::min(0.1 / high, 0.1 * (one - none));
     passive_ = spline(
         {{none, 0, 0, curviness}, {none + foot, low * foot / 2, low, curviness}, {one, 1, high, curviness}},
-        false);
+        Ends::grow);
   }
   {
     const double near_c = xml.number(speed, "concentric_slope_near_vmax", 0.25),
@@ -141,12 +156,33 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle) {
                  most = xml.number(speed, "max_eccentric_velocity_force_multiplier", 1.4),
                  bend_c = xml.number(speed, "concentric_curviness", 0.6),
                  bend_e = xml.number(speed, "eccentric_curviness", 0.9);
-    over_speed_ = spline({{-1, 0, 0, bend_c},
-                          {-0.9, 0.05 * near_c, near_c, bend_c},
-                          {0, 1, middle, bend_e},
-                          {0.9, most - 0.05 * near_e, near_e, bend_e},
-                          {1, most, 0, bend_e}},
-                         true);
+    const double end_c = steep ? std::max(near_c / 2, xml.number(speed, "concentric_slope_at_vmax", 0)) : 0,
+                 end_e = steep ? std::max(near_e / 2, xml.number(speed, "eccentric_slope_at_vmax", 0)) : 0;
+    std::vector<Corner> corners = {{-1, 0, end_c, bend_c},
+                                   {-0.9, 0.05 * (near_c + end_c), near_c, bend_c},
+                                   {0, 1, middle, bend_e},
+                                   {0.9, most - 0.05 * (near_e + end_e), near_e, bend_e},
+                                   {1, most, end_e, bend_e}};
+    over_speed_ = spline(corners, Ends::flat);
+    if (steep) {  // Straight beyond the largest speeds.
+      corners.insert(corners.begin(), {-3, -2 * end_c, end_c, bend_c});
+      corners.push_back({3, most + 2 * end_e, end_e, bend_e});
+      over_load_ = spline(corners, Ends::straight, true);
+    }
+  }
+  {  // Over the strain: a toe in two pieces, and a straight line.
+    const double one = xml.number(tendon, "strain_at_one_norm_force", 0.049),
+                 stiffness = xml.number(tendon, "stiffness_at_one_norm_force", 1.375 / one),
+                 toe = xml.number(tendon, "norm_force_at_toe_end", 2.0 / 3),
+                 curviness = xml.number(tendon, "curviness", 0.5);
+    const double toe_end = (toe - 1) / stiffness + one, foot = toe_end / 10,
+                 half = (toe / 2 - 1) / stiffness + one, slope = toe / 2 / (half - foot),
+                 meet = (foot + half) / 2, far = 3 * one;
+    tendon_ = spline({{0, 0, 0, curviness},
+                      {meet, slope * (meet - foot), slope, curviness},
+                      {toe_end, toe, stiffness, curviness},
+                      {far, 1 + stiffness * (far - one), stiffness, curviness}},
+                     Ends::grow);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "import/opensim/osim_xml.hpp"
 
@@ -11,13 +12,18 @@ namespace alembert {
 
 class MillardCurves {
  public:
-  /// From <ActiveForceLengthCurve>, <FiberForceLengthCurve> and <ForceVelocityCurve> of a muscle, where it has them.
-  MillardCurves(const OsimXml& xml, pugi::xml_node muscle);
+  /// From <ActiveForceLengthCurve>, <FiberForceLengthCurve>, <TendonForceLengthCurve> and <ForceVelocityCurve> of a muscle, where
+  /// it has them. `steep`: as OpenSim takes them for elastic tendons and fibres without damping, the active force never 0 and the
+  /// force over speed nowhere flat.
+  MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool steep);
 
   // Of the largest isometric force, as expressions; within kTolerance of the Bezier curves.
   std::string active(const std::string& length) const { return active_.text(length); }
   std::string passive(const std::string& length) const { return passive_.text(length); }
   std::string over_speed(const std::string& speed) const { return over_speed_.text(speed); }
+  std::string tendon(const std::string& strain) const { return tendon_.text(strain); }
+  /// The inverse of over_speed, where `steep`.
+  std::string over_load(const std::string& load) const { return over_load_.text(load); }
 
   /// Fibres below this have no force, in optimal lengths.
   double shortest() const { return shortest_; }
@@ -25,20 +31,21 @@ class MillardCurves {
   static constexpr double kTolerance = 0.004;
 
  private:
-  /// A natural spline; constant before its first knot, and after the last if `flat`.
+  /// Constant beyond both ends; before the first knot; or straight lines.
+  enum class Ends { flat, grow, straight };
+  /// A natural spline.
   struct Spline {
     std::string points;
     double first = 0, last = 0;
-    bool flat = false;
+    Ends ends = Ends::flat;
     std::string text(const std::string& argument) const;
   };
   struct Corner {
     double x, y, slope;
     double curviness;  ///< of the piece to the next
   };
-  static Spline spline(const std::vector<Corner>& corners, bool flat);
-
-  Spline active_, passive_, over_speed_;
+  static Spline spline(const std::vector<Corner>& corners, Ends ends, bool inverse = false);
+  Spline active_, passive_, over_speed_, over_load_, tendon_;
   double shortest_ = 0;
 };
 

@@ -25,6 +25,15 @@ std::string n(double value) {
   return number_text(value);
 }
 
+/// Names and expressions of a muscle on an elastic tendon.
+struct ElasticTendon {
+  std::string fibre;   ///< the state, in optimal lengths
+  std::string cosine;  ///< of the pennation
+  std::string strain;
+  std::string load;  ///< what the contractile elements carry, of the largest isometric force
+  double shortest;   ///< the fibres may get, in optimal lengths
+};
+
 /// One muscle while it is described.
 class Muscle {
  public:
@@ -90,6 +99,34 @@ class Muscle {
         std::max(fibre_ * shortest, widest > 0 ? thickness / widest : fibre_ * kShortestFibre);
     const double reach = std::sqrt(std::max(0.0, least * least - thickness * thickness));
     return fmt::format("select(length - {}, {}, 0)", n(slack_ + reach), along);
+  }
+
+  /// `shortest` is what the curves allow.
+  ElasticTendon add_elastic_tendon(double shortest) {
+    const std::string fibre = out_.names.add(name_ + "_fibre", at_);
+    const double widest = std::sqrt(1 - least_cosine_ * least_cosine_);
+    if (pennation_ != 0 && widest > 0) shortest = std::max(shortest, std::sin(pennation_) / widest);
+    std::string cosine = "1";
+    if (pennation_ != 0)
+      cosine = out_.define(name_ + "_cosine",
+                           fmt::format("sqrt(max({}, 1 - ({}/{})^2))", n(least_cosine_ * least_cosine_),
+                                       n(std::sin(pennation_)), fibre),
+                           at_);
+    const std::string along = cosine == "1" ? fibre : fmt::format("{}*{}", fibre, cosine);
+    const std::string strain = fmt::format("((length - {}*{})/{} - 1)", n(fibre_), along, n(slack_));
+    return {fibre, cosine, strain, out_.names.add(name_ + "_load", at_), shortest};
+  }
+  /// The tension, by what the tendon bears, and what is left for the contractile elements; of the largest isometric force.
+  void finish_elastic(const ElasticTendon& tendon, const std::string& bears, const std::string& passive) {
+    finish(fmt::format("{}*{}", n(force_), bears));
+    out_.put(out_.nodes.add_named(*out_.sections["outputs"], tendon.load, at_), "value",
+             fmt::format("tension({})/{}{} - {}", name_, n(force_),
+                         tendon.cosine == "1" ? "" : "/" + tendon.cosine, passive),
+             at_);
+  }
+  void add_fibre(const ElasticTendon& tendon, const std::string& rate) {
+    out_.add_state(tendon.fibre, number("default_fiber_length", fibre_) / fibre_,
+                   {std::max(0.2, tendon.shortest), 2}, rate, at_);
   }
 
   OsimDescription& out_;
@@ -191,28 +228,11 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
                              0));
     return true;
   }
-  const std::string& name = muscle.name_;
-  const std::string fibre = out.names.add(name + "_fibre", muscle.at_);
-  std::string cosine = "1";
-  if (muscle.pennation_ != 0)
-    cosine =
-        out.define(name + "_cosine",
-                   fmt::format("sqrt(max({}, 1 - ({}/{})^2))", n(muscle.least_cosine_ * muscle.least_cosine_),
-                               n(std::sin(muscle.pennation_)), fibre),
-                   muscle.at_);
-  const std::string along = cosine == "1" ? fibre : fmt::format("{}*{}", fibre, cosine);
-  muscle.finish(fmt::format(
-      "{}*{}", n(muscle.force_),
-      curves.tendon(fmt::format("((length - {}*{})/{} - 1)", n(muscle.fibre_), along, n(muscle.slack_)))));
+  const ElasticTendon tendon = muscle.add_elastic_tendon(0);
+  muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
   const std::string active =
-      out.define(name + "_active", fmt::format("{}*{}", a, curves.active(fibre)), muscle.at_);
-  const std::string load = out.names.add(name + "_load", muscle.at_);
-  out.add_state(fibre, muscle.number("default_fiber_length", muscle.fibre_) / muscle.fibre_, {0.2, 2},
-                fmt::format("{}*{}", n(muscle.speed_), curves.speed(a, load, active)), muscle.at_);
-  out.put(out.nodes.add_named(*out.sections["outputs"], load, muscle.at_), "value",
-          fmt::format("tension({})/{}{} - {}", name, n(muscle.force_), cosine == "1" ? "" : "/" + cosine,
-                      curves.passive(fibre)),
-          muscle.at_);
+      out.define(muscle.name_ + "_active", fmt::format("{}*{}", a, curves.active(tendon.fibre)), muscle.at_);
+  muscle.add_fibre(tendon, fmt::format("{}*{}", n(muscle.speed_), curves.speed(a, tendon.load, active)));
   return true;
 }
 
@@ -220,13 +240,28 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
   Muscle muscle(out, element, out.xml.number(element, "activation_time_constant", 0.01),
                 out.xml.number(element, "deactivation_time_constant", 0.04));
   if (!muscle.begin()) return false;
-  if (!muscle.flag("ignore_tendon_compliance"))
+  constexpr double kLeastDamping = 0.001;  // less is none
+  const double damping = muscle.number("fiber_damping", 0.1);
+  const bool elastic = !muscle.flag("ignore_tendon_compliance"), damped = damping >= kLeastDamping;
+  const MillardCurves curves(out.xml, element, elastic && !damped);
+  if (elastic && !damped) {
+    const ElasticTendon tendon = muscle.add_elastic_tendon(curves.shortest());
+    muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
+    const std::string active =
+        out.define(muscle.name_ + "_active",
+                   fmt::format("{}*{}", muscle.activation_, curves.active(tendon.fibre)), muscle.at_);
+    const std::string speed =
+        fmt::format("{}*{}", n(muscle.speed_), curves.over_load(fmt::format("{}/{}", tendon.load, active)));
+    // The fibres stop where they are shortest.
+    muscle.add_fibre(tendon, fmt::format("select({} - {}, {}, max(0, {}))", tendon.fibre, n(tendon.shortest),
+                                         speed, speed));
+    return true;
+  }
+  if (elastic)
     out.approximated(
         element,
         "has a rigid tendon here, as with <ignore_tendon_compliance>: with damped fibres an elastic "
         "one has no speed in closed form");
-  const double damping = muscle.number("fiber_damping", 0.1);
-  const MillardCurves curves(out.xml, element);
   const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
   std::string sum = fmt::format("{}*{}*{} + {}", muscle.activation_, curves.active(length),
                                 curves.over_speed(speed), curves.passive(length));
