@@ -37,7 +37,8 @@ struct Rollout {
   S h = S(0);              ///< step, s
   S t = S(0);              ///< time of the start, s; after k steps it is t + k h to the last digit
   Stepper stepper = Stepper::semi_implicit_euler;
-  const S* q = nullptr;             ///< count x n_q; quaternions are normalised
+  const S* q =
+      nullptr;  ///< count x n_q; motions begin at the nearest states with unit quaternions and constraints kept
   const S* qd = nullptr;            ///< count x n_v
   const S* parameters = nullptr;    ///< as Inputs::parameters: runtime parameters, inputs, states
   std::size_t parameters_step = 0;  ///< numbers from one motion's to the next; 0: all share them
@@ -163,19 +164,30 @@ class RolloutState {
         status(asked.count, Status::ok),
         ended(new bool[asked.count]()),
         stopped(asked.count, 0) {
-    const Inputs usual{};
-    for (std::size_t s = 0; s < way.count; ++s) {
-      if constexpr (kNs > 0)
-        for (std::size_t i = 0; i < kNs; ++i) states[s * kNs + i] = parameters(s, usual)[kFirstState + i];
-      CoordinateVector<M> unit = coordinates(s);
-      status[s] = is_finite(way.h) && is_finite(way.t) ? normalize_quaternions<M>(unit) : Status::not_finite;
-      if (status[s] == Status::ok && !(all_finite(unit) && all_finite(speeds(s))))
-        status[s] = Status::not_finite;
-      if (status[s] == Status::ok)
-        for (std::size_t i = 0; i < kNq; ++i) q[s * kNq + i] = unit(static_cast<Eigen::Index>(i));
-      ended[s] = status[s] != Status::ok;
-      if (way.every > 0 || way.steps == 0) record(s, 0);
+    if constexpr (kNs > 0) {
+      const Inputs usual{};
+      for (std::size_t s = 0; s < way.count; ++s)
+        std::copy_n(parameters(s, usual) + kFirstState, kNs,
+                    states.begin() + static_cast<std::ptrdiff_t>(s * kNs));
     }
+  }
+  /// The start of a motion: quaternions of unit length, on the constraints.
+  void begin(std::size_t s) {
+    CoordinateVector<M> start = coordinates(s);
+    SpeedVector<M> speed = speeds(s);
+    status[s] = Status::not_finite;
+    if (is_finite(way.h) && is_finite(way.t) && all_finite(start) && all_finite(speed)) {
+      Inputs in = inputs(s, 0);
+      const BoundMechanism<M> system(in);
+      ConstraintReport<BoundMechanism<M>::kNc> report;
+      status[s] = settle(system, start, speed, StepOptions<S>(), report);
+    }
+    if (status[s] == Status::ok) {
+      std::copy_n(start.data(), kNq, q.begin() + static_cast<std::ptrdiff_t>(s * kNq));
+      std::copy_n(speed.data(), kNv, u.begin() + static_cast<std::ptrdiff_t>(s * kNv));
+    }
+    ended[s] = status[s] != Status::ok;
+    if (way.every > 0 || way.steps == 0) record(s, 0);
   }
   ~RolloutState() { delete[] ended; }
   RolloutState(const RolloutState&) = delete;
@@ -331,6 +343,9 @@ std::size_t roll_out(const Rollout<typename M::Scalar>& way, const RolloutResult
   RolloutState<M> all(way, out);
   if (has_policy) all.chosen.assign(way.count * all.width(), S(0));
   const std::size_t blocks = (way.count + block - 1) / block;
+  share_blocks(blocks, way.threads, [&](std::size_t b) {
+    for (std::size_t s = b * block; s < std::min(way.count, (b + 1) * block); ++s) all.begin(s);
+  });
   const std::int64_t length = has_policy ? std::max<std::int64_t>(way.hold, 1) : way.steps;
   for (std::int64_t first = 0; first < way.steps; first += length) {
     const std::int64_t last = std::min(way.steps, first + length);

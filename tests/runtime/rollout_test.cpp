@@ -422,6 +422,26 @@ TEST(Rollout, KeepsConstraints) {
   EXPECT_EQ(alembert::rollout<M>(motions.way, motions.results()), 0u);
   for (std::size_t s = 0; s < 6; ++s)
     EXPECT_NEAR(std::hypot(motions.row(s, 5)[0], motions.row(s, 5)[1]), M::l, 1e-9);
+  // Starts are brought to where constraints are kept before anything else: the first row has them so, and a policy sees them so.
+  for (std::size_t s = 0; s < 6; ++s) {
+    motions.q[2 * s] *= 1.1;
+    motions.q[2 * s + 1] *= 1.1;
+    motions.qd[2 * s + 1] = 0.5;
+  }
+  bool seen = false;
+  const auto policy = [&](const alembert::RolloutMoment<double>& now) {
+    for (std::size_t s = 0; s < 6; ++s) {
+      EXPECT_NEAR(std::hypot(now.q[2 * s], now.q[2 * s + 1]), M::l, 1e-9);
+      EXPECT_NEAR(now.q[2 * s] * now.qd[2 * s] + now.q[2 * s + 1] * now.qd[2 * s + 1], 0, 1e-9);
+    }
+    seen = true;
+  };
+  EXPECT_EQ(alembert::rollout<M>(motions.way, motions.results(), policy), 0u);
+  EXPECT_TRUE(seen);
+  for (std::size_t s = 0; s < 6; ++s) {
+    EXPECT_NEAR(std::hypot(motions.row(s, 0)[0], motions.row(s, 0)[1]), M::l, 1e-9);
+    EXPECT_NEAR(std::atan2(motions.row(s, 0)[0], -motions.row(s, 0)[1]), 0.3 * double(s), 1e-9);
+  }
 }
 
 TEST(Rollout, NothingIsNothing) {

@@ -440,8 +440,7 @@ def rollout(module: ModuleType, q: Union[ArrayLike, Start], qd: Optional[ArrayLi
 
     module    of alembert.load
     q, qd     (nq,) and (nv,) for one motion, (N, nq) and (N, nv) for N, as for everything below; speeds are the
-              description's unless given. Under constraints they must keep these: the first step moves others to where they
-              are kept, which `simulate` does before it begins
+              description's unless given. Under constraints the motion begins at the nearest state that keeps them
               q may be a function of (rng, n) to a dict of q and of other arguments for n motions: it draws the starts of a shard
               from numpy.random.default_rng([seed, index of the shard]), `count` in all
     u         controls: (nu,), (N, nu), which are held; (N, K, nu) with one for each `hold` steps; or a policy, a function of

@@ -120,7 +120,7 @@ def _by_compiled_steps(module: ModuleType, times: NDArray[Any], kept: List[int],
     u = force if callable(tau) else _forces(module, 0.0 if tau is None else tau, now[1])
     count = len(times) - 1
     whole = count - 1 if count > 0 and abs(times[-1] - times[-2] - step) > 1e-9 * step else count
-    rows = [[array[:, None]] for array in now]  # moments of all motions, one after the other
+    rows: List[List[NDArray[Any]]] = [[] for _ in now]  # moments of all motions, one after the other
     steps, status = numpy.zeros(len(now[0]), int), numpy.zeros(len(now[0]), int)
     for first, last in ((0, whole), (whole, count)):
         if first == last:
@@ -129,7 +129,7 @@ def _by_compiled_steps(module: ModuleType, times: NDArray[Any], kept: List[int],
         done = rollout(module, now[0], now[1], u, controls="forces", steps=last - first, step=length, t=float(times[first]),
                        method=method, every=1, states=now[2] if module.state_names else None, **inputs)
         for row, array in zip(rows, (done.q, done.qd, done.states)):
-            row.append(array[:, 1:])
+            row.append(array[:, 1 if row else 0:])
         now = [array[:, -1] for array in (done.q, done.qd, done.states)]
         steps, status = numpy.where(status == 0, steps + done.steps, steps), numpy.where(status == 0, done.status, status)
     for i in numpy.flatnonzero(status):
@@ -137,8 +137,8 @@ def _by_compiled_steps(module: ModuleType, times: NDArray[Any], kept: List[int],
         warnings.warn(f"motion{which} of {module.name} ends at t = {times[steps[i]]:.9g} s: {STATUSES[status[i]]}", RuntimeWarning,
                       stacklevel=3)
     found = []
-    for row in rows:
-        array = numpy.concatenate(row, axis=1)
+    for row, begin in zip(rows, now):
+        array = numpy.concatenate(row, axis=1) if row else begin[:, None]
         for i in numpy.flatnonzero(status):
             array[i, steps[i] + 1:] = numpy.nan
         found.append(array[0, kept] if one else array[:, kept].transpose(1, 0, 2))
@@ -167,7 +167,7 @@ def simulate(module: ModuleType, q: ArrayLike, qd: ArrayLike, until: float, step
     inputs  parameters, wrenches, threads and runtime parameters by name, as the module's functions take them
 
     Under constraints, and with "implicit", steps are those of alembert.rollout: of a module of alembert.load, compiled by a C++
-    compiler, with `tau` held over each; the first step moves a start that breaks constraints to where they are kept.
+    compiler, with `tau` held over each; the motion begins at the nearest state that keeps the constraints.
 
     Returns Motion(t, q, qd, states). A state that leaves the finite numbers stays out there, without an error; what compiled steps
     cannot go on with is NaN from there on, with a RuntimeWarning.
