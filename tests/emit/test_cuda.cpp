@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "catalogue.hpp"
 #include "emit/c_library.hpp"
 #include "emit/c_state.hpp"
 #include "emit/sample.hpp"
@@ -134,6 +135,14 @@ TEST(Cuda, Mechanisms) {
   for (const char* name : {"free_body", "runtime_parameters", "four_bar_knee", "forces/hopping_leg"})
     check_file(fmt::format(ALEMBERT_SOURCE_DIR "/mechanisms/{}.yaml", name));
 }
+
+/// The whole catalogue is no test of ctest's: test_cuda --gtest_filter=Whole/*
+class CudaCatalogue : public testing::TestWithParam<std::string> {};
+TEST_P(CudaCatalogue, GivesWhatTheInterpreterGives) {
+  check_file(GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(Whole, CudaCatalogue, testing::ValuesIn(alembert::test::catalogue()),
+                         [](const auto& file) { return alembert::test::test_name(file.param); });
 
 /// Kernels of all functions for both types, and what ptxas says of them.
 TEST(Cuda, KernelsCompile) {

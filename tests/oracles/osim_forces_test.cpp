@@ -239,7 +239,7 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
   Rig rig("muscles.osim", kMany);
   const ThelenMuscle rigid{600, 0.13, 0.19, 0.2, 8};
   const ThelenMuscle elastic{600, 0.13, 0.19, 0.1, 8, 0.033, 0.5, 4, 0.3, 1.8};
-  int pulling = 0, balanced = 0, extending = 0, shortening = 0;
+  int pulling = 0, balanced = 0, extending = 0, shortening[] = {0, 0};
   for (std::size_t i = 0; i < rig.states.size(); ++i) {
     SCOPED_TRACE("state " + std::to_string(i));
     const NamedMotion motion = rig.motion(i);
@@ -316,35 +316,57 @@ TEST(OsimForces, MusclesFollowTheirLaws) {
     EXPECT_LE((millard - extended).cwiseAbs().maxCoeff(), 0.004 * (1.4 + 1 + 1) * 800 * 0.04)
         << millard.transpose() << "\n for " << extended.transpose();
     extending += extended.cwiseAbs().maxCoeff() > 2 ? 1 : 0;
-    // Without damping, on an elastic tendon: active forces do not fall below a tenth, and speeds are found at any load.
-    const double activation = states.at("elastic_extensor_activation"),
-                 x = states.at("elastic_extensor_fibre");
-    std::vector<std::array<double, 3>> over_fibre = over_length, steep_speeds = speeds;
-    over_fibre.front()[1] = over_fibre.back()[1] = 0.1;
-    steep_speeds = {{-1, 0, 0.125}, {-0.9, 0.01875, 0.25}, {0, 1, 5}, {0.9, 1.38875, 0.15}, {1, 1.4, 0.075}};
+    // On elastic tendons. Without damping, active forces do not fall below a tenth, and speeds are found at any load.
     const double stiff = 1.375 / 0.049, toe = 0.049 - 1 / stiff / 3, half = 0.049 - 2 / stiff / 3;
     const double rise = 1.0 / 3 / (half - toe / 10), meet = (toe / 10 + half) / 2;
     const std::vector<std::array<double, 3>> tendon = {
         {0, 0, 0}, {meet, rise * (meet - toe / 10), rise}, {toe, 2.0 / 3, stiff}};
-    const double thin = std::sin(0.15) / x, slant = std::sqrt(1 - thin * thin);
-    double bears = 0;
-    const Eigen::VectorXd pulled = rig.of_tension(motion, "elastic_extensor", [&](double length, double) {
-      bears = bezier(tendon, {0.5, 0.5}, (length - 0.1 * x * slant) / 0.2 - 1);
-      return 800 * bears;
-    });
-    EXPECT_LE((rig.contribution(i, "elastic_extensor") - pulled).cwiseAbs().maxCoeff(), 0.004 * 800 * 0.04);
-    const double carries = bears / slant - bezier(stretched, {0.75, 0.75}, x);
-    const double pulls = activation * bezier(over_fibre, {1, 1, 1, 1, 1}, x),
-                 w = rate_of("elastic_extensor_fibre") / 10;
-    // A spline is 0.004 off in tendon, fibres, active force and speed, of which force is five times as much where it is steepest.
-    EXPECT_NEAR(pulls * bezier(steep_speeds, {0.6, 0.6, 0.9, 0.9}, w), carries,
-                0.004 * (2 + 1.4 + 5 * pulls) + 0.02 * std::abs(carries));
-    shortening += w > -1 && w < 1 ? 1 : 0;
+    for (const double damping : {0.0, 0.1}) {
+      const std::string name = damping > 0 ? "damped_extensor" : "elastic_extensor";
+      SCOPED_TRACE(name);
+      std::vector<std::array<double, 3>> over_fibre = over_length, over_speed = speeds;
+      if (!(damping > 0)) {
+        over_fibre.front()[1] = over_fibre.back()[1] = 0.1;
+        over_speed = {
+            {-1, 0, 0.125}, {-0.9, 0.01875, 0.25}, {0, 1, 5}, {0.9, 1.38875, 0.15}, {1, 1.4, 0.075}};
+      }
+      const double x = states.at(name + "_fibre");
+      const double thin = std::sin(0.15) / x, slant = std::sqrt(1 - thin * thin);
+      double bears = 0;
+      const Eigen::VectorXd pulled = rig.of_tension(motion, name.c_str(), [&](double length, double) {
+        bears = bezier(tendon, {0.5, 0.5}, (length - 0.1 * x * slant) / 0.2 - 1);
+        return 800 * bears;
+      });
+      EXPECT_LE((rig.contribution(i, name) - pulled).cwiseAbs().maxCoeff(), 0.004 * 800 * 0.04);
+      const double carries = bears / slant - bezier(stretched, {0.75, 0.75}, x);
+      const double pulls = states.at(name + "_activation") * bezier(over_fibre, {1, 1, 1, 1, 1}, x),
+                   w = rate_of((name + "_fibre").c_str()) / 10;
+      // Curves are 0.004 off: tendon, fibres, active force, force over speed or, undamped, speed over force, of which the force is
+      // five times as much where it is steepest.
+      EXPECT_NEAR(
+          pulls * bezier(over_speed, {0.6, 0.6, 0.9, 0.9}, w) + damping * w, carries,
+          0.004 * (2 + 1.4 + (damping > 0 ? 1 : 5) * pulls) + (damping > 0 ? 0 : 0.02 * std::abs(carries)));
+      shortening[damping > 0] += w > -1 && w < 1 ? 1 : 0;
+    }
   }
-  EXPECT_GE(shortening, 3);
+  EXPECT_GE(shortening[0], 3);
+  EXPECT_GE(shortening[1], 3);
   EXPECT_GE(extending, kMany / 3);
   EXPECT_GE(pulling, kMany / 2);
   EXPECT_GE(balanced, 3);
+  // Fibres that are as short as they get do not become shorter, however little they bear.
+  State shortest = rig.states.front();
+  for (const char* name : {"elastic_extensor_fibre", "damped_extensor_fibre"})
+    shortest.states.at(name) = 0.44;
+  const auto found = ask_functions(ALEMBERT_EXECUTABLE, rig.imported.path(), {shortest},
+                                   {Eigen::VectorXd::Zero(2)}, {"state_rates"});
+  const auto& all = rig.imported.description().states;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double rate = found[0].at("state_rates").at("sdot")(static_cast<Eigen::Index>(k));
+    if (shortest.states.at(all[k].name) == 0.44) {
+      EXPECT_GE(rate, -1e-12) << all[k].name;
+    }
+  }
 }
 
 // With a slack tendon, and with fibres shorter than their curves allow, OpenSim's muscles do not pull, however they move. Beyond

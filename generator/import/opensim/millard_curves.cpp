@@ -6,12 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "import/common/snapped_angle.hpp"
 
 namespace alembert {
 namespace {
+
+constexpr double kNoBound = std::numeric_limits<double>::max();
+constexpr double kLeast = 1e-9;  // by which bounds that may be met are passed
 
 struct CurvePoint {
   double x, y;
@@ -113,6 +118,77 @@ MillardCurves::Spline MillardCurves::spline(const std::vector<Corner>& corners, 
           knots.back().x, ends};
 }
 
+std::vector<MillardCurves::Hyperbola> MillardCurves::hyperbolas(const std::vector<Corner>& corners) {
+  constexpr std::ptrdiff_t kEvery = 4, kTries = 12;
+  std::vector<CurvePoint> curve;
+  for (std::size_t i = 0; const CurvePoint& point : bezier_curves(corners))
+    if (i++ % kEvery == 0) curve.push_back(point);
+  // The nearest of the hyperbolas through two points of the curve and one between them, if it is near enough.
+  using Place = std::vector<CurvePoint>::const_iterator;
+  const auto through = [](Place a, Place b) -> std::optional<Hyperbola> {
+    const double width = b->x - a->x, height = b->y - a->y;
+    std::optional<Hyperbola> best;
+    double least = kTolerance;
+    for (std::ptrdiff_t k = 1; k < kTries; ++k) {
+      const Place middle = a + (b - a) * k / kTries;
+      const double w = middle->x - a->x, rise = middle->y - a->y;
+      if (!(rise > 0) || !(rise < height)) continue;
+      const double bend = rounded((height * w / width - rise) / (w * (rise - height))),
+                   slope = rounded(height * (1 + bend * width) / width);
+      if (!(slope > 0) || !(1 + bend * width > 0)) continue;
+      double off = 0;
+      for (Place at = a; at <= b; ++at) {
+        const double x = at->x - a->x;
+        off = std::max(off, std::abs(a->y + slope * x / (1 + bend * x) - at->y));
+      }
+      if (off <= least) {
+        least = off;
+        best = Hyperbola{a->x, a->y, slope, bend};
+      }
+    }
+    return best;
+  };
+  // Each as wide as it may be.
+  std::vector<Hyperbola> found;
+  for (Place a = curve.begin(); a + 1 < curve.end();) {
+    Place near = a + 1, far = curve.end();  // what does, and what does not
+    Hyperbola best{a->x, a->y, rounded((near->y - a->y) / (near->x - a->x)), 0};
+    while (far - near > 1) {
+      const Place b = near + (far - near) / 2;
+      const std::optional<Hyperbola> wider = through(a, b);
+      (wider ? near : far) = b;
+      if (wider) best = *wider;
+    }
+    found.push_back(best);
+    a = near;
+  }
+  found.push_back({curve.back().x, curve.back().y, 0, 0});
+  return found;
+}
+
+// With load = active y + damping v, a load of d more than where a hyperbola begins leads w further:
+// damping bend w^2 + (active slope + damping - bend d) w - d = 0.
+std::string MillardCurves::speed(const std::string& load, const std::string& active, double damping) const {
+  const auto added = [](double value) {
+    return fmt::format("{} {}", value < 0 ? "-" : "+", number_text(rounded(std::abs(value))));
+  };
+  const auto sum_of = [&](double forces, double speeds) {
+    return fmt::format("{}*{} {}", number_text(rounded(forces)), active, added(damping * speeds));
+  };
+  const Hyperbola &first = speeds_.front(), &last = speeds_.back();
+  std::string speed = fmt::format("{} + min({} - ({}), 0)/{}", number_text(first.x), load,
+                                  sum_of(first.y, first.x), number_text(damping));
+  for (std::size_t k = 0; k + 1 < speeds_.size(); ++k) {
+    const Hyperbola &h = speeds_[k], &next = speeds_[k + 1];
+    const std::string more =
+        fmt::format("clamp({} - ({}), 0, {})", load, sum_of(h.y, h.x), sum_of(next.y - h.y, next.x - h.x));
+    const std::string b = fmt::format("({} {}*{})", sum_of(h.slope, 1), added(-h.bend), more);
+    speed += fmt::format(" + 2*{0}/({1} + sqrt({1}^2 {2}*{0}))", more, b, added(4 * damping * h.bend));
+  }
+  return fmt::format("({} + max({} - ({}), 0)/{})", speed, load, sum_of(last.y, last.x),
+                     number_text(damping));
+}
+
 // With a rigid tendon, as with damped fibres, OpenSim takes 0 for <minimum_value>, <concentric_slope_at_vmax> and
 // <eccentric_slope_at_vmax>, whatever the file says; else at least 0.1 and half of the slopes near the largest speed.
 MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool steep) {
@@ -120,15 +196,29 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool ste
                        fibre = muscle.child("FiberForceLengthCurve"),
                        speed = muscle.child("ForceVelocityCurve"),
                        tendon = muscle.child("TendonForceLengthCurve");
+  // Between the bounds that OpenSim sets.
+  const auto number = [&](pugi::xml_node curve, const char* property, double otherwise, double above,
+                          double below) {
+    const double value = xml.number(curve, property, otherwise);
+    if (value > above && value < below) return value;
+    const pugi::xml_node found = xml.property(curve, property);
+    const std::string least = number_text(rounded(above) + 0.0);  // not -0
+    throw InputError(
+        xml.where(found ? found : muscle),
+        fmt::format("<{}> of {} is {}; expected a number {}", property, OsimXml::title(muscle),
+                    number_text(value),
+                    below < kNoBound ? fmt::format("between {} and {}", least, number_text(rounded(below)))
+                                     : "above " + least));
+  };
   {  // Ascending, shallow, plateau at 1, descending.
-    const double x0 = xml.number(length, "min_norm_active_fiber_length", 0.4441),
-                 x1 = xml.number(length, "transition_norm_fiber_length", 0.73),
-                 x3 = xml.number(length, "max_norm_active_fiber_length", 1.8123),
-                 slope = xml.number(length, "shallow_ascending_slope", 0.8616);
+    const double x0 = number(length, "min_norm_active_fiber_length", 0.4441, -kLeast, 1),
+                 x1 = number(length, "transition_norm_fiber_length", 0.73, x0, 1),
+                 x3 = number(length, "max_norm_active_fiber_length", 1.8123, 1, kNoBound),
+                 slope = number(length, "shallow_ascending_slope", 0.8616, -kLeast, 1 / (1 - x1));
     constexpr double kHalfPlateau = 0.05;
     const double shoulder = 1 - kHalfPlateau, y1 = 1 - slope * (shoulder - x1);
     const double down = (1 + kHalfPlateau + x3) / 2;
-    const double least = steep ? std::max(0.1, xml.number(length, "minimum_value", 0.1)) : 0;
+    const double least = steep ? std::max(0.1, number(length, "minimum_value", 0.1, -kLeast, 1)) : 0;
     shortest_ = x0;
     active_ = spline({{x0, least, 0, 1},
                       {(x0 + x1) / 2, y1 / 2, 1.25 * y1 / (x1 - x0), 1},
@@ -139,25 +229,29 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool ste
                      Ends::flat);
   }
   {
-    const double none = 1 + xml.number(fibre, "strain_at_zero_force", 0),
-                 one = 1 + xml.number(fibre, "strain_at_one_norm_force", 0.7),
-                 low = xml.number(fibre, "stiffness_at_low_force", 0.2),
-                 high = xml.number(fibre, "stiffness_at_one_norm_force", 2 / (one - none)),
-                 curviness = xml.number(fibre, "curviness", 0.75),
+    const double none = 1 + number(fibre, "strain_at_zero_force", 0, -1, kNoBound),
+                 one = 1 + number(fibre, "strain_at_one_norm_force", 0.7, none - 1, kNoBound),
+                 mean = 1 / (one - none), low = number(fibre, "stiffness_at_low_force", 0.2, 0, mean),
+                 high = number(fibre, "stiffness_at_one_norm_force", 2 * mean, mean, kNoBound),
+                 curviness = number(fibre, "curviness", 0.75, -kLeast, 1 + kLeast),
                  foot = std::min(0.1 / high, 0.1 * (one - none));
     passive_ = spline(
         {{none, 0, 0, curviness}, {none + foot, low * foot / 2, low, curviness}, {one, 1, high, curviness}},
         Ends::grow);
   }
   {
-    const double near_c = xml.number(speed, "concentric_slope_near_vmax", 0.25),
-                 middle = xml.number(speed, "isometric_slope", 5),
-                 near_e = xml.number(speed, "eccentric_slope_near_vmax", 0.15),
-                 most = xml.number(speed, "max_eccentric_velocity_force_multiplier", 1.4),
-                 bend_c = xml.number(speed, "concentric_curviness", 0.6),
-                 bend_e = xml.number(speed, "eccentric_curviness", 0.9);
-    const double end_c = steep ? std::max(near_c / 2, xml.number(speed, "concentric_slope_at_vmax", 0)) : 0,
-                 end_e = steep ? std::max(near_e / 2, xml.number(speed, "eccentric_slope_at_vmax", 0)) : 0;
+    const double near_c = number(speed, "concentric_slope_near_vmax", 0.25, 0, 1 + kLeast),
+                 middle = number(speed, "isometric_slope", 5, 1, kNoBound),
+                 most = number(speed, "max_eccentric_velocity_force_multiplier", 1.4, 1, kNoBound),
+                 near_e = number(speed, "eccentric_slope_near_vmax", 0.15, 0, most - 1),
+                 bend_c = number(speed, "concentric_curviness", 0.6, -kLeast, 1 + kLeast),
+                 bend_e = number(speed, "eccentric_curviness", 0.9, -kLeast, 1 + kLeast);
+    const double end_c = steep ? std::max(near_c / 2,
+                                          number(speed, "concentric_slope_at_vmax", 0, -kLeast, near_c))
+                               : 0,
+                 end_e = steep ? std::max(near_e / 2, number(speed, "eccentric_slope_at_vmax", 0, -kLeast,
+                                                             near_e + kLeast))
+                               : 0;
     std::vector<Corner> corners = {{-1, 0, end_c, bend_c},
                                    {-0.9, 0.05 * (near_c + end_c), near_c, bend_c},
                                    {0, 1, middle, bend_e},
@@ -168,13 +262,15 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool ste
       corners.insert(corners.begin(), {-3, -2 * end_c, end_c, bend_c});
       corners.push_back({3, most + 2 * end_e, end_e, bend_e});
       over_load_ = spline(corners, Ends::straight, true);
+    } else {
+      speeds_ = hyperbolas(corners);
     }
   }
   {  // Over the strain: a toe in two pieces, and a straight line.
-    const double one = xml.number(tendon, "strain_at_one_norm_force", 0.049),
-                 stiffness = xml.number(tendon, "stiffness_at_one_norm_force", 1.375 / one),
-                 toe = xml.number(tendon, "norm_force_at_toe_end", 2.0 / 3),
-                 curviness = xml.number(tendon, "curviness", 0.5);
+    const double one = number(tendon, "strain_at_one_norm_force", 0.049, 0, kNoBound),
+                 stiffness = number(tendon, "stiffness_at_one_norm_force", 1.375 / one, 1 / one, kNoBound),
+                 toe = number(tendon, "norm_force_at_toe_end", 2.0 / 3, 0, 1),
+                 curviness = number(tendon, "curviness", 0.5, -kLeast, 1 + kLeast);
     const double toe_end = (toe - 1) / stiffness + one, foot = toe_end / 10,
                  half = (toe / 2 - 1) / stiffness + one, slope = toe / 2 / (half - foot),
                  meet = (foot + half) / 2, far = 3 * one;

@@ -24,6 +24,9 @@ class MillardCurves {
   std::string tendon(const std::string& strain) const { return tendon_.text(strain); }
   /// The inverse of over_speed, where `steep`.
   std::string over_load(const std::string& load) const { return over_load_.text(load); }
+  /// Else the speed v at which active over_speed(v) + damping v = load. Here over_speed is made of hyperbolas, for which that equation is
+  /// quadratic. damping > 0.
+  std::string speed(const std::string& load, const std::string& active, double damping) const;
 
   /// Fibres below this have no force, in optimal lengths.
   double shortest() const { return shortest_; }
@@ -45,7 +48,14 @@ class MillardCurves {
     double curviness;  ///< of the piece to the next
   };
   static Spline spline(const std::vector<Corner>& corners, Ends ends, bool inverse = false);
+  /// y + slope w/(1 + bend w) at w after x, up to the next one.
+  struct Hyperbola {
+    double x, y, slope, bend;
+  };
+  static std::vector<Hyperbola> hyperbolas(const std::vector<Corner>& corners);
+
   Spline active_, passive_, over_speed_, over_load_, tendon_;
+  std::vector<Hyperbola> speeds_;  ///< the last one is where they end
   double shortest_ = 0;
 };
 

@@ -116,13 +116,15 @@ class Muscle {
     const std::string strain = fmt::format("((length - {}*{})/{} - 1)", n(fibre_), along, n(slack_));
     return {fibre, cosine, strain, out_.names.add(name_ + "_load", at_), shortest};
   }
-  /// The tension, by what the tendon bears, and what is left for the contractile elements; of the largest isometric force.
-  void finish_elastic(const ElasticTendon& tendon, const std::string& bears, const std::string& passive) {
+  /// The tension, by what the tendon bears, and what is left for the contractile elements, no less than `least`; of the largest
+  /// isometric force.
+  void finish_elastic(const ElasticTendon& tendon, const std::string& bears, const std::string& passive,
+                      const std::string& least = {}) {
     finish(fmt::format("{}*{}", n(force_), bears));
+    const std::string load = fmt::format("tension({})/{}{} - {}", name_, n(force_),
+                                         tendon.cosine == "1" ? "" : "/" + tendon.cosine, passive);
     out_.put(out_.nodes.add_named(*out_.sections["outputs"], tendon.load, at_), "value",
-             fmt::format("tension({})/{}{} - {}", name_, n(force_),
-                         tendon.cosine == "1" ? "" : "/" + tendon.cosine, passive),
-             at_);
+             least.empty() ? load : fmt::format("max({}, {})", load, least), at_);
   }
   void add_fibre(const ElasticTendon& tendon, const std::string& rate) {
     out_.add_state(tendon.fibre, number("default_fiber_length", fibre_) / fibre_,
@@ -244,24 +246,21 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
   const double damping = muscle.number("fiber_damping", 0.1);
   const bool elastic = !muscle.flag("ignore_tendon_compliance"), damped = damping >= kLeastDamping;
   const MillardCurves curves(out.xml, element, elastic && !damped);
-  if (elastic && !damped) {
+  if (elastic) {
     const ElasticTendon tendon = muscle.add_elastic_tendon(curves.shortest());
-    muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
     const std::string active =
         out.define(muscle.name_ + "_active",
                    fmt::format("{}*{}", muscle.activation_, curves.active(tendon.fibre)), muscle.at_);
-    const std::string speed =
-        fmt::format("{}*{}", n(muscle.speed_), curves.over_load(fmt::format("{}/{}", tendon.load, active)));
-    // The fibres stop where they are shortest.
-    muscle.add_fibre(tendon, fmt::format("select({} - {}, {}, max(0, {}))", tendon.fibre, n(tendon.shortest),
-                                         speed, speed));
+    // Fibres that are shortest carry what they do at rest, at least: they get no shorter.
+    muscle.finish_elastic(
+        tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre),
+        fmt::format("select({} - {}, -1000, {})", tendon.fibre, n(tendon.shortest), active));
+    muscle.add_fibre(tendon,
+                     fmt::format("{}*{}", n(muscle.speed_),
+                                 damped ? curves.speed(tendon.load, active, damping)
+                                        : curves.over_load(fmt::format("{}/{}", tendon.load, active))));
     return true;
   }
-  if (elastic)
-    out.approximated(
-        element,
-        "has a rigid tendon here, as with <ignore_tendon_compliance>: with damped fibres an elastic "
-        "one has no speed in closed form");
   const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
   std::string sum = fmt::format("{}*{}*{} + {}", muscle.activation_, curves.active(length),
                                 curves.over_speed(speed), curves.passive(length));
