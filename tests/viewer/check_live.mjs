@@ -366,6 +366,30 @@ bodies:
   await page.close();
 }
 
+/// Contacts with friction, pulled about at the steps of a slow computer.
+async function checkContacts(browser) {
+  const { page, wrong } = await livePage(browser, `${mechanisms}/forces/rolling_balls.yaml`);
+  const found = await page.evaluate(() => {
+    const [motion] = window.viewer.live.motions;
+    return motion.bodies.map(({ center }, body) => {
+      motion.reset();
+      if (!motion.grab(body, center)) return { most: 0, problem: "not taken" };
+      const at = [...motion.pull.at];
+      let most = 0;
+      for (let k = 0; k < 180 && !motion.problem; ++k) {
+        if (k % 30 === 0) motion.moveTarget(at.map((x, a) => x + 0.5 * Math.sin((17 * k) / 60 + a)));
+        motion.step(1 / 60);
+        most = Math.max(most, motion.energy()[0]);
+      }
+      return { most, problem: motion.problem };
+    });
+  });
+  console.log(JSON.stringify(found));
+  assert.ok(found.every(({ most, problem }) => problem === "" && most > 1 && most < 1000));
+  assert.deepEqual(wrong, []);
+  await page.close();
+}
+
 const browser = await startBrowser();
 try {
   const aside = ["--q", "0.4,-0.7"];
@@ -392,6 +416,7 @@ try {
   await checkSteps(elastic, `${mechanisms}/forces/elbow_elastic_tendons.yaml`, "implicit");
   await elastic.close();
   await checkPoles(browser);
+  await checkContacts(browser);
   await checkHand(browser);
   await checkSliders(browser);
   await checkFarAway(browser);

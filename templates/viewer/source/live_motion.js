@@ -15,7 +15,9 @@ const kProjections = 6;
 const kHalvings = 7;      // of a step
 const kExact = 1e-4;      // of the kinetic energy may be lost in a step
 const kBearable = 1e-2;   // of it in one that is not halved again
-const kIterations = 3;
+const kImplicitHalvings = 5;
+const kIterations = 8;
+const kLeastShare = 0.01;  // of a step of Newton's method
 const kImplicitlyExact = 1e-10;  // of the kinetic energy may be that of what an iteration adds to the speeds
 const kRounding = 1e-12;  // of the potential energy cannot be told
 const kKept = 1e-9;       // a constraint is kept to
@@ -182,48 +184,64 @@ export class LiveMotion {
     this.work += work;
   }
 
-  /// Backward Euler by Newton's method: M (u - u0) = h (tau - c) and the constraints' velocities, where the step ends. From the second
-  /// iteration on, an iteration of the old matrix shows whether it has converged; returns whether it did.
+  /// Backward Euler by Newton's method: M (u - u0) = h (tau - c) and the constraints' velocities, where the step ends. Its steps are halved
+  /// until those that would follow with the same matrix are shorter; where none does it, as at a jump of a force, it ends. Returns whether
+  /// it has converged.
   stepImplicitly(h) {
     const { q, u, A, pull, dynamics, derivatives, side, tau } = this;
     const { nv } = this.module;
-    const [q0, u0] = [q, u].map((x) => Float64Array.from(x));
-    const [change, rate, correction] = [0, 0, 0].map(() => new Float64Array(nv));
-    let before = null;
+    const numbers = () => new Float64Array(nv);
+    const [q0, u0, base] = [q, u, u].map((x) => Float64Array.from(x));
+    const [change, rate, newton, following] = [numbers(), numbers(), numbers(), numbers()];
+    let inputs = null;
     this.t += h;
-    // The equations at the speeds that there are now into correction.
-    const residual = () => {
+    // What the equations are off by where the speeds are u.
+    const residual = (rest) => {
       q.set(q0);
       this.addRates(q, u, h);
-      const inputs = this.evaluate(q, u, this.t, this.states);
-      before ??= this.kineticOf(u0);
+      inputs = this.evaluate(q, u, this.t, this.states);
       tau.fill(0);
       pull?.move(q, inputs);
       pull?.addTo(tau, u);
       for (let i = 0; i < nv; ++i) {
         change[i] = u[i] - u0[i];
-        correction[i] = h * (tau[i] - dynamics.c[i]);
+        rest[i] = h * (tau[i] - dynamics.c[i]);
       }
-      for (let i = 0; i < nv; ++i) for (let j = 0; j < nv; ++j) correction[i] -= dynamics.M[i * nv + j] * change[j];
+      for (let i = 0; i < nv; ++i) for (let j = 0; j < nv; ++j) rest[i] -= dynamics.M[i * nv + j] * change[j];
       for (let r = 0; r < this.nc; ++r) side[r] = -this.rows.velocity[r];
-      return inputs;
     };
-    const iterate = () => {
-      if (!this.equations.solve(A, correction, this.rows.P, side)) this.problem = "the equations of a step are singular here";
-      for (let i = 0; i < nv; ++i) u[i] += correction[i];
-    };
+    const solve = (rest) => this.equations.solve(A, rest, this.rows.P, side);
+    residual(newton);
+    const before = this.kineticOf(u0);
     let converged = false;
-    for (let k = 0; k < kIterations && !converged && !this.problem; ++k) {
-      const inputs = residual();
+    for (let k = 0, goesOn = true; k < kIterations && goesOn && !converged; ++k) {
       for (let i = 0; i < nv; ++i) rate[i] = change[i] / h;
       const { tau_q, tau_qd } = this.module.inverse_dynamics_derivatives(q, u, rate, inputs, derivatives);
       for (let i = 0; i < A.length; ++i) A[i] = dynamics.M[i] + h * (tau_qd[i] + h * tau_q[i]);
       pull?.addToMatrix(A, h);
-      iterate();
-      residual();
-      iterate();
-      const scale = Math.max(before, this.kineticOf(u), this.kineticOf(change));
-      converged = this.kineticOf(correction) <= kImplicitlyExact * scale + kRounding * Math.abs(this.energy()[1]);
+      if (!solve(newton)) {
+        this.problem = "the equations of a step are singular here";
+        break;
+      }
+      base.set(u);
+      const size = this.kineticOf(newton);
+      goesOn = false;
+      for (let share = 1; !goesOn && share > kLeastShare; share /= 2) {
+        for (let i = 0; i < nv; ++i) u[i] = base[i] + share * newton[i];
+        residual(following);
+        const rest = Float64Array.from(following);
+        if (!solve(following)) continue;
+        const left = this.kineticOf(following);
+        goesOn = left <= (1 - share / 4) ** 2 * size;
+        if (!goesOn) continue;
+        const scale = Math.max(before, this.kineticOf(u), this.kineticOf(change));
+        converged = left <= kImplicitlyExact * scale + kRounding * Math.abs(this.energy()[1]);
+        if (converged) for (let i = 0; i < nv; ++i) u[i] += following[i];
+        newton.set(rest);
+      }
+      if (goesOn) continue;
+      u.set(base);
+      residual(following);
     }
     q.set(q0);
     this.addRates(q, u, h);
@@ -290,15 +308,15 @@ export class LiveMotion {
 
   /// One step. Where it leads nowhere, the state stays as it was and `problem` says why. Inexact steps are made again, in halves: of RK4
   /// those after which the energy has not changed by the work of the hand, of backward Euler those whose iterations do not converge. Where the
-  /// shortest of them fail, the motion stops.
-  step(h, halvings = kHalvings) {
+  /// shortest of RK4 fail, the motion stops.
+  step(h, halvings = this.stiff ? kImplicitHalvings : kHalvings) {
     const state = [this.q, this.u, this.states];
     const before = state.map((x) => Float64Array.from(x));
     const { t, work, kept } = this;
     const last = halvings === 0;
     const energy = this.energy();
     let exact = true;
-    if (this.stiff) exact = this.stepImplicitly(h);
+    if (this.stiff) exact = this.stepImplicitly(h) || last;  // at a jump of a force no step converges
     else this.stepByRk4(h);
     this.settle();
     const finite = state.every((x) => x.every(Number.isFinite));
