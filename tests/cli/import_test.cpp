@@ -48,8 +48,8 @@ TEST(Import, SaysWhatItTookAndLeft) {
         std::pair(tests + "sdf/models/frames.sdf",
                   "note: taken: 5 bodies, 2 frames, 7 coordinates, 1 definition, 2 forces\n"),
         std::pair(tests + "osim/doubtful/left_out.osim",
-                  "4 forces; approximated: 1 ConditionalPathPoint, 1 "
-                  "Millard2012EquilibriumMuscle, 1 PathActuator; left out: 1 CoordinateActuator, 2 Hunt")}) {
+                  "4 forces, 1 output; approximated: 1 ConditionalPathPoint, 1 PathActuator; left out: 1 "
+                  "CoordinateActuator, 2 Hunt")}) {
     const CommandResult result = alembert(folder, "import " + file);
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err, testing::HasSubstr(said));

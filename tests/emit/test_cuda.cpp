@@ -136,10 +136,12 @@ TEST(Cuda, Mechanisms) {
     check_file(fmt::format(ALEMBERT_SOURCE_DIR "/mechanisms/{}.yaml", name));
 }
 
-/// The whole catalogue is no test of ctest's: test_cuda --gtest_filter=Whole/*
+/// The whole catalogue, in double: float has too few digits for some of its derivatives. No test of ctest's: test_cuda
+/// --gtest_filter=Whole/*
 class CudaCatalogue : public testing::TestWithParam<std::string> {};
 TEST_P(CudaCatalogue, GivesWhatTheInterpreterGives) {
-  check_file(GetParam());
+  const alembert::CompiledMechanism compiled = all_functions(GetParam());
+  check<double>(*compiled.mechanism, programs_of(compiled));
 }
 INSTANTIATE_TEST_SUITE_P(Whole, CudaCatalogue, testing::ValuesIn(alembert::test::catalogue()),
                          [](const auto& file) { return alembert::test::test_name(file.param); });
