@@ -169,8 +169,9 @@ std::vector<MillardCurves::Hyperbola> MillardCurves::hyperbolas(const std::vecto
 // With load = active y + damping v, a load of d more than where a hyperbola begins leads w further:
 // damping bend w^2 + (active slope + damping - bend d) w - d = 0.
 std::string MillardCurves::speed(const std::string& load, const std::string& active, double damping) const {
-  const auto added = [](double value) {
-    return fmt::format("{} {}", value < 0 ? "-" : "+", number_text(rounded(std::abs(value))));
+  const auto added = [](double value) {  // small dampings have their digits, too
+    return fmt::format("{} {}", value < 0 ? "-" : "+",
+                       number_text(std::round(std::abs(value) * 1e12) / 1e12));
   };
   const auto sum_of = [&](double forces, double speeds) {
     return fmt::format("{}*{} {}", number_text(rounded(forces)), active, added(damping * speeds));
