@@ -428,7 +428,7 @@ template <class M, class Force>
 /// kept to 64 sqrt(epsilon) of the speeds, or as far as the coordinates' rounding lets them. Where that comes to no end, two steps of half the length are made, and so
 /// on down to h / 32, where the nearest state will do. For hard ground with friction at the length of a frame:
 /// contacts that begin within a step are felt in it, friction stops what slides instead of throwing it back, and
-/// bounces die.
+/// bounces die. Without constraints it goes on where M is singular, if dampers or springs make the step regular.
 ///
 /// Arguments and result as for linearly_implicit_euler_step.
 template <class M, class Force>
