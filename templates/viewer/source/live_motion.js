@@ -19,6 +19,7 @@ const kImplicitHalvings = 5;
 const kIterations = 8;
 const kLeastShare = 0.01;  // of a step of Newton's method
 const kImplicitlyExact = 1e-10;  // of the kinetic energy may be that of what an iteration adds to the speeds
+const kStill = 1e-11;     // m/s^2, of all mass: no motion
 const kRounding = 1e-12;  // of the potential energy cannot be told
 const kKept = 1e-9;       // a constraint is kept to
 
@@ -35,6 +36,7 @@ export class LiveMotion {
     this.module = m;
     this.start = live;
     this.bodies = bodies;
+    this.mass = bodies.reduce((sum, { mass }) => sum + mass, 0);
     const { nq, nv } = m;
     const nc = m.constraint_names.length;
     this.nc = nc;
@@ -213,6 +215,11 @@ export class LiveMotion {
     const solve = (rest) => this.equations.solve(A, rest, this.rows.P, side);
     residual(newton);
     const before = this.kineticOf(u0);
+    const still = 0.5 * this.mass * (kStill * h) ** 2;
+    const isEnough = (left) => {
+      const scale = Math.max(before, this.kineticOf(u), this.kineticOf(change));
+      return left <= kImplicitlyExact * scale + kRounding * Math.abs(this.energy()[1]) + still;
+    };
     let converged = false;
     for (let k = 0, goesOn = true; k < kIterations && goesOn && !converged; ++k) {
       for (let i = 0; i < nv; ++i) rate[i] = change[i] / h;
@@ -225,6 +232,11 @@ export class LiveMotion {
       }
       base.set(u);
       const size = this.kineticOf(newton);
+      if (isEnough(size)) {  // at rest
+        for (let i = 0; i < nv; ++i) u[i] += newton[i];
+        converged = true;
+        break;
+      }
       goesOn = false;
       for (let share = 1; !goesOn && share > kLeastShare; share /= 2) {
         for (let i = 0; i < nv; ++i) u[i] = base[i] + share * newton[i];
@@ -234,8 +246,7 @@ export class LiveMotion {
         const left = this.kineticOf(following);
         goesOn = left <= (1 - share / 4) ** 2 * size;
         if (!goesOn) continue;
-        const scale = Math.max(before, this.kineticOf(u), this.kineticOf(change));
-        converged = left <= kImplicitlyExact * scale + kRounding * Math.abs(this.energy()[1]);
+        converged = isEnough(left);
         if (converged) for (let i = 0; i < nv; ++i) u[i] += following[i];
         newton.set(rest);
       }
