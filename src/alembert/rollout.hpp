@@ -37,8 +37,8 @@ struct Rollout {
   S h = S(0);              ///< step, s
   S t = S(0);              ///< time of the start, s; after k steps it is t + k h to the last digit
   Stepper stepper = Stepper::semi_implicit_euler;
-  const S* q =
-      nullptr;  ///< count x n_q; motions begin at the nearest states with unit quaternions and constraints kept
+  /// Starts, which are moved to the nearest states that keep unit quaternions and constraints.
+  const S* q = nullptr;             ///< count x n_q
   const S* qd = nullptr;            ///< count x n_v
   const S* parameters = nullptr;    ///< as Inputs::parameters: runtime parameters, inputs, states
   std::size_t parameters_step = 0;  ///< numbers from one motion's to the next; 0: all share them

@@ -238,14 +238,7 @@ TEST(Simulate, TakesStiffForcesAtTheStepOfAFrame) {
 // singular. Its damping makes an implicit step regular. Only the first axis moves, as a damped pendulum does.
 TEST(Simulate, ImplicitStepsGoThroughASingularMassMatrix) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("neck.yaml", R"(alembert: 1
-name: neck
-coordinates: [{name: pitch, damping: 1}, {name: roll, damping: 1}, {name: yaw, damping: 1}]
-bodies:
-  - {name: neck_1, transform: [{rotate: {axis: y, angle: pitch}}], mass: 0.1}
-  - {name: neck_2, parent: neck_1, transform: [{translate: [0.0095, 0, 0]}, {rotate: {axis: x, angle: roll}}], mass: 0.1}
-  - {name: head, parent: neck_2, transform: [{rotate: {axis: z, angle: yaw}}], mass: 1.3, com: [0.0185, 0, 0.11]}
-)");
+  const std::string file = ALEMBERT_SOURCE_DIR "/tests/cli/neck.yaml";
   const CommandResult result =
       alembert(folder, "simulate " + file + " --duration 1 --step 0.001 --integrator implicit");
   ASSERT_EQ(result.exit_code, 0) << result.err;

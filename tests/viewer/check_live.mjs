@@ -333,16 +333,7 @@ constraints: [{name: rail, type: holonomic, equations: [position(tip).z]}]
 /// A head that is a point mass: its mass matrix is singular in many places, and its speeds are tamed by their damping alone. However hard
 /// it is pulled, no more energy comes than by the work of the hand.
 async function checkPoles(browser) {
-  const description = `${folder}/neck.yaml`;
-  writeFileSync(description, `alembert: 1
-name: neck
-coordinates: [{name: pitch, damping: 1}, {name: roll, damping: 1}, {name: yaw, damping: 1}]
-bodies:
-  - {name: neck_1, transform: [{rotate: {axis: y, angle: pitch}}], mass: 0.1}
-  - {name: neck_2, parent: neck_1, transform: [{translate: [0.0095, 0, 0]}, {rotate: {axis: x, angle: roll}}], mass: 0.1}
-  - {name: head, parent: neck_2, transform: [{rotate: {axis: z, angle: yaw}}], mass: 1.3, com: [0.0185, 0, 0.11]}
-`);
-  const { page, wrong } = await livePage(browser, description, ["--integrator", "implicit"]);
+  const { page, wrong } = await livePage(browser, `${mechanisms}/../tests/cli/neck.yaml`, ["--integrator", "implicit"]);
   const { problem, most, gained } = await page.evaluate(() => {
     const [motion] = window.viewer.live.motions;
     const total = () => motion.energy()[0] + motion.energy()[1];

@@ -116,15 +116,18 @@ class Muscle {
     const std::string strain = fmt::format("((length - {}*{})/{} - 1)", n(fibre_), along, n(slack_));
     return {fibre, cosine, strain, out_.names.add(name_ + "_load", at_), shortest};
   }
-  /// The tension, by what the tendon bears, and what is left for the contractile elements, no less than `least`; of the largest
+  /// The tension, by what the tendon bears, and what is left for the contractile elements, no less than `at_limit` where the fibres are shortest; of the largest
   /// isometric force.
   void finish_elastic(const ElasticTendon& tendon, const std::string& bears, const std::string& passive,
-                      const std::string& least = {}) {
+                      const std::string& at_limit = {}) {
     finish(fmt::format("{}*{}", n(force_), bears));
     const std::string load = fmt::format("tension({})/{}{} - {}", name_, n(force_),
                                          tendon.cosine == "1" ? "" : "/" + tendon.cosine, passive);
     out_.put(out_.nodes.add_named(*out_.sections["outputs"], tendon.load, at_), "value",
-             least.empty() ? load : fmt::format("max({}, {})", load, least), at_);
+             at_limit.empty() ? load
+                              : fmt::format("select({} - {}, {}, max({}, {}))", tendon.fibre,
+                                            n(tendon.shortest), load, load, at_limit),
+             at_);
   }
   void add_fibre(const ElasticTendon& tendon, const std::string& rate) {
     out_.add_state(tendon.fibre, number("default_fiber_length", fibre_) / fibre_,
@@ -252,9 +255,7 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
         out.define(muscle.name_ + "_active",
                    fmt::format("{}*{}", muscle.activation_, curves.active(tendon.fibre)), muscle.at_);
     // Fibres that are shortest carry what they do at rest, at least: they get no shorter.
-    muscle.finish_elastic(
-        tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre),
-        fmt::format("select({} - {}, -1000, {})", tendon.fibre, n(tendon.shortest), active));
+    muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre), active);
     muscle.add_fibre(tendon,
                      fmt::format("{}*{}", n(muscle.speed_),
                                  damped ? curves.speed(tendon.load, active, damping)

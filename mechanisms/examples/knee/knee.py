@@ -14,13 +14,19 @@ HAMSTRINGS = frame("ischium"), frame("tibia_back"), 1500, 0.42
 ACTIVATION = np.linspace(0.1, 0.6, 200)
 
 
-def pull(muscle, activation, F, J, qd):
-    """The generalized force of a muscle: a force along the line from origin to insertion."""
-    origin, insertion, strongest, rest = muscle
+def length_of(muscle, F, J):
+    """From origin to insertion, m, and its derivative by q."""
+    origin, insertion, *_ = muscle
     line = F[:, insertion, :, 3] - F[:, origin, :, 3]
     moves = J[:, insertion, 3:, 0] - J[:, origin, 3:, 0]
     length = np.linalg.norm(line, axis=1)
-    arm = np.sum(line * moves, axis=1) / length  # d length / dq
+    return length, np.sum(line * moves, axis=1) / length
+
+
+def pull(muscle, activation, F, J, qd):
+    """The generalized force of a muscle: a force along the line from origin to insertion."""
+    _, _, strongest, rest = muscle
+    length, arm = length_of(muscle, F, J)
     stretch = (length - rest) / (0.5 * rest)
     return -arm * activation * strongest * np.exp(-stretch**2) / (1 + np.exp(-4 * arm * qd[:, 0]))
 
@@ -47,9 +53,7 @@ def forward(W):
 
 def arm(muscle, F, J):
     """Moment arm about the shank's axis of rotation: by how much the muscle shortens with the angle, m."""
-    line = F[:, muscle[1], :, 3] - F[:, muscle[0], :, 3]
-    lengthens = np.sum(line * (J[:, muscle[1], 3:, 0] - J[:, muscle[0], 3:, 0]), axis=1) / np.linalg.norm(line, axis=1)
-    return lengthens / J[:, muscle[1], 1, 0]
+    return length_of(muscle, F, J)[1] / J[:, muscle[1], 1, 0]
 
 
 def draw(path, times, angles):

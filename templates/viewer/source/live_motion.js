@@ -112,7 +112,7 @@ export class LiveMotion {
       }
     }
     if (!(mobility > kLeastMobility * free) || !(free > 0)) return false;
-    pull.setStrength(mobility);
+    pull.setStrength(mobility, this.mass);
     this.pull = pull;
     return true;
   }
@@ -152,9 +152,7 @@ export class LiveMotion {
     const inputs = this.evaluate(q, u, t, states);
     const { nv } = this.module;
     const { tau } = this;
-    tau.fill(0);
-    this.pull?.move(q, inputs);
-    const power = this.pull?.addTo(tau, u) ?? 0;
+    const power = this.applyPull(q, u, inputs);
     if (this.direct) {
       this.module.forward_dynamics(q, u, tau, inputs, rate);
       return power;
@@ -163,6 +161,13 @@ export class LiveMotion {
     for (let r = 0; r < this.nc; ++r) this.side[r] = -this.rows.gamma[r];
     if (!this.equations.solve(this.dynamics.M, rate, this.rows.P, this.side)) this.problem = "the mass matrix is singular here";
     return power;
+  }
+
+  /// The pull's generalized forces, alone, into tau; its power.
+  applyPull(q, u, inputs) {
+    this.tau.fill(0);
+    this.pull?.move(q, inputs);
+    return this.pull?.addTo(this.tau, u) ?? 0;
   }
 
   stepByRk4(h) {
@@ -202,9 +207,7 @@ export class LiveMotion {
       q.set(q0);
       this.addRates(q, u, h);
       inputs = this.evaluate(q, u, this.t, this.states);
-      tau.fill(0);
-      pull?.move(q, inputs);
-      pull?.addTo(tau, u);
+      this.applyPull(q, u, inputs);
       for (let i = 0; i < nv; ++i) {
         change[i] = u[i] - u0[i];
         rest[i] = h * (tau[i] - dynamics.c[i]);

@@ -18,9 +18,8 @@ export class Pull {
     this.stiffness = this.damping = 0;
   }
 
-  /// For what is felt at the point: mobility is the trace of J M^-1 J^T, 1/kg.
-  setStrength(mobility) {
-    const all = this.bodies.reduce((sum, { mass }) => sum + mass, 0);
+  /// For what is felt at the point: mobility is the trace of J M^-1 J^T, 1/kg; `all` the mass of all bodies.
+  setStrength(mobility, all) {
     const mass = Math.min(Math.sqrt(Math.max(all, 1 / mobility) / mobility), kHeaviest / mobility);
     this.stiffness = kFrequency * kFrequency * mass;
     this.damping = 2 * kDamping * Math.sqrt(this.stiffness / mobility);
