@@ -2,7 +2,6 @@
 #include "viewer/found_joint.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +11,9 @@ namespace alembert {
 
 namespace {
 
-using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Rank is judged relative to the largest singular value: turns of less than this count as none.
+/// Turns of less than this, in rad, count as none.
 constexpr double kRank = 1e-5;
 /// Errors relative to the mechanism's size.
 constexpr double kError = 1e-6;
@@ -52,36 +50,42 @@ FoundJoint find_slide(std::span<const Eigen::Isometry3d> poses, double size) {
 }  // namespace
 
 FoundJoint find_joint(std::span<const Eigen::Isometry3d> poses, double size) {
-  const Index n = static_cast<Index>(poses.size());
-  Eigen::MatrixXd A(3 * n, 6);
-  Eigen::VectorXd b(3 * n);
-  for (Index k = 0; k < n; ++k) {
-    const auto& pose = poses[static_cast<std::size_t>(k)];
-    A.block<3, 3>(3 * k, 0) = pose.linear();
-    A.block<3, 3>(3 * k, 3) = -Eigen::Matrix3d::Identity();
-    b.segment<3>(3 * k) = -pose.translation();
+  // The point p of the body and c of the parent with R_k p + t_k = c in all poses, by least squares: c is the mean.
+  const double count = static_cast<double>(poses.size());
+  Eigen::Matrix3d mean_turn = Eigen::Matrix3d::Zero();
+  Vector3d mean_place = Vector3d::Zero();
+  for (const auto& pose : poses) {
+    mean_turn += pose.linear() / count;
+    mean_place += pose.translation() / count;
   }
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  svd.setThreshold(kRank);
-  const Eigen::VectorXd point = svd.solve(b);
-  if (!((A * point - b).cwiseAbs().maxCoeff() <= kError * size)) return find_slide(poses, size);
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Vector3d right = Vector3d::Zero();
+  for (const auto& pose : poses) {
+    const Eigen::Matrix3d turn = pose.linear() - mean_turn;
+    squares += turn.transpose() * turn;
+    right -= turn.transpose() * (pose.translation() - mean_place);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+  int rank = 0;
+  Vector3d in_body = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    if (!(solver.eigenvalues()(k) > kRank * kRank * count)) continue;
+    ++rank;
+    const Vector3d direction = solver.eigenvectors().col(k);
+    in_body += direction.dot(right) / solver.eigenvalues()(k) * direction;
+  }
+  const Vector3d in_parent = mean_turn * in_body + mean_place;
+  for (const auto& pose : poses)
+    if (!((pose * in_body - in_parent).cwiseAbs().maxCoeff() <= kError * size))
+      return find_slide(poses, size);
   FoundJoint joint;
-  joint.in_body = point.head<3>();
-  switch (svd.rank()) {
-    case 6:
-      joint.kind = FoundJoint::Kind::point;
-      break;
-    case 5: {
-      joint.kind = FoundJoint::Kind::axis;
-      joint.axis = svd.matrixV().col(5).head<3>().normalized();
-      joint.in_body -= joint.in_body.dot(joint.axis) * joint.axis;
-      break;
-    }
-    default:
-      joint.kind = FoundJoint::Kind::fixed;
-      joint.in_body.setZero();
-      break;
+  joint.kind = FoundJoint::Kind::fixed;
+  if (rank == 3) joint.kind = FoundJoint::Kind::point;
+  if (rank == 2) {
+    joint.kind = FoundJoint::Kind::axis;
+    joint.axis = solver.eigenvectors().col(0);
   }
+  if (rank >= 2) joint.in_body = in_body;
   joint.in_parent = poses[0] * joint.in_body;
   return joint;
 }

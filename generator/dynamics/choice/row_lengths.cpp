@@ -1,12 +1,14 @@
 // Lengths of rows (see the header).
 #include "dynamics/choice/row_lengths.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "dynamics/tree/state_values.hpp"
+#include "support/inverse_diagonal.hpp"
 #include "symbolic/error_bound.hpp"
 #include "symbolic/evaluate.hpp"
 
@@ -21,20 +23,19 @@ using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 
 /// The diagonal of M's inverse; empty where M has none. M = D C D with D the square roots of M's diagonal, so that
 /// speeds of all units are alike.
-Eigen::VectorXd inverse_diagonal(std::span<const double> values, Eigen::Index nv) {
+Eigen::VectorXd scaled_inverse_diagonal(std::span<const double> values, Eigen::Index nv) {
   const Eigen::Map<const RowMajorMatrix> M(values.data(), nv, nv);
   const Eigen::VectorXd scale = M.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd C = scale.asDiagonal() * M * scale.asDiagonal();
-  const Eigen::LLT<Eigen::MatrixXd> factor(C);
-  if (!C.allFinite() || factor.info() != Eigen::Success) return {};
-  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(nv, nv));
-  return inverse.diagonal().cwiseProduct(scale.cwiseAbs2());
+  const std::optional<Eigen::VectorXd> of_scaled =
+      inverse_diagonal(scale.asDiagonal() * M * scale.asDiagonal());
+  if (!of_scaled) return {};
+  return of_scaled->cwiseProduct(scale.cwiseAbs2());
 }
 
 /// Their logarithms to base 2 at a state; -infinity for rows of zeros. Empty where M is singular.
 Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Expr>& M,
                            std::span<const double> state, Eigen::Index nv) {
-  const Eigen::VectorXd weights = inverse_diagonal(evaluate(M, state), nv);
+  const Eigen::VectorXd weights = scaled_inverse_diagonal(evaluate(M, state), nv);
   if (weights.size() == 0) return {};
   const std::vector<Approximate> entries = evaluate_bounded(rows.P, state);
   Eigen::VectorXd out(static_cast<Eigen::Index>(rows.position.size()));

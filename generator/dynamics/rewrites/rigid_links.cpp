@@ -66,12 +66,10 @@ CommonNormal common_normal(const Matrix4e& pose) {
   if (!d.parallel) {
     x /= sine;
     d.twist = atan2(Extended(x.dot(z0.cross(z1))), Extended(z0.dot(z1)));
-    Matrix3e axes;
-    axes << z0, x, z1;
-    const Vector3e parts = axes.partialPivLu().solve(t);
-    d.first_shift = parts[0];
-    d.length = parts[1];
-    d.last_shift = parts[2];
+    // t = first_shift z0 + length x + last_shift z1
+    d.first_shift = t.dot(z1.cross(x)) / sine;
+    d.length = t.dot(x);
+    d.last_shift = t.dot(x.cross(z0)) / sine;
     d.first_angle = atan2(x[1], x[0]);
   } else {
     d.twist = z1[2] > 0 ? Extended(0) : Extended(2 * kRightAngle);

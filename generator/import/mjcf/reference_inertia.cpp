@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <optional>
 
 #include "support/error.hpp"
+#include "support/inverse_diagonal.hpp"
 
 namespace alembert {
 namespace {
@@ -132,11 +133,10 @@ void work_out_spring_dampers(MjcfModel& model) {
                       "give stiffness and damping");
   };
   if (size > kMostSpeeds) throw refuse(fmt::format("the model has more than {} speeds", kMostSpeeds));
-  const Eigen::LLT<Eigen::MatrixXd> factor(mass_matrix(model, motions));
-  if (factor.info() != Eigen::Success) throw refuse("the mass matrix of the model is singular");
-  const Eigen::VectorXd light = factor.solve(Eigen::MatrixXd::Identity(size, size)).diagonal();
+  const std::optional<Eigen::VectorXd> light = inverse_diagonal(mass_matrix(model, motions));
+  if (!light) throw refuse("the mass matrix of the model is singular");
   std::vector<double> sums(model.joints.size());
-  for (Eigen::Index i = 0; i < size; ++i) sums[motions[static_cast<std::size_t>(i)].joint] += light[i];
+  for (Eigen::Index i = 0; i < size; ++i) sums[motions[static_cast<std::size_t>(i)].joint] += (*light)[i];
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     MjcfJoint& joint = model.joints[j];
     if (!joint.spring_damper) continue;
