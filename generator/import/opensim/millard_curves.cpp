@@ -200,9 +200,11 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool ste
   // Between the bounds that OpenSim sets.
   const auto number = [&](pugi::xml_node curve, const char* property, double otherwise, double above,
                           double below) {
-    const double value = xml.number(curve, property, otherwise);
-    if (value > above && value < below) return value;
     const pugi::xml_node found = xml.property(curve, property);
+    // They are optional: OpenSim writes empty elements for what it works out.
+    const bool given = !OsimXml::text(found.parent(), property).empty();
+    const double value = given ? xml.number(curve, property, otherwise) : otherwise;
+    if (value > above && value < below) return value;
     const std::string least = number_text(rounded(above) + 0.0);  // not -0
     throw InputError(
         xml.where(found ? found : muscle),

@@ -70,8 +70,14 @@ std::vector<std::string> OsimXml::words(pugi::xml_node element, const char* prop
   return split(text_of_element(element.child(property)));
 }
 
-bool OsimXml::is_blank(pugi::xml_node element) {
-  return text_of_element(element).empty();
+bool OsimXml::is_left_blank(pugi::xml_node element, std::span<const double> otherwise) const {
+  if (!text_of_element(element).empty()) return false;
+  warn({where(element),
+        fmt::format("<{}> of {} is empty; {} is taken", element.name(), title(element.parent()),
+                    fmt::join(otherwise, " ")),
+        {},
+        "empty"});
+  return true;
 }
 
 bool OsimXml::flag(pugi::xml_node element, const char* property, bool otherwise) const {

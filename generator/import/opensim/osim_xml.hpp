@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,7 @@ class OsimXml {
   std::array<double, kCount> vector(pugi::xml_node element, const char* property,
                                     const std::array<double, kCount>& otherwise) const {
     const pugi::xml_node found = this->property(element, property);
-    if (!found || is_blank(found)) return otherwise;
+    if (!found || is_left_blank(found, otherwise)) return otherwise;
     const std::vector<double> values = numbers(found, kCount);
     std::array<double, kCount> out{};
     std::ranges::copy(values, out.begin());
@@ -62,7 +63,8 @@ class OsimXml {
   static std::vector<pugi::xml_node> elements(pugi::xml_node parent);
 
  private:
-  static bool is_blank(pugi::xml_node element);
+  /// Whether nothing stands in an element; then with a warning.
+  bool is_left_blank(pugi::xml_node element, std::span<const double> otherwise) const;
 
   const XmlText& xml_;
   std::map<std::string_view, pugi::xml_node> defaults_;  // by type

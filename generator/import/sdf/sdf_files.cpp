@@ -237,7 +237,14 @@ std::string SdfFiles::text(pugi::xml_node element) {
 
 double SdfFiles::number(pugi::xml_node element, const char* child, double otherwise) const {
   const pugi::xml_node found = element.child(child);
-  if (text(found).empty()) return otherwise;
+  if (!found) return otherwise;
+  if (text(found).empty()) {
+    warn({where(found),
+          fmt::format("<{}> of {} is empty; {} is taken", child, sdf_title(element), otherwise),
+          {},
+          "empty"});
+    return otherwise;
+  }
   return of(found).number_list(found, fmt::format("<{}> of {}", child, sdf_title(element)), 1, 1)[0];
 }
 

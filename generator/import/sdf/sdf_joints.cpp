@@ -75,6 +75,7 @@ class SdfJointReader {
     joint.cut_first = files_.flag(node.child("physics").child("simbody"), "must_be_loop_joint", false);
     for (std::size_t a = 0; a < type.axes; ++a)
       joint.axes.push_back(read_axis(scope, i, text.require(node, a == 0 ? "axis" : "axis2", what)));
+    for (const char* other : {"axis", "axis2"}) warn_of_dynamics(joint, node.child(other), what);
     if (type.name == "continuous")
       for (SdfAxis& axis : joint.axes) axis.limits.reset();
     if (joint.type == SdfJointType::screw) read_pitch(node, named.minor, joint);
@@ -91,6 +92,17 @@ class SdfJointReader {
         throw InputError(joint.where, fmt::format("{} joins link '{}' to itself", what,
                                                   printable(model_.links[joint.child].name)));
     }
+  }
+
+  /// Of an axis that a joint does not have.
+  void warn_of_dynamics(const SdfJoint& joint, pugi::xml_node axis, const std::string& what) const {
+    const pugi::xml_node dynamics = axis.child("dynamics");
+    if (joint.type != SdfJointType::ball || !dynamics) return;
+    for (const char* kind : {"damping", "friction", "spring_stiffness"})
+      if (files_.number(dynamics, kind, 0) != 0)
+        files_.warn({files_.where(dynamics.child(kind)),
+                     fmt::format("{} has no axes: the <{}> of its <{}> is left out", what, kind, axis.name()),
+                     "write a force by the speeds of the joint", "no axes"});
   }
 
   static const SdfTypeName* find_type(std::string_view name) {

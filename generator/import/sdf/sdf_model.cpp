@@ -99,7 +99,19 @@ class SdfReader {
     const pugi::xml_node physics = world.child("physics");
     model_.gravity = files_.vector(world, "gravity",
                                    minor <= 5 ? files_.vector(physics, "gravity", kSdfGravity) : kSdfGravity);
+    warn_of_wind(world);
     read_contents(world, 0, kNoSdf, minor, 0);
+  }
+
+  void warn_of_wind(pugi::xml_node world) {
+    const pugi::xml_node wind = world.child("wind");
+    if (files_.vector(wind, "linear_velocity", Eigen::Vector3d::Zero()).isZero(0)) return;
+    const pugi::xml_node blown = world.find_node([&](pugi::xml_node node) {
+      return std::string_view(node.name()) == "enable_wind" &&
+             files_.flag(node.parent(), "enable_wind", false);
+    });
+    if (blown)
+      files_.warn({files_.where(wind), "wind is left out", "write its force on a link as a force", "wind"});
   }
 
   /// Links, joints, frames and models of an element. \param base  as in SdfNamed
