@@ -2,7 +2,8 @@
 #
 #   alembert_add_mechanism(TARGET target MECHANISM file.yaml
 #                          [IMPORT option ...]     of a robot in another format: options of `alembert import`, such as --root floating
-#                          [NAME name]             the mechanism's name, if it cannot be read off the file: its line `name: ...`, or a robot's name
+#                          [NAME name]             the mechanism's name, if it cannot be read off the file: its line `name: ...`, or a robot's name;
+#                                                  or what a robot in another format is to be called
 #                          [LANGUAGE CXX|C|PYTHON|JAVASCRIPT|CUDA] C: the C interface with C99 behind it and nothing of C++; then one of SCALARS
 #                                                  (default double), and no NAMESPACE, PARTS, TRIG, BATCH. PYTHON: the same as a
 #                                                  shared library, and the module over it beside it, in the folder that the target's
@@ -69,7 +70,7 @@ function(_alembert_mechanism_name file variable)
   file(READ "${file}" text LIMIT 1048576)
   if(text MATCHES "^[ \t\r\n]*<")
     string(REGEX REPLACE "<!--([^-]|-[^-])*-->" "" text "${text}")
-    if(NOT text MATCHES "<(robot|model|Model|mujoco)[ \t\r\n][^>]*(name|model)[ \t\r\n]*=[ \t\r\n]*[\"']([^\"']+)")
+    if(NOT text MATCHES "<(robot|world|model|Model|mujoco)[ \t\r\n][^>]*(name|model)[ \t\r\n]*=[ \t\r\n]*[\"']([^\"']+)")
       message(FATAL_ERROR "alembert_add_mechanism: ${file} does not name its robot. Give it with NAME.")
     endif()
     string(MAKE_C_IDENTIFIER "${CMAKE_MATCH_3}" name)
@@ -228,6 +229,10 @@ function(alembert_add_mechanism)
   endif()
 
   set(options --expected-name ${name} ${arg_IMPORT})
+  file(READ "${description}" beginning LIMIT 1024)
+  if(beginning MATCHES "^[ \t\r\n]*<")  # a robot in another format, where that name may be another one, or none
+    list(APPEND options --name ${name})
+  endif()
   if(arg_LANGUAGE STREQUAL "C")
     if(python)
       list(APPEND options --language python)

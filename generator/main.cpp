@@ -103,6 +103,8 @@ void add_importing(CLI::App* command, DescribeOptions& describe, const std::stri
                    "package://NAME), or files that an MJCF names beyond its own; may be repeated")
       ->allow_extra_args(false)
       ->group(group);
+  command->add_option("--name", describe.name, "what to call the mechanism (default: as the file does)")
+      ->group(group);
   command
       ->add_option_function<std::string>(
           "--root", [&describe](const std::string& value) { describe.floating = value == "floating"; },

@@ -50,19 +50,23 @@ constexpr unsigned options_of(std::initializer_list<ImportOption> options) {
 constexpr Importer kImporters[] = {
     {"URDF", ".urdf",
      options_of({ImportOption::root, ImportOption::massless, ImportOption::friction,
-                 ImportOption::snap_angles, ImportOption::include}),
+                 ImportOption::snap_angles, ImportOption::include, ImportOption::name}),
      [](std::string_view text) { return root_of(text) == "robot"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_robot(read_urdf(source, warnings), source, options);
      }},
-    {"MJCF", ".mjcf", options_of({ImportOption::friction, ImportOption::snap_angles, ImportOption::include}),
+    {"MJCF", ".mjcf",
+     options_of(
+         {ImportOption::friction, ImportOption::snap_angles, ImportOption::include, ImportOption::name}),
      [](std::string_view text) { return root_of(text) == "mujoco" || root_of(text) == "mujocoinclude"; },
      [](const std::shared_ptr<const SourceText>& source, const DescribeOptions& options, Warnings& warnings) {
        return describe_model(read_mjcf(source, options.include_folders, warnings), source, options);
      }},
-    {"SDF", ".sdf", options_of({ImportOption::friction, ImportOption::snap_angles, ImportOption::include}),
+    {"SDF", ".sdf",
+     options_of(
+         {ImportOption::friction, ImportOption::snap_angles, ImportOption::include, ImportOption::name}),
      [](std::string_view text) { return root_of(text) == "sdf"; }, describe_sdf},
-    {"OpenSim", ".osim", options_of({ImportOption::snap_angles}),
+    {"OpenSim", ".osim", options_of({ImportOption::snap_angles, ImportOption::name}),
      [](std::string_view text) { return root_of(text) == "OpenSimDocument"; }, describe_osim},
 };
 
@@ -82,6 +86,7 @@ constexpr OptionName kOptionNames[] = {
      [](const DescribeOptions& options) { return options.snap_angles != DescribeOptions{}.snap_angles; }},
     {ImportOption::include, "--include",
      [](const DescribeOptions& options) { return !options.include_folders.empty(); }},
+    {ImportOption::name, "--name", [](const DescribeOptions& options) { return !options.name.empty(); }},
 };
 
 const Importer* importer_by_name(const SourceText& source) {

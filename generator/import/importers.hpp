@@ -12,7 +12,14 @@
 namespace alembert {
 
 /// What of DescribeOptions a format has a use for.
-enum class ImportOption : unsigned { root = 1, massless = 2, friction = 4, snap_angles = 8, include = 16 };
+enum class ImportOption : unsigned {
+  root = 1,
+  massless = 2,
+  friction = 4,
+  snap_angles = 8,
+  include = 16,
+  name = 32
+};
 
 struct Importer {
   std::string_view format;     ///< what people call it

@@ -279,6 +279,21 @@ TEST(Import, TakesSdfInEveryCommand) {
   EXPECT_THAT(result.err, testing::HasSubstr("warning: --root, --massless have no meaning for SDF"));
 }
 
+TEST(Import, GivesTheMechanismTheNameThatIsAskedFor) {
+  const TemporaryFolder folder;
+  const std::string models = ALEMBERT_SOURCE_DIR "/tests/";
+  for (const std::string robot : {"urdf/robots/drives.urdf", "mjcf/models/joints.xml",
+                                  "sdf/doubtful/decay.sdf", "osim/doubtful/empty_numbers.osim"}) {
+    const CommandResult result = alembert(folder, "import " + models + robot + " --name 'left arm'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, testing::StartsWith("alembert: 1\nname: left_arm\n")) << robot;
+  }
+  const std::string file = folder / "robot.yaml";
+  ASSERT_EQ(alembert(folder, "import " + models + "urdf/robots/drives.urdf --out " + file).exit_code, 0);
+  EXPECT_THAT(alembert(folder, "report " + file + " --functions energy --name arm").err,
+              testing::HasSubstr("warning: --name has no meaning for a description"));
+}
+
 TEST(Import, HasItsOptionsInEveryCommand) {
   const TemporaryFolder folder;
   const std::string robot = ALEMBERT_SOURCE_DIR "/tests/urdf/robots/drives.urdf";

@@ -29,6 +29,9 @@ struct DescribeOptions {
   std::vector<std::string> include_folders =
       {};                   ///< where included models and meshes are looked for, besides the file's folder
   std::string folder = {};  ///< of the description, from which it names meshes; empty: the file's
+  std::string name = {};    ///< what the mechanism is called; empty: as the file calls it
+
+  const std::string& name_or(const std::string& own) const { return name.empty() ? own : name; }
 };
 
 struct DescribedRobot {

@@ -42,7 +42,8 @@ DescribedRobot describe_model(const MjcfModel& model, std::shared_ptr<const Sour
   relations.add_constraints(constraints);
   relations.add_outputs(outputs);
 
-  YamlNode& root = nodes.root(model.name, fmt::format("MuJoCo model '{}'", printable(model.name)), top);
+  YamlNode& root =
+      nodes.root(options.name_or(model.name), fmt::format("MuJoCo model '{}'", printable(model.name)), top);
   if (model.gravity != Eigen::Vector3d(0, 0, -9.81))
     nodes.put(root, "gravity", nodes.numbers({model.gravity.x(), model.gravity.y(), model.gravity.z()}, top));
   nodes.put(root, "coordinates", coordinates);

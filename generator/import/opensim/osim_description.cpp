@@ -149,7 +149,7 @@ YamlNode& OsimDescription::finish() {
   std::string about = fmt::format("OpenSim model '{}'", printable(model.name));
   if (!taken.empty()) about += "; taken: " + counts_text(taken);
   if (const std::string rest = left_text(nearly, left_out); !rest.empty()) about += "; " + rest;
-  YamlNode& root = nodes.root(model.name, about, top);
+  YamlNode& root = nodes.root(options.name_or(model.name), about, top);
   nodes.put(root, "gravity", nodes.numbers(model.gravity, top));
   const auto put_named = [&](const char* key, const std::vector<Named>& list) {
     if (list.empty()) return;

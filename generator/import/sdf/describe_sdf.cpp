@@ -54,7 +54,8 @@ class SdfDescriber {
       add_frame(frames, frame_names_.add(frame.name, frame.where), frame.link, frame.pose, frame.where);
     add_forces(forces, frames);
     for (const std::size_t cut : tree_.cuts) add_constraint(constraints, forces, frames, cut);
-    YamlNode& root = nodes_.root(model_.name, fmt::format("SDF '{}'", printable(model_.name)), top);
+    YamlNode& root =
+        nodes_.root(options_.name_or(model_.name), fmt::format("SDF '{}'", printable(model_.name)), top);
     if (model_.gravity != Eigen::Vector3d(0, 0, -9.81))
       nodes_.put(root, "gravity", nodes_.numbers(entries(model_.gravity), top));
     nodes_.put(root, "coordinates", coordinates);

@@ -35,7 +35,8 @@ class Describer {
       if (link == robot_.root && root_is_world_) continue;
       (is_frame(link) ? frames : bodies).items.push_back(&add_link(link));
     }
-    YamlNode& root = nodes_.root(robot_.name, fmt::format("URDF robot '{}'", printable(robot_.name)), top);
+    YamlNode& root = nodes_.root(options_.name_or(robot_.name),
+                                 fmt::format("URDF robot '{}'", printable(robot_.name)), top);
     nodes_.put(root, "coordinates", coordinates);
     if (!definitions.items.empty()) nodes_.put(root, "definitions", definitions);
     nodes_.put(root, "bodies", bodies);
