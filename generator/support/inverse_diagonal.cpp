@@ -2,14 +2,13 @@
 #include "support/inverse_diagonal.hpp"
 
 #include <Eigen/Cholesky>
-#include <cmath>
 
 namespace alembert {
 
 std::optional<Eigen::VectorXd> inverse_diagonal(const Eigen::MatrixXd& A) {
   const Eigen::LLT<Eigen::MatrixXd> factor(A);
   if (!A.allFinite() || factor.info() != Eigen::Success) return std::nullopt;
-  // A^-1 = B^T B with B the inverse of A's lower factor.
+  // A^-1 = B^T B with B = L^-1.
   const Eigen::MatrixXd B = factor.matrixL().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
   return Eigen::VectorXd(B.colwise().squaredNorm().transpose());
 }
