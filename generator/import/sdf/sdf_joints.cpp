@@ -73,7 +73,11 @@ class SdfJointReader {
     joint.in_parent = in(joint.parent);
     joint.in_child = in(joint.child);
     joint.cut_first = files_.flag(node.child("physics").child("simbody"), "must_be_loop_joint", false);
-    for (std::size_t a = 0; a < type.axes; ++a)
+    if (type.axes == 1 && !node.child("axis")) {
+      files_.warn({joint.where, fmt::format("no <axis> in {}; the z axis is taken", what), {}, "no axis"});
+      joint.axes.emplace_back().where = joint.where;
+    }
+    for (std::size_t a = joint.axes.size(); a < type.axes; ++a)
       joint.axes.push_back(read_axis(scope, i, text.require(node, a == 0 ? "axis" : "axis2", what)));
     for (const char* other : {"axis", "axis2"}) warn_of_dynamics(joint, node.child(other), what);
     if (type.name == "continuous")
