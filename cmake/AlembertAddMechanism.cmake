@@ -64,11 +64,22 @@ function(_alembert_optimise target)
   endforeach()
 endfunction()
 
+# Whether a file is a robot in another format: those are XML.
+function(_alembert_is_robot file variable)
+  file(READ "${file}" beginning LIMIT 1024)
+  if(beginning MATCHES "^[ \t\r\n]*<")
+    set(${variable} TRUE PARENT_SCOPE)
+  else()
+    set(${variable} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
 # The name of the mechanism in a description, read without knowing YAML: the file names follow from it.
 # The line `name: ...` of a description, or the name of a robot in another format.
 function(_alembert_mechanism_name file variable)
-  file(READ "${file}" text LIMIT 1048576)
-  if(text MATCHES "^[ \t\r\n]*<")
+  _alembert_is_robot("${file}" is_robot)
+  if(is_robot)
+    file(READ "${file}" text LIMIT 1048576)
     string(REGEX REPLACE "<!--([^-]|-[^-])*-->" "" text "${text}")
     if(NOT text MATCHES "<(robot|world|model|Model|mujoco)[ \t\r\n][^>]*(name|model)[ \t\r\n]*=[ \t\r\n]*[\"']([^\"']+)")
       message(FATAL_ERROR "alembert_add_mechanism: ${file} does not name its robot. Give it with NAME.")
@@ -229,8 +240,8 @@ function(alembert_add_mechanism)
   endif()
 
   set(options --expected-name ${name} ${arg_IMPORT})
-  file(READ "${description}" beginning LIMIT 1024)
-  if(beginning MATCHES "^[ \t\r\n]*<")  # a robot in another format, where that name may be another one, or none
+  _alembert_is_robot("${description}" is_robot)
+  if(is_robot)  # its own name may be another one
     list(APPEND options --name ${name})
   endif()
   if(arg_LANGUAGE STREQUAL "C")

@@ -7,7 +7,7 @@
 namespace alembert {
 
 /// The diagonal of A^-1, by A = L L^T.
-/// \param A  n x n; only its lower triangle is read
+/// \param A  n x n, symmetric
 /// \return   nothing where A is not positive definite, or not finite
 std::optional<Eigen::VectorXd> inverse_diagonal(const Eigen::MatrixXd& A);
 

@@ -16,7 +16,8 @@ namespace alembert {
 
 namespace {
 
-/// One decomposition for all, and products without blocks: others take a fifth of the time to compile this room.
+/// One decomposition for all, and products without blocks: with others this room takes a fifth longer to
+/// compile.
 using Factors = Eigen::FullPivLU<MatrixXe>;
 
 Factors factors(const MatrixXe& A) {

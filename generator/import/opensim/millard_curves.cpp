@@ -202,8 +202,7 @@ MillardCurves::MillardCurves(const OsimXml& xml, pugi::xml_node muscle, bool ste
                           double below) {
     const pugi::xml_node found = xml.property(curve, property);
     // They are optional: OpenSim writes empty elements for what it works out.
-    const bool given = !OsimXml::text(found.parent(), property).empty();
-    const double value = given ? xml.number(curve, property, otherwise) : otherwise;
+    const double value = text_of_element(found).empty() ? otherwise : xml.number(curve, property, otherwise);
     if (value > above && value < below) return value;
     const std::string least = number_text(rounded(above) + 0.0);  // not -0
     throw InputError(
