@@ -116,6 +116,14 @@ void TransformFactors::add_free(YamlNode& factors, const std::vector<std::string
   factors.items.push_back(&nodes_.single("joint", node));
 }
 
+void TransformFactors::add_spherical(YamlNode& factors, const std::string& name,
+                                     const SourceLocation& where) const {
+  YamlNode& node = nodes_.mapping(where);
+  nodes_.put(node, "type", nodes_.text("spherical", where));
+  nodes_.put(node, "coordinates", nodes_.list({name}, where));
+  factors.items.push_back(&nodes_.single("joint", node));
+}
+
 void TransformFactors::add_frame(YamlNode& frames, const std::string& name, const std::string& body,
                                  const RigidPose& pose, const SourceLocation& where) const {
   YamlNode& node = nodes_.add_named(frames, name, where);

@@ -38,6 +38,8 @@ class TransformFactors {
                  const std::string& coordinate, const SourceLocation& where) const;
   /// Appends three shifts and a quaternion.
   void add_free(YamlNode& factors, const std::vector<std::string>& names, const SourceLocation& where) const;
+  /// Appends a quaternion.
+  void add_spherical(YamlNode& factors, const std::string& name, const SourceLocation& where) const;
   /// Appends an item of `frames`: one of this name that lies so in a body.
   void add_frame(YamlNode& frames, const std::string& name, const std::string& body, const RigidPose& pose,
                  const SourceLocation& where) const;

@@ -55,6 +55,7 @@ XmlText::XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, c
       buffer_(source_->text),
       warnings_(&warnings) {
   blank_strange_bytes();
+  mend_markup();
   const pugi::xml_parse_result result =
       document_.load_buffer_inplace(buffer_.data(), buffer_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result)
@@ -74,6 +75,69 @@ void XmlText::blank_strange_bytes() {
     warn({place(*at), objection_to_byte(buffer_, *at) + "; it is taken for a question mark", {}, "byte"});
     buffer_[*at] = '?';
   }
+}
+
+void XmlText::mend_markup() {
+  struct Section {
+    std::string_view begin, end;
+  };
+  constexpr Section kSections[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
+  std::vector<std::size_t> blanks;
+  std::size_t at = 0;
+  while ((at = buffer_.find('<', at)) != std::string::npos) {
+    const std::string_view rest = std::string_view(buffer_).substr(at);
+    const auto* const section =
+        std::ranges::find_if(kSections, [&](const Section& known) { return rest.starts_with(known.begin); });
+    if (section != std::end(kSections)) {
+      at = buffer_.find(section->end, at + section->begin.size());
+    } else if (!rest.starts_with("<!")) {
+      at = end_of_tag(at, blanks);
+    } else {
+      const std::size_t end = buffer_.find('>', at);
+      if (end == std::string::npos || rest.starts_with("<!DOCTYPE")) break;
+      warn({place(at), "'<!' begins no comment; it is passed over as far as '>'", {}, "markup"});
+      std::replace_if(
+          buffer_.begin() + static_cast<std::ptrdiff_t>(at),
+          buffer_.begin() + static_cast<std::ptrdiff_t>(end) + 1, [](char c) { return c != '\n'; }, ' ');
+    }
+  }
+  insert_blanks(blanks);
+}
+
+/// Of a tag that begins here; and where it needs blanks before attributes.
+std::size_t XmlText::end_of_tag(std::size_t begin, std::vector<std::size_t>& blanks) const {
+  constexpr std::string_view kAfterValue = " \t\r\n/>?<=\"'";
+  char quote = '\0';
+  for (std::size_t at = begin + 1; at < buffer_.size(); ++at) {
+    const char c = buffer_[at];
+    if (c == '<') return quote == '\0' ? at : std::string::npos;
+    if (quote == '\0') {
+      if (c == '>') return at;
+      if (c == '"' || c == '\'') quote = c;
+    } else if (c == quote) {
+      quote = '\0';
+      if (at + 1 == buffer_.size() || kAfterValue.find(buffer_[at + 1]) != std::string_view::npos) continue;
+      blanks.push_back(at + 1);
+    }
+  }
+  return std::string::npos;
+}
+
+void XmlText::insert_blanks(const std::vector<std::size_t>& before) {
+  if (before.empty()) return;
+  std::string mended;
+  std::size_t done = 0;
+  std::vector<std::size_t> inserted;
+  for (const std::size_t at : before) {
+    warn({place(at), "no blank between two attributes", {}, "blank"});
+    mended.append(buffer_, done, at - done);
+    inserted.push_back(mended.size());
+    mended += ' ';
+    done = at;
+  }
+  mended.append(buffer_, done);
+  buffer_ = std::move(mended);
+  inserted_ = std::move(inserted);
 }
 
 void XmlText::check_duplicate_attributes() const {
@@ -103,6 +167,7 @@ void XmlText::warn_instead(const InputError& error, const std::string& consequen
 }
 
 SourceLocation XmlText::place(std::size_t offset) const {
+  offset -= static_cast<std::size_t>(std::ranges::lower_bound(inserted_, offset) - inserted_.begin());
   return place_in(source_, line_starts_, std::min(offset, source_->text.size()));
 }
 
@@ -217,7 +282,7 @@ std::vector<double> XmlText::number_list(pugi::xml_node element, std::string_vie
 std::vector<double> XmlText::number_list(std::string_view text, const SourceLocation& where,
                                          std::string_view what, std::size_t least, std::size_t most) const {
   const auto fail = [&] {
-    if (text.find("${") != std::string_view::npos)
+    if (text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos)
       return InputError(where, fmt::format("'{}' is of xacro, not of URDF", printable(text)), kExpandXacro);
     return InputError(where, fmt::format("expected {} as {}, found '{}'",
                                          most == 1       ? "a number"

@@ -34,8 +34,9 @@ std::string text_of_element(pugi::xml_node element);
 /// A parsed XML text.
 class XmlText {
  public:
-  /// Throws InputError at what is not one well-formed element. Bytes that are no text count as question
-  /// marks.
+  /// Throws InputError at what is not one well-formed element. Warned of and mended is what robots' own
+  /// engines read too: bytes that are no text, attributes without a blank between them, and `<!` that begins
+  /// neither a comment nor anything else.
   XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, const XmlFormat& format);
 
   pugi::xml_node root() const { return document_.document_element(); }
@@ -97,6 +98,9 @@ class XmlText {
   std::vector<double> number_list(std::string_view text, const SourceLocation& where, std::string_view what,
                                   std::size_t least, std::size_t most) const;
   void blank_strange_bytes();
+  void mend_markup();
+  std::size_t end_of_tag(std::size_t begin, std::vector<std::size_t>& blanks) const;
+  void insert_blanks(const std::vector<std::size_t>& before);
   void check_duplicate_attributes() const;
   void warn_instead(const InputError& error, const std::string& consequence) const;
   bool passed_over(std::string_view name, SourceLocation where) const;
@@ -107,6 +111,7 @@ class XmlText {
   std::shared_ptr<const SourceText> source_;
   std::vector<std::size_t> line_starts_;
   std::string buffer_;  // parsed in place, so that names and values stay where they are in the text
+  std::vector<std::size_t> inserted_;  // blanks in the buffer that the text lacks, in order
   pugi::xml_document document_;
   Warnings* warnings_;
 };

@@ -139,7 +139,7 @@ class Describer {
   void add_coordinates(YamlNode& list) {
     const UrdfLink& root = robot_.links[robot_.root];
     for (const UrdfJoint& joint : robot_.joints)
-      if (has_position(joint)) names_.reserve(joint.name);
+      if (has_position(joint) || joint.type == UrdfJointType::spherical) names_.reserve(joint.name);
     if (options_.floating) root_names_ = add_free(list, root.name, root.where, root_is_massless());
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       const UrdfJoint& joint = robot_.joints[j];
@@ -149,6 +149,10 @@ class Describer {
           break;
         case UrdfJointType::floating:
           names = add_free(list, joint.name, joint.where, massless_[j]);
+          break;
+        case UrdfJointType::spherical:
+          names.push_back(names_.add(joint.name, joint.where));
+          add_coordinate(list, names[0], joint.where, massless_[j], nullptr, "quaternion");
           break;
         case UrdfJointType::planar:
           for (const char* suffix : {"_x", "_y", "_angle"}) {

@@ -18,6 +18,7 @@ constexpr std::pair<std::string_view, UrdfJointType> kJointTypes[] = {
     {"revolute", UrdfJointType::revolute},   {"continuous", UrdfJointType::continuous},
     {"prismatic", UrdfJointType::prismatic}, {"fixed", UrdfJointType::fixed},
     {"floating", UrdfJointType::floating},   {"planar", UrdfJointType::planar},
+    {"spherical", UrdfJointType::spherical},
 };
 
 std::string lower_case(std::string text) {
@@ -42,7 +43,7 @@ UrdfJointType read_type(const XmlText& xml, pugi::xml_attribute attribute, const
   }
   throw InputError(xml.where(attribute),
                    fmt::format("unknown type '{}' of {}{}", printable(text), what, did_you_mean(text, known)),
-                   "joints are revolute, continuous, prismatic, fixed, floating, planar");
+                   "joints are revolute, continuous, prismatic, fixed, floating, planar, spherical");
 }
 
 std::size_t find_link(const XmlText& xml, pugi::xml_node element, std::string_view what,

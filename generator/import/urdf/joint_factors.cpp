@@ -45,6 +45,8 @@ void JointFactors::add_joint(YamlNode& factors, const UrdfJoint& joint,
       return add_planar(factors, joint, names);
     case UrdfJointType::floating:
       return factors_.add_free(factors, names, joint.where);
+    case UrdfJointType::spherical:
+      return factors_.add_spherical(factors, names[0], joint.where);
     case UrdfJointType::revolute:
     case UrdfJointType::continuous:
     case UrdfJointType::prismatic:

@@ -47,7 +47,8 @@ struct UrdfMimic {
   SourceLocation where;
 };
 
-enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar };
+/// `spherical` is of PyBullet, not of the format.
+enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar, spherical };
 
 struct UrdfJoint {
   std::string name;
