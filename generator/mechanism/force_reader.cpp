@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "mechanism/contact_reader.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
+#include "mechanism/wrapped_path.hpp"
 
 namespace alembert {
 namespace {
@@ -160,6 +162,58 @@ class ForceReader {
                 .expr};
   }
 
+  /// What a path leads around on its way from a point to the next.
+  struct Obstacle {
+    RoundObstacle shape;
+    int frame;
+    std::optional<int> side;
+  };
+  static bool is_obstacle(const YamlNode& node) {
+    if (node.kind != YamlNode::Kind::mapping) return false;
+    for (std::size_t i = 0; i < node.items.size(); i += 2)  // keys
+      if (node.items[i]->text == "sphere" || node.items[i]->text == "cylinder") return true;
+    return false;
+  }
+  Obstacle obstacle(const YamlNode& node, const std::string& what) {
+    const Section section(document_, node, "what " + what + " leads around",
+                          {"sphere", "cylinder", "radius", "side"});
+    Obstacle out;
+    out.shape.cylinder = section.find("cylinder") != nullptr;
+    if (out.shape.cylinder && section.find("sphere") != nullptr)
+      throw InputError(document_.where(node), "a path leads around a sphere or a cylinder, one at a time");
+    out.frame =
+        loading_.reader.expect_frame(section.require(out.shape.cylinder ? "cylinder" : "sphere"), what);
+    const YamlNode& radius = section.require("radius");
+    const Quantity value =
+        loading_.reader.read(radius, Allowed::parameters, "the radius of what a path leads around");
+    if (!(value.initial > 0))
+      throw InputError(document_.where(radius),
+                       fmt::format("the radius of what {} leads around is {:.6g}; expected a "
+                                   "positive number",
+                                   what, value.initial));
+    out.shape.radius = value.expr;
+    if (const YamlNode* side = section.find("side")) out.side = loading_.reader.expect_frame(*side, what);
+    return out;
+  }
+  Vec3 position(int frame) { return vec3(loading_.reader.frame_symbols(frame, FrameQuantity::position)); }
+  /// In the axes of the obstacle, from its origin; of a sphere, in the world's.
+  Vec3 seen_from(const Obstacle& obstacle, int frame) {
+    const Vec3 away = position(frame) - position(obstacle.frame);
+    if (!obstacle.shape.cylinder) return away;
+    const std::vector<Expr>& R = loading_.reader.frame_symbols(obstacle.frame, FrameQuantity::rotation);
+    return transpose(Mat3{{R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]}}) * away;
+  }
+  Expr stretch(const std::vector<PathPoint>& points, std::size_t from, std::size_t to) {
+    const Expr straight = loading_.reader.distance(points[from].frame, points[to].frame);
+    const auto found = obstacles_.find(from);
+    if (found == obstacles_.end()) return straight;
+    const Obstacle& around = found->second;
+    const std::optional<Vec3> side =
+        around.side ? std::optional(seen_from(around, *around.side)) : std::nullopt;
+    return length_around(around.shape, seen_from(around, points[from].frame),
+                         seen_from(around, points[to].frame), side, straight);
+  }
+
   /// Through the points that are on the path: beyond each of them, to the next one whose condition holds.
   Expr length_of(const std::vector<PathPoint>& points) {
     std::vector<Expr> beyond(points.size(), loading_.graph.zero());  // of a point that is on the path
@@ -168,7 +222,7 @@ class ForceReader {
       while (points[last].when) ++last;
       const auto to = [&](std::size_t j) {
         const int from = points[i].frame, frame = points[j].frame;
-        return from == frame ? beyond[j] : loading_.reader.distance(from, frame) + beyond[j];
+        return from == frame ? beyond[j] : stretch(points, i, j) + beyond[j];
       };
       beyond[i] = to(last);
       for (std::size_t j = last; --j > i;)
@@ -186,6 +240,13 @@ class ForceReader {
     std::vector<PathPoint>& points = force_.path;
     for (const YamlNode* item : items) {
       const bool end = item == items.front() || item == items.back();
+      if (is_obstacle(*item)) {
+        if (end || is_obstacle(**std::prev(std::ranges::find(items, item))))
+          throw InputError(document_.where(*item),
+                           fmt::format("{} leads around something between two points", what));
+        obstacles_.emplace(points.size() - 1, obstacle(*item, what));
+        continue;
+      }
       points.push_back(path_point(*item, end, what));
       const int frame = points.back().frame;
       if (points.size() > 1 && frame == points[points.size() - 2].frame)
@@ -193,6 +254,12 @@ class ForceReader {
                          fmt::format("{} goes from frame '{}' to itself", what,
                                      loading_.mechanism.frames[static_cast<std::size_t>(frame)].name));
     }
+    for (const auto& [before, around] : obstacles_)
+      if (points[before].when || points[before + 1].when)
+        throw InputError(force_.where,
+                         fmt::format("{} leads around something beside a point with a condition; that is "
+                                     "not taken",
+                                     what));
     declare_length(length_of(points));
   }
   void declare_length(const Expr& length) {
@@ -235,6 +302,7 @@ class ForceReader {
   const Document& document_;
   Section section_;
   Force force_;
+  std::map<std::size_t, Obstacle> obstacles_;  // by the point of the path before them
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Models of MJCF, evaluated at random states, against MuJoCo: tau, M, c and energy, under random inputs; connected and
+// Models of MJCF, evaluated at random states, against MuJoCo: tau, M, c, energy and rates of activations, under random inputs; connected and
 // welded bodies by the directions that MuJoCo's rows bind, and the accelerations under them.
 //   node check_mjcf.mjs ALEMBERT FOLDER MODEL...
 // Meshes and textures that a model names and that are not there are made up in FOLDER, alike for both. Joints that
@@ -361,6 +361,12 @@ function compare(alembert, model) {
       if (states.has(`${name}_activation`)) state.states[`${name}_activation`] = d.act[at];
     }
     mujoco.mj_forward(m, d);
+    // What stops at the ends of a range stops earlier here than in MuJoCo, which does it in its next step.
+    const rates = [];
+    for (let a = 0; a < m.nu; ++a) {
+      const at = m.actuator_actadr[a], name = `${fit(text_of(m.names, m.name_actuatoradr[a]))}_activation`;
+      if (at >= 0 && states.has(name) && !(m.actuator_actrange[2 * a] < m.actuator_actrange[2 * a + 1])) rates.push([[...states].indexOf(name), d.act_dot[at]]);
+    }
     const sensed = Array.from(d.sensordata);
     const nv = m.nv, { M: values, friction, c } = mass_and_bias(m, d);
     const qacc = drift.map((x, i) => x + sum(free.length, (k) => G[i][k] * udot[k]));
@@ -376,10 +382,10 @@ function compare(alembert, model) {
     expected.push({
       tau: onto(tau), c: onto(times(drift).map((x, i) => x + c[i])), scale: Math.max(scale, largest(tau)),
       M: free.dofs.map((_, r) => free.dofs.map((_, k) => sum(nv, (i) => G[i][r] * MG[i][k]))),
-      energy: [d.energy[1], d.energy[0]], sensed,
+      energy: [d.energy[1], d.energy[0]], sensed, rates,
     });
   }
-  const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", `inverse_dynamics,mass_matrix_and_bias,energy${sensors ? ",outputs" : ""}`], lines.join("\n") + "\n");
+  const output = run(alembert, ["evaluate", model, "--json", "--effort", "0", "--functions", `inverse_dynamics,mass_matrix_and_bias,energy${sensors ? ",outputs" : ""}${states.size > 0 ? ",state_rates" : ""}`], lines.join("\n") + "\n");
   let worst = 0;
   const close = (what, found, wanted, scale) => {
     assert.equal(found.length, wanted.length, `${what} has ${found.length} entries, not ${wanted.length}`);
@@ -395,6 +401,7 @@ function compare(alembert, model) {
     close("c", found.mass_matrix_and_bias.c, wanted.c, wanted.scale);
     close("tau", found.inverse_dynamics.tau, wanted.tau, wanted.scale);
     if (sensors) close("sensors", Object.values(found.outputs).flat(), wanted.sensed, Math.max(1, largest(wanted.sensed)));
+    for (const [i, rate] of wanted.rates) close(`rate of state ${i}`, [Object.values(found.state_rates)[0][i]], [rate], Math.max(1, Math.abs(rate)));
     close("energy", Object.values(found.energy).flat(), wanted.energy, Math.max(1, largest(wanted.energy)));
   });
   const equalities = compare_equalities(alembert, model, m, d, following, inputs, states, close);

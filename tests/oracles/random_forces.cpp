@@ -177,13 +177,25 @@ class ForceWriter : private RandomQuantities {
     }
     if (draw_.chance(0.3) && points.back() != points.front()) points.push_back(points.front());
     std::string text = points.front();
+    bool is_fixed = true;
+    auto around = draw_;  // what else is drawn does not depend on obstacles
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const bool inside = i + 1 < points.size();
-      text += ", " + (inside && draw_.chance(0.6)
-                          ? "{frame: " + points[i] + ", when: \"" + condition(path_) + "\"}"
-                          : points[i]);
+      const bool inside = i + 1 < points.size(), conditional = inside && draw_.chance(0.6);
+      if (is_fixed && !conditional && around.chance(0.6)) text += ", " + obstacle(around);
+      text +=
+          ", " + (conditional ? "{frame: " + points[i] + ", when: \"" + condition(path_) + "\"}" : points[i]);
+      is_fixed = !conditional;
     }
     return text;
+  }
+  template <class Random>
+  std::string obstacle(Random& draw) const {
+    const auto frame = [&] {
+      return frames_[static_cast<std::size_t>(draw.below(static_cast<int>(frames_.size())))];
+    };
+    const std::string round = (draw.chance(0.5) ? "{sphere: " : "{cylinder: ") + frame() +
+                              ", radius: " + decimal(units_.length * draw.between(0.05, 0.4));
+    return round + (draw.chance(0.5) ? ", side: " + frame() : "") + "}";
   }
 
   void add_force(int kind) {

@@ -16,10 +16,11 @@ const std::vector<std::string> kTags = {"general",  "motor",  "position", "veloc
 
 /// The law of an actuator while the elements of its classes change it.
 struct Law {
-  enum Kind { fixed, affine, none, other };
+  enum Kind { fixed, affine, none, muscle, other };
   Kind gain_type = fixed, bias_type = none;
-  std::array<double, 3> gain{1, 0, 0}, bias{};
-  double time_constant = 1, inherit_range = 0;
+  std::array<double, 9> gain{1}, bias{};
+  std::array<double, 3> times{1, 0, 0};  ///< the first is the time constant of a filter
+  double inherit_range = 0;
   std::size_t dynamics = 0;  ///< none, integrator, filter, filterexact, muscle, user
 
   /// MuJoCo keeps a damping ratio where the factor of velocity is, which is negative where it is none.
@@ -27,31 +28,52 @@ struct Law {
   std::string left_out;  ///< what cannot be expressed
 };
 
-void copy_first(const std::vector<double>& from, std::array<double, 3>& to) {
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, from.size()); ++i) to[i] = from[i];
+template <std::size_t kCount>
+void copy_first(const std::vector<double>& from, std::array<double, kCount>& to) {
+  for (std::size_t i = 0; i < std::min(kCount, from.size()); ++i) to[i] = from[i];
 }
 
 void apply_general(const MjcfElement& of, Law& law) {
   if (of.has("gaintype")) {
     const std::size_t type = of.word("gaintype", {"fixed", "affine", "muscle", "user", "dcmotor"}, 0);
-    law.gain_type = type == 0 ? Law::fixed : type == 1 ? Law::affine : Law::other;
+    constexpr Law::Kind kKinds[] = {Law::fixed, Law::affine, Law::muscle, Law::other, Law::other};
+    law.gain_type = kKinds[type];
   }
   if (of.has("biastype")) {
     const std::size_t type = of.word("biastype", {"none", "affine", "muscle", "user", "dcmotor"}, 0);
-    law.bias_type = type == 0 ? Law::none : type == 1 ? Law::affine : Law::other;
+    constexpr Law::Kind kKinds[] = {Law::none, Law::affine, Law::muscle, Law::other, Law::other};
+    law.bias_type = kKinds[type];
   }
   if (of.has("dyntype"))
     law.dynamics =
         of.word("dyntype", {"none", "integrator", "filter", "filterexact", "muscle", "user", "dcmotor"}, 0);
   copy_first(of.list("gainprm", 1, 20), law.gain);
   copy_first(of.list("biasprm", 1, 20), law.bias);
-  if (const auto dynamics = of.list("dynprm", 1, 20); !dynamics.empty()) law.time_constant = dynamics[0];
+  copy_first(of.list("dynprm", 1, 20), law.times);
+}
+
+/// Parameters that are still MuJoCo's defaults for all actuators become those of muscles.
+void apply_muscle(const MjcfElement& of, Law& law) {
+  constexpr std::array<double, 9> kDefaults{0.75, 1.05, -1, 200, 0.5, 1.6, 1.5, 1.3, 1.2};
+  for (std::size_t i = 0; i < 9; ++i)
+    if (law.gain[i] == (i == 0 ? 1 : 0)) law.gain[i] = kDefaults[i];
+  if (law.times[0] == 1) law.times[0] = 0.01;
+  if (law.times[1] == 0) law.times[1] = 0.04;
+  copy_first(of.list("timeconst", 2, 2), law.times);
+  law.times[2] = of.number("tausmooth", law.times[2]);
+  copy_first(of.list("range", 2, 2), law.gain);
+  constexpr const char* kNames[] = {"force", "scale", "lmin", "lmax", "vmax", "fpmax", "fvmax"};
+  for (std::size_t i = 0; i < std::size(kNames); ++i)
+    if (const double given = of.number(kNames[i], -1); given >= 0) law.gain[2 + i] = given;
+  law.bias = law.gain;
+  law.gain_type = law.bias_type = Law::muscle;
+  law.dynamics = 4;
 }
 
 /// kp and kv as MuJoCo's shortcuts have them.
 void apply_servo(const MjcfElement& of, Law& law, bool integrates) {
   const double kp = of.number("kp", law.gain[0]);
-  law.gain = {kp, 0, 0};
+  law.gain = {kp};
   law.bias[1] = -kp;
   if (of.has("kv")) law.bias[2] = -of.number("kv", 0);
   if (of.has("dampratio")) law.bias[2] = of.number("dampratio", 0);
@@ -61,8 +83,8 @@ void apply_servo(const MjcfElement& of, Law& law, bool integrates) {
   if (integrates) {
     law.dynamics = 1;
   } else if (of.has("timeconst")) {
-    law.time_constant = of.number("timeconst", 0);
-    law.dynamics = law.time_constant == 0 ? 0 : 3;  // filterexact
+    law.times[0] = of.number("timeconst", 0);
+    law.dynamics = law.times[0] == 0 ? 0 : 3;  // filterexact
   }
 }
 
@@ -74,13 +96,13 @@ void apply(const MjcfElement& of, Law& law) {
   } else if (kind == "motor") {
     law.gain_type = Law::fixed;
     law.bias_type = Law::none;
-    law.gain = {1, 0, 0};
+    law.gain = {1};
     law.dynamics = 0;
   } else if (kind == "position" || kind == "intvelocity") {
     apply_servo(of, law, kind == "intvelocity");
   } else if (kind == "velocity") {
     const double kv = of.number("kv", law.gain[0]);
-    law.gain = {kv, 0, 0};
+    law.gain = {kv};
     law.bias = {0, 0, -kv};
     law.gain_type = Law::fixed;
     law.bias_type = Law::affine;
@@ -92,13 +114,15 @@ void apply(const MjcfElement& of, Law& law) {
     law.bias_type = Law::none;
     law.dynamics = 0;
   } else if (kind == "cylinder") {
-    law.time_constant = of.number("timeconst", law.time_constant);
+    law.times[0] = of.number("timeconst", law.times[0]);
     copy_first(of.list("bias", 3, 3), law.bias);
     law.gain[0] = of.number("area", law.gain[0]);
     if (of.has("diameter")) law.gain[0] = std::numbers::pi / 4 * std::pow(of.number("diameter", 0), 2);
     law.gain_type = Law::fixed;
     law.bias_type = Law::affine;
     law.dynamics = 2;
+  } else if (kind == "muscle") {
+    apply_muscle(of, law);
   } else {
     // What is inside of such a class has the same law, unless it says another.
     law.gain_type = law.bias_type = Law::other;
@@ -111,9 +135,9 @@ Law law_of(const MjcfContext& context, const MjcfElement& of) {
   // From the outermost class to the element itself.
   for (auto layer = of.layers().rbegin(); layer != of.layers().rend(); ++layer)
     apply({context.text(), {*layer}, of.what()}, law);
-  if (law.gain_type == Law::other || law.bias_type == Law::other || law.dynamics > 3)
+  if (law.gain_type == Law::other || law.bias_type == Law::other || law.dynamics > 4)
     if (law.left_out.empty())
-      law.left_out = "a law of gain, bias or activation that is neither fixed nor affine";
+      law.left_out = "a law of gain, bias or activation that is neither fixed, affine nor a muscle's";
   return law;
 }
 
@@ -156,10 +180,44 @@ void inherit_range(const MjcfContext& context, const Law& law, MjcfActuator& act
   (law.dynamics == 1 ? actuator.activations : actuator.inputs) = std::array{middle - half, middle + half};
 }
 
+MjcfMuscle muscle_of(const MjcfElement& of, const std::array<double, 9>& given,
+                     const std::array<double, 2>& lengths) {
+  if (!(given[0] < given[1]) || !(given[4] < 1 && given[5] > 1) ||
+      !(given[6] > 0 && given[7] > 0 && given[8] > 0))
+    throw InputError(of.where(),
+                     fmt::format("the muscle of {} has no range, lmin < 1 < lmax, and positive vmax, fpmax "
+                                 "and fvmax",
+                                 of.what()));
+  return {.lengths = lengths,
+          .first = given[0],
+          .optimal = (lengths[1] - lengths[0]) / (given[1] - given[0]),
+          .force = given[2],
+          .least = given[4],
+          .most = given[5],
+          .fastest = given[6],
+          .passive = given[7],
+          .eccentric = given[8]};
+}
+
+/// Its gain and bias, where they are a muscle's; or why they cannot be expressed.
+std::string find_muscles(const MjcfElement& of, Law& law, MjcfActuator& actuator) {
+  const bool pulls = law.gain_type == Law::muscle, resists = law.bias_type == Law::muscle;
+  if (!pulls && !resists) return {};
+  const std::vector<double> lengths = of.list("lengthrange", 2, 2);
+  if (lengths.empty() || !(lengths[0] < lengths[1]))
+    return "a muscle whose lengthrange MuJoCo would find by simulating";
+  if ((pulls && law.gain[2] < 0) || (resists && law.bias[2] < 0))
+    return "a muscle whose force MuJoCo would work out from its acceleration";
+  if (pulls) actuator.pull = muscle_of(of, law.gain, {lengths[0], lengths[1]});
+  if (resists) actuator.resistance = muscle_of(of, law.bias, {lengths[0], lengths[1]});
+  if (pulls) actuator.gain = {};
+  return {};
+}
+
 void read_actuator(MjcfContext& context, pugi::xml_node node) {
   const MjcfElement of = context.element(node, kTags);
   Law law = law_of(context, of);
-  if (law.gain_type == Law::fixed) law.gain[1] = law.gain[2] = 0;
+  if (law.gain_type == Law::fixed) law.gain = {law.gain[0]};
   if (law.bias_type == Law::none) law.bias = {};
   MjcfActuator actuator;
   actuator.name = context.name(of);
@@ -167,6 +225,7 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
   actuator.group = static_cast<int>(of.number("group", 0));
   std::string left_out = law.left_out;
   if (left_out.empty()) left_out = find_target(context, of, law, actuator);
+  if (left_out.empty()) left_out = find_muscles(of, law, actuator);
   if (left_out.empty() && (of.number("armature", 0) != 0 || of.list("damping", 1, 3) > std::vector{0.0}))
     throw of.error("armature", fmt::format("armature and damping of {} itself are not taken", of.what()),
                    "those of joints are");
@@ -179,15 +238,17 @@ void read_actuator(MjcfContext& context, pugi::xml_node node) {
   }
   const std::vector<double> gear = of.overlaid("gear", 6);
   std::ranges::copy(gear, actuator.gear.begin());
-  actuator.gain = law.gain;
-  actuator.bias = law.bias;
+  if (!actuator.pull) copy_first({law.gain.begin(), law.gain.end()}, actuator.gain);
+  if (!actuator.resistance) copy_first({law.bias.begin(), law.bias.end()}, actuator.bias);
+  actuator.muscle_times = law.times;
   actuator.activation = law.dynamics == 0   ? MjcfActivation::none
                         : law.dynamics == 1 ? MjcfActivation::integrator
+                        : law.dynamics == 4 ? MjcfActivation::muscle
                                             : MjcfActivation::filter;
-  actuator.time_constant = law.time_constant;
-  if (law.dynamics > 1 && !(law.time_constant > 0))
+  actuator.time_constant = law.times[0];
+  if (law.dynamics > 1 && !(law.times[0] > 0 && (law.dynamics != 4 || law.times[1] > 0)))
     throw of.error("dynprm", fmt::format("the time constant of {} is {}; expected a positive number",
-                                         of.what(), law.time_constant));
+                                         of.what(), law.times[law.times[0] > 0 ? 1 : 0]));
   if (of.number("delay", 0) != 0)
     context.text().warn({of.where("delay"),
                          fmt::format("the delay of {} is left out: its input acts at once", of.what()),

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "import/mjcf/spelling.hpp"
+#include "mechanism/wrapped_path.hpp"
 
 namespace alembert {
 namespace {
@@ -41,6 +42,45 @@ MjcfTendon read_fixed(const MjcfContext& context, pugi::xml_node node) {
   return out;
 }
 
+/// Nothing where it is passed by.
+std::optional<MjcfWrap> read_wrap(MjcfContext& context, const MjcfElement& of) {
+  MjcfModel& model = context.model;
+  const auto left_out = [&](const std::string& why) {
+    context.text().warn(
+        {of.where(),
+         fmt::format("a tendon wraps around {}, which is left out: its path leads straight from "
+                     "site to site",
+                     why),
+         "the equations differ where the tendon would touch the geom", "wrapping"});
+    return std::nullopt;
+  };
+  const MjcfPlace geom = context.tree.geom_places[context.find(of, "geom", "geom", context.tree.geoms)];
+  MjcfWrap wrap{0, std::nullopt};
+  if (of.has("sidesite")) wrap.side = context.find(of, "sidesite", "site", context.tree.sites);
+  if (!geom.round) return left_out("a geom that is no sphere or cylinder");
+  if (wrap.side) {
+    const MjcfPlace& side = model.sites[*wrap.side];
+    if (side.body != geom.body) return left_out("a geom with a sidesite on another body");
+    if ((side.pose.shift - geom.pose.shift).norm() < geom.round->radius)
+      return left_out("the inside of a geom");
+  }
+  wrap.geom = context.place(geom, context.name(of, "geom"), of.where("geom"));
+  return wrap;
+}
+
+/// Of a path from place to place, in the world.
+double wrapped_length(const MjcfModel& model, const MjcfWrap& wrap, const Eigen::Vector3d& from,
+                      const Eigen::Vector3d& to) {
+  const auto rest_of = [&](std::size_t place) {
+    return rest_pose(model, model.sites[place].body) * model.sites[place].pose;
+  };
+  const RigidPose into = inverse(rest_of(wrap.geom));
+  const auto seen = [&](const Eigen::Vector3d& world) { return (into * RigidPose{world}).shift; };
+  const MjcfRound& round = *model.sites[wrap.geom].round;
+  return length_around(round.cylinder, round.radius, seen(from), seen(to),
+                       wrap.side ? std::optional(seen(rest_of(*wrap.side).shift)) : std::nullopt);
+}
+
 MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
   MjcfTendon out;
   const MjcfText& text = context.text();
@@ -58,11 +98,16 @@ MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
       if (!(divisor > 0)) throw of.error("divisor", "the divisor of a pulley is positive");
       out.branches.push_back({{}, divisor});
     } else if (kind == "geom") {
-      text.warn({of.where(),
-                 "a tendon wraps around a geom, which is left out: its path leads straight from site to site",
-                 "the equations differ where the tendon would touch the geom", "wrapping"});
+      MjcfBranch& branch = out.branches.back();
+      if (branch.sites.empty() || branch.wraps.contains(branch.sites.size() - 1))
+        throw InputError(of.where(), "a tendon wraps around a geom between two sites");
+      if (const std::optional<MjcfWrap> wrap = read_wrap(context, of))
+        branch.wraps.emplace(branch.sites.size() - 1, *wrap);
     }
   }
+  for (const MjcfBranch& branch : out.branches)
+    if (!branch.sites.empty() && branch.wraps.contains(branch.sites.size() - 1))
+      throw InputError(text.where(node), "a tendon wraps around a geom between two sites");
   std::erase_if(out.branches, [](const MjcfBranch& branch) { return branch.sites.empty(); });
   for (const MjcfBranch& branch : out.branches)
     if (branch.sites.size() < 2)
@@ -77,9 +122,12 @@ double length_at_rest(const MjcfModel& model, const MjcfTendon& tendon) {
   for (const MjcfBranch& branch : tendon.branches) {
     for (std::size_t i = 0; i + 1 < branch.sites.size(); ++i) {
       const MjcfPlace &from = model.sites[branch.sites[i]], &to = model.sites[branch.sites[i + 1]];
-      const Eigen::Vector3d step =
-          (rest_pose(model, to.body) * to.pose).shift - (rest_pose(model, from.body) * from.pose).shift;
-      length += step.norm() / branch.divisor;
+      const Eigen::Vector3d begin = (rest_pose(model, from.body) * from.pose).shift,
+                            end = (rest_pose(model, to.body) * to.pose).shift;
+      const auto wrap = branch.wraps.find(i);
+      length += (wrap == branch.wraps.end() ? (end - begin).norm()
+                                            : wrapped_length(model, wrap->second, begin, end)) /
+                branch.divisor;
     }
   }
   return length;
@@ -189,9 +237,21 @@ std::size_t MjcfContext::place(const MjcfElement& element, const char* type, con
       place = tree.camera_places[find(element, name, "camera", tree.cameras)];
       break;
   }
-  place.name = this->name(element, name);
-  place.where = element.where(name);
-  model.sites.push_back(place);
+  return this->place(place, this->name(element, name), element.where(name));
+}
+
+std::size_t MjcfContext::place(MjcfPlace place, const std::string& name, const SourceLocation& where) {
+  const auto is_same = [&](const MjcfPlace& other) {
+    return other.name == name && other.body == place.body &&
+           other.round.has_value() == place.round.has_value() && other.pose.shift == place.pose.shift &&
+           other.pose.turn.coeffs() == place.pose.turn.coeffs();
+  };
+  if (const auto found = std::ranges::find_if(model.sites, is_same);
+      place.round && found != model.sites.end())
+    return static_cast<std::size_t>(found - model.sites.begin());
+  place.name = name;
+  place.where = where;
+  model.sites.push_back(std::move(place));
   return model.sites.size() - 1;
 }
 

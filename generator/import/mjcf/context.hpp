@@ -38,6 +38,8 @@ struct MjcfContext {
                    const MjcfNames& names) const;
   /// The site that is one already, or becomes one: a body, geom, site or camera.
   std::size_t place(const MjcfElement& element, const char* type, const char* name);
+  /// The same, called so; a round one that is there already.
+  std::size_t place(MjcfPlace place, const std::string& name, const SourceLocation& where);
   /// `limited` says whether a range counts, or the compiler does where it does not.
   std::optional<std::array<double, 2>> range(const MjcfElement& element, const char* attribute,
                                              const char* limited) const;

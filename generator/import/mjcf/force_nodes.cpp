@@ -149,6 +149,15 @@ std::string MjcfForceNodes::rate(std::size_t tendon) const {
   return sum_text(terms);
 }
 
+YamlNode& MjcfForceNodes::wrap_node(const MjcfWrap& wrap, const SourceLocation& where) {
+  const MjcfRound& round = *model_.sites[wrap.geom].round;
+  YamlNode& out = nodes_.mapping(where);
+  nodes_.put(out, round.cylinder ? "cylinder" : "sphere", nodes_.text(naming_.frame(wrap.geom), where));
+  nodes_.put(out, "radius", nodes_.text(number_text(round.radius), where));
+  if (wrap.side) nodes_.put(out, "side", nodes_.text(naming_.frame(*wrap.side), where));
+  return out;
+}
+
 /// `pull`: what actuators add along its length, or nothing.
 void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull) {
   const MjcfTendon& of = model_.tendons[tendon];
@@ -179,9 +188,13 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
       YamlNode& force = nodes_.add_named(list, paths_[tendon][b], of.where);
       YamlNode& path = nodes_.sequence(of.where);
       const std::vector<std::size_t>& sites = of.branches[b].sites;
-      for (std::size_t i = 0; i < sites.size(); ++i)
-        if (i == 0 || sites[i] != sites[i - 1])
-          path.items.push_back(&nodes_.text(naming_.frame(sites[i]), of.where));
+      for (std::size_t i = 0; i < sites.size(); ++i) {
+        if (i > 0 && sites[i] == sites[i - 1]) continue;
+        path.items.push_back(&nodes_.text(naming_.frame(sites[i]), of.where));
+        const auto wrap = of.branches[b].wraps.find(i);
+        if (wrap != of.branches[b].wraps.end() && sites[i + 1] != sites[i])
+          path.items.push_back(&wrap_node(wrap->second, of.where));
+      }
       nodes_.put(force, "path", path);
       nodes_.put(force, "tension",
                  nodes_.text(sum.empty() ? "0" : product_text(-1 / of.branches[b].divisor, sum), of.where));
@@ -198,7 +211,7 @@ bool MjcfForceNodes::acts(std::size_t actuator) const {
   const auto any = [](const auto& values) {
     return std::ranges::any_of(values, [](double v) { return v != 0; });
   };
-  return any(of.gear) && (any(of.gain) || any(of.bias));
+  return any(of.gear) && (any(of.gain) || any(of.bias) || of.pull || of.resistance);
 }
 
 std::string MjcfForceNodes::actuator_length(const MjcfActuator& of) const {
@@ -231,6 +244,34 @@ std::string MjcfForceNodes::actuator_rate(const MjcfActuator& of) const {
   return sum_text(terms);
 }
 
+/// What it exerts at a length, a velocity and an activation: no activation, only what resists.
+std::string MjcfForceNodes::muscle_force(const MjcfMuscle& muscle, const std::string& length,
+                                         const std::string& velocity, const std::string& activation) {
+  const double offset = muscle.first - muscle.lengths[0] / muscle.optimal;
+  // From 0 to 1 between two lengths, in optimal ones.
+  const auto between = [&](double from, double to) {
+    return sum_text(
+        {{1 / (muscle.optimal * (to - from)), factor_text(length)}, {(offset - from) / (to - from), ""}});
+  };
+  if (activation.empty()) {
+    // A parabola, and a straight line from half of the way to `most` on.
+    const double half = (1 + muscle.most) / 2;
+    return fmt::format("-{}*(max(0, {})^2 - max(0, {})^2)", number_text(muscle.force * muscle.passive / 2),
+                       between(1, half), between(half, muscle.most));
+  }
+  // Two parabolas on each side of the peak.
+  const std::string x = fmt::format("max(0, min({}, {}))", between(muscle.least, 1), between(muscle.most, 1));
+  const std::string v = product_text(1 / (muscle.optimal * muscle.fastest), velocity);
+  const double faster = muscle.eccentric - 1;
+  const std::string lengthening =
+      faster > 0 ? fmt::format("{} - max(0, {} - {})^2/{}", number_text(muscle.eccentric),
+                               number_text(faster), factor_text(v), number_text(faster))
+                 : number_text(muscle.eccentric);
+  return fmt::format("-{}*{}*(2*{}^2 - max(0, 2*{} - 1)^2)*select({}, {}, max(0, {})^2)",
+                     number_text(muscle.force), activation, x, x, v, lengthening,
+                     sum_text({{1, v}, {1, ""}}));
+}
+
 /// gain*u + bias, within its range.
 std::string MjcfForceNodes::law(std::size_t actuator) const {
   const MjcfActuator& of = model_.actuators[actuator];
@@ -260,6 +301,12 @@ std::string MjcfForceNodes::law(std::size_t actuator) const {
   if (of.gain[2] != 0 && v != "0") add(of.gain[2], of_input(v));
   add(of.bias[0], "");
   add(of.bias[2], v);
+  const auto add_muscle = [&](const std::optional<MjcfMuscle>& muscle, const std::string& activation) {
+    if (!muscle || muscle->force == 0) return;
+    out += (out.empty() ? "" : " + ") + muscle_force(*muscle, l, v, activation);
+  };
+  add_muscle(of.pull, u);
+  add_muscle(of.resistance, "");
   return out.empty() ? "0" : within(out, of.forces);
 }
 
@@ -396,7 +443,7 @@ void MjcfForceNodes::add_forces(YamlNode& list) {
 void MjcfForceNodes::add_inputs(YamlNode& list) const {
   for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
     const MjcfActuator& of = model_.actuators[a];
-    const bool used = std::ranges::any_of(of.gain, [](double v) { return v != 0; });
+    const bool used = of.pull || std::ranges::any_of(of.gain, [](double v) { return v != 0; });
     if (!acts(a) || !used) continue;
     // MuJoCo takes an input to the end of its range, too.
     double initial = model_.start_inputs.empty() ? 0 : model_.start_inputs[a];
@@ -410,14 +457,29 @@ void MjcfForceNodes::add_inputs(YamlNode& list) const {
   }
 }
 
+/// The rate of a muscle's activation: it rises and falls with two time constants.
+std::string MjcfForceNodes::excitation(const MjcfActuator& of, const std::string& input,
+                                       const std::string& state) {
+  const auto [rise, fall, width] = of.muscle_times;
+  const std::string more = fmt::format("clamp({}, 0, 1) - {}", input, state),
+                    slower = fmt::format("(0.5 + 1.5*clamp({}, 0, 1))", state);
+  const std::string rising = product_text(rise, slower), falling = number_text(fall) + "/" + slower;
+  if (!(width > 0)) return fmt::format("({})/select({}, {}, {})", more, more, rising, falling);
+  // From one to the other along a polynomial whose first two derivatives are 0 at its ends.
+  const std::string part =
+      fmt::format("clamp({}, 0, 1)", sum_text({{1 / width, factor_text(more)}, {0.5, ""}}));
+  return fmt::format("({0})/({2} + ({1} - {2})*{3}^3*(10 - 15*{3} + 6*{3}^2))", more, rising, falling, part);
+}
+
 void MjcfForceNodes::add_states(YamlNode& list) const {
   for (std::size_t a = 0; a < model_.actuators.size(); ++a) {
     const MjcfActuator& of = model_.actuators[a];
     if (of.activation == MjcfActivation::none || !acts(a)) continue;
     const std::string &input = naming_.input(a), &state = naming_.state(a);
     YamlNode& node = nodes_.add_named(list, state, of.where);
-    std::string rate = of.activation == MjcfActivation::integrator
-                           ? input
+    std::string rate = of.activation == MjcfActivation::integrator ? input
+                       : of.activation == MjcfActivation::muscle
+                           ? excitation(of, input, state)
                            : fmt::format("({} - {})/{}", input, state, number_text(of.time_constant));
     double initial = of.start;
     if (of.activations) {

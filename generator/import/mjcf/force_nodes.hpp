@@ -29,6 +29,7 @@ class MjcfForceNodes {
   void add_followers(YamlNode& list);
   void add_springs_of_turns(YamlNode& list);
   std::string turn_energy(std::size_t joint);
+  YamlNode& wrap_node(const MjcfWrap& wrap, const SourceLocation& where);
   void add_tendon(YamlNode& list, std::size_t tendon, const std::string& pull);
   void add_actuator(YamlNode& list, std::size_t actuator);
   void add_turn_in_parent(YamlNode& list, const MjcfActuator& actuator, const std::string& force,
@@ -38,7 +39,10 @@ class MjcfForceNodes {
   void add_fluid_on(YamlNode& list, std::size_t body);
   void add_on(YamlNode& list, const std::string& name, std::size_t joint, const std::string& value,
               const SourceLocation& where);
+  static std::string muscle_force(const MjcfMuscle& muscle, const std::string& length,
+                                  const std::string& velocity, const std::string& activation);
   std::string law(std::size_t actuator) const;
+  static std::string excitation(const MjcfActuator& of, const std::string& input, const std::string& state);
   std::string pull_of(const MjcfTendon& tendon, const std::vector<std::size_t>& actuators) const;
   bool acts(std::size_t actuator) const;
   bool moves(std::size_t body) const;

@@ -44,12 +44,19 @@ struct MjcfBody {
   SourceLocation where;
 };
 
+/// A sphere, or a cylinder about the z axis of its frame.
+struct MjcfRound {
+  bool cylinder = false;
+  double radius = 0;
+};
+
 /// A site, or the frame of a geom or camera that something asks for.
 struct MjcfPlace {
   std::string name;
   std::size_t body = 0;
   RigidPose pose;
-  bool of_mesh = false;  ///< the frame of a mesh, which MuJoCo moves to its centre of mass
+  bool of_mesh = false;                 ///< the frame of a mesh, which MuJoCo moves to its centre of mass
+  std::optional<MjcfRound> round = {};  ///< of a geom that tendons may wrap around
   SourceLocation where;
 };
 
@@ -58,10 +65,17 @@ struct MjcfTerm {
   double factor;
 };
 
-/// One branch of a path: sites, and what its length is divided by.
+/// A geom that a path wraps around, outside of it; places.
+struct MjcfWrap {
+  std::size_t geom;
+  std::optional<std::size_t> side;
+};
+
+/// One branch of a path: sites, what its length is divided by, and what it wraps around, by the site before.
 struct MjcfBranch {
   std::vector<std::size_t> sites;
   double divisor = 1;
+  std::map<std::size_t, MjcfWrap> wraps = {};
 };
 
 struct MjcfTendon {
@@ -76,9 +90,19 @@ struct MjcfTendon {
 };
 
 enum class MjcfTransmission { joint, tendon, site };
-enum class MjcfActivation { none, integrator, filter };
+enum class MjcfActivation { none, integrator, filter, muscle };
 
-/// force = gain*u + bias, each an affine function of length and velocity, u being the input or a state.
+/// MuJoCo's muscle, as part of gain or bias: lengths are `first` at the beginning of `lengths`, and grow by 1 over the
+/// optimal length. It pulls by `force` times a curve of that length, between `least` and `most` with its peak at 1, and one
+/// of the velocity in `fastest` optimal lengths a second; it resists by `passive` times `force` at half of the way from 1 to
+/// `most`.
+struct MjcfMuscle {
+  std::array<double, 2> lengths{};
+  double first = 0, optimal = 0, force = 0, least = 0, most = 0, fastest = 0, passive = 0, eccentric = 0;
+};
+
+/// force = gain*u + bias, each an affine function of length and velocity or a muscle's curves, u being the input or a
+/// state.
 struct MjcfActuator {
   std::string name;
   MjcfTransmission through = MjcfTransmission::joint;
@@ -87,6 +111,8 @@ struct MjcfActuator {
   int group = 0;
   std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
   std::array<double, 3> gain{1, 0, 0}, bias{};
+  std::optional<MjcfMuscle> pull, resistance;  ///< in place of gain and bias
+  std::array<double, 3> muscle_times{};        ///< activation, deactivation, width of the change between them
   MjcfActivation activation = MjcfActivation::none;
   double time_constant = 1, start = 0;
   std::optional<std::array<double, 2>> inputs, forces, activations;

@@ -407,6 +407,9 @@ void MjcfTree::read_geom(pugi::xml_node element, const Scope& scope) {
   place.where = of.where();
   place.pose = geom.shape().pose;
   place.of_mesh = geom.is_mesh();
+  const SolidKind kind = geom.shape().kind;
+  if (kind == SolidKind::sphere || kind == SolidKind::cylinder)
+    place.round = MjcfRound{kind == SolidKind::cylinder, geom.shape().sizes[0]};
   place.name = add_name(element, scope, geoms, geom_places.size());
   geom_places.push_back(std::move(place));
   geoms_[scope.body].push_back(std::move(geom));

@@ -62,7 +62,14 @@ int speed_index(const std::string& name, const Description& description) {
 FramePath read_path(const YAML::Node& points, const YAML::Node& root, const Names& names) {
   FramePath path;
   for (const YAML::Node& point : points) {
-    if (point.IsScalar())
+    if (point.IsMap() && (point["sphere"] || point["cylinder"])) {
+      const bool cylinder = static_cast<bool>(point["cylinder"]);
+      PathObstacle& around = path.obstacles[path.points.size() - 1];
+      around.frame = frame_index(root, point[cylinder ? "cylinder" : "sphere"].as<std::string>());
+      around.cylinder = cylinder;
+      around.radius = expression_of(point["radius"], names);
+      if (point["side"]) around.side = frame_index(root, point["side"].as<std::string>());
+    } else if (point.IsScalar())
       path.points.push_back({frame_index(root, point.as<std::string>()), nullptr});
     else
       path.points.push_back({frame_index(root, point["frame"].as<std::string>()),
@@ -252,14 +259,15 @@ void read_coordinate_forces(const YAML::Node& node, const Names& names, Coordina
 void read_forces(const YAML::Node& root, Names& names, Description& result) {
   std::map<std::string, std::size_t> paths;
   for (const YAML::Node& force : root["forces"]) {
-    if (!frames_along(force)) continue;
+    const YAML::Node points = frames_along(force);
+    if (!points) continue;
     paths[force["name"].as<std::string>()] = result.paths.size();
-    result.paths.push_back(read_path(frames_along(force), root, names));
+    result.paths.push_back(read_path(points, root, names));
   }
   for (const YAML::Node& force : root["forces"]) {
     if (!force["along"]) continue;
     paths[force["name"].as<std::string>()] = result.paths.size();
-    result.paths.push_back({{}, expression_of(force["along"], names)});
+    result.paths.push_back({{}, expression_of(force["along"], names), {}});
   }
   for (const YAML::Node& force : root["forces"]) {
     if (force["on"]) {

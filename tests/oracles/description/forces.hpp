@@ -3,6 +3,7 @@
 // its velocity, rotation (by rows) and angular velocity, all in the world, and of each path its length or value and the rate of that.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,10 +34,19 @@ struct PathPoint {
   std::size_t frame;  ///< index
   Expression when;    ///< of no speeds, and of paths before this one; null: always
 };
+/// A sphere about the origin of a frame, or a cylinder about its z axis, that a path leads around; on the side of another
+/// frame's origin, if there is one.
+struct PathObstacle {
+  std::size_t frame = 0;
+  bool cylinder = false;
+  Expression radius;
+  std::optional<std::size_t> side;
+};
 /// From one point to the next; or, without points, something that has a value as a path has a length.
 struct FramePath {
   std::vector<PathPoint> points;
-  Expression value;  ///< of no speeds, and of paths before this one
+  Expression value;                               ///< of no speeds, and of paths before this one
+  std::map<std::size_t, PathObstacle> obstacles;  ///< by the point before them
 };
 
 struct SpeedForce {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace alembert::oracles {
 
@@ -14,12 +15,86 @@ template <class R>
 std::vector<Jet<R>> variables_along(const Description& description, const StateOf<R>& state,
                                     const std::vector<Jet<R>>& q, const Layout<R>& along);
 
+/// Where a path bends: a point in the world, held by a frame; and from there to the next, along an arc, if it is one.
+template <class R>
+struct Bend {
+  std::size_t frame;
+  Vector3<Jet<R>> point;
+  std::optional<Jet<R>> arc = {};
+};
+
+/// The two points where a line leaves something round, and the arc between them; nothing where it passes it by. The tangent
+/// points are worked out as vectors, as MuJoCo does it (see generator/mechanism/wrapped_path.hpp for the laws).
+template <class R>
+std::vector<Bend<R>> bends_around(const std::vector<RigidMotion<Jet<R>>>& frames, const PathObstacle& around,
+                                  const Jet<R>& r, std::size_t from, std::size_t to) {
+  using J = Jet<R>;
+  using V = Vector3<J>;
+  using std::acos;
+  using std::sqrt;
+  const RigidMotion<J>& own = frames[around.frame];
+  const auto seen = [&](std::size_t frame) {
+    const V away = frames[frame].translation + J(-1.0) * own.translation;
+    return V{dot(own.column[0], away), dot(own.column[1], away), dot(own.column[2], away)};
+  };
+  V a = seen(from), b = seen(to), s{};
+  if (around.side) s = seen(*around.side);
+  const J begin = a[2], rise = b[2] - a[2];
+  if (around.cylinder) a[2] = b[2] = s[2] = J(0.0);
+  const J aa = dot(a, a), bb = dot(b, b), ab = dot(a, b);
+  if (!(leading(aa - r * r) > 0) || !(leading(bb - r * r) > 0)) return {};
+  const J whole_turn = J(4.0) * acos(J(0.0)), angle = acos(ab / sqrt(aa * bb)), reach_a = acos(r / sqrt(aa)),
+          reach_b = acos(r / sqrt(bb));
+  const J near = angle - reach_a - reach_b, far = whole_turn - angle - reach_a - reach_b;
+  // Perpendicular to each point in the plane, of its length, towards the other one.
+  const J area = sqrt(aa * bb - ab * ab);
+  const V to_b = (aa / area) * b + (J(-1.0) * ab / area) * a,
+          to_a = (bb / area) * a + (J(-1.0) * ab / area) * b;
+  const auto tangents = [&](double sign) {
+    return std::pair((r * r / aa) * a + (J(sign) * r * sqrt(aa - r * r) / aa) * to_b,
+                     (r * r / bb) * b + (J(sign) * r * sqrt(bb - r * r) / bb) * to_a);
+  };
+  bool far_way = false;
+  if (around.side) {
+    const V step = b + J(-1.0) * a;
+    const R part = (J(-1.0) * dot(a, step) / dot(step, step)).value;
+    const J clamped = leading(part) < 0   ? J(0.0)
+                      : leading(part) > 1 ? J(1.0)
+                                          : J(-1.0) * dot(a, step) / dot(step, step);
+    if (!(leading(near) > 0) && !(leading(dot(a + clamped * step, s)) < 0)) return {};
+    const auto goodness = [&](double sign) {
+      const auto [first, second] = tangents(sign);
+      const V sum = first + second;
+      return dot(sum, s) / sqrt(dot(sum, sum));
+    };
+    const J apart = reach_a - reach_b;
+    const bool crosses = !(leading(near) > 0) && leading(angle) > std::abs(leading(apart));
+    far_way = crosses || leading(goodness(-1) - goodness(1)) > 0;
+  } else if (!(leading(near) > 0)) {
+    return {};
+  }
+  const J arc = far_way ? far : leading(near) > 0 ? near : near + whole_turn;
+  auto [first, second] = tangents(far_way ? -1 : 1);
+  J length = r * arc;
+  if (around.cylinder) {
+    const J straight_a = sqrt(aa - r * r), all = straight_a + length + sqrt(bb - r * r);
+    first[2] = begin + rise * straight_a / all;
+    second[2] = begin + rise * (straight_a + length) / all;
+    const J climb = rise * length / all;
+    length = sqrt(length * length + climb * climb);
+  }
+  const auto placed = [&](const V& p) {
+    return own.translation + p[0] * own.column[0] + p[1] * own.column[1] + p[2] * own.column[2];
+  };
+  return {{around.frame, placed(first), length}, {around.frame, placed(second)}};
+}
+
 /// Frames, and the lengths of paths between them, as jets along a motion.
 template <class R>
 struct Layout {
   std::vector<RigidMotion<Jet<R>>> frames;
   std::vector<Jet<R>> lengths;
-  std::vector<std::vector<std::size_t>> ways;  ///< by path, the frames that it leads over
+  std::vector<std::vector<Bend<R>>> ways;  ///< by path
 
   Layout(const Description& description, const StateOf<R>& state, const std::vector<Jet<R>>& q,
          const Jet<R>& t)
@@ -30,11 +105,19 @@ struct Layout {
         ways.emplace_back();
         continue;
       }
-      std::vector<std::size_t> on_it;
-      for (const PathPoint& point : path.points) {
+      std::vector<Bend<R>> on_it;
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const PathPoint& point = path.points[i];
         if (!point.when ||
             leading(evaluate(point.when, variables_along(description, state, q, *this), t)) > 0)
-          on_it.push_back(point.frame);
+          on_it.push_back({point.frame, frames[point.frame].translation});
+        const auto found = path.obstacles.find(i);
+        if (found == path.obstacles.end()) continue;
+        const PathObstacle& around = found->second;
+        const Jet<R> radius = evaluate(around.radius, variables_along(description, state, q, *this), t);
+        for (const Bend<R>& bend :
+             bends_around(frames, around, radius, point.frame, path.points[i + 1].frame))
+          on_it.push_back(bend);
       }
       lengths.push_back(length_over(on_it));
       ways.push_back(std::move(on_it));
@@ -43,11 +126,14 @@ struct Layout {
 
  private:
   /// Between frames that stay at one place there is no way.
-  Jet<R> length_over(const std::vector<std::size_t>& points) const {
+  static Jet<R> length_over(const std::vector<Bend<R>>& bends) {
     Jet<R> length(0.0);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const Vector3<Jet<R>> step =
-          frames[points[i + 1]].translation + Jet<R>(-1.0) * frames[points[i]].translation;
+    for (std::size_t i = 0; i + 1 < bends.size(); ++i) {
+      if (bends[i].arc) {
+        length = length + *bends[i].arc;
+        continue;
+      }
+      const Vector3<Jet<R>> step = bends[i + 1].point + Jet<R>(-1.0) * bends[i].point;
       const Jet<R> square = dot(step, step);
       if (!vanishes(square)) length = length + sqrt(square);
     }
@@ -267,17 +353,20 @@ class FramePull {
       add_line(path, strength);
   }
   void add_line(std::size_t path, const R& strength) {
-    const auto place = [&](std::size_t frame) {
-      const Vector3<Jet<R>>& p = moving_.frames[frame].translation;
-      return Vector3<R>{p[0].value, p[1].value, p[2].value};
+    const auto at = [](const Vector3<Jet<R>>& p) { return Vector3<R>{p[0].value, p[1].value, p[2].value}; };
+    const auto push_at = [&](const Bend<R>& bend, const Vector3<R>& push) {
+      FrameWrench<R>& on = on_[bend.frame];
+      on.force = on.force + push;
+      on.torque =
+          on.torque + cross(at(bend.point) + R(-1.0) * at(moving_.frames[bend.frame].translation), push);
     };
-    const std::vector<std::size_t>& way = moving_.ways[path];
+    const std::vector<Bend<R>>& way = moving_.ways[path];
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-      const Vector3<R> apart = place(way[i + 1]) + R(-1.0) * place(way[i]);
-      if (vanishes(dot(apart, apart))) continue;
+      const Vector3<R> apart = at(way[i + 1].point) + R(-1.0) * at(way[i].point);
+      if (way[i].arc || vanishes(dot(apart, apart))) continue;
       const Vector3<R> push = strength * normalized(apart);
-      on_[way[i]].force = on_[way[i]].force + R(-1.0) * push;
-      on_[way[i + 1]].force = on_[way[i + 1]].force + push;
+      push_at(way[i], R(-1.0) * push);
+      push_at(way[i + 1], push);
     }
   }
   void add_expression(const Expression& of, const R& strength) {

@@ -155,6 +155,8 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
   for (const auto& [name, mimic] : mimics) {
     const auto of = linkages.find(mimic.attribute("joint").value());
     if (of == linkages.end()) continue;
+    const UrdfMotion other = tree.linkages[static_cast<std::size_t>(of->second)].motion;
+    if (other == UrdfMotion::planar || other == UrdfMotion::free) continue;
     UrdfLinkage& linkage = tree.linkages[static_cast<std::size_t>(linkages.at(name))];
     linkage.follows = of->second;
     linkage.multiplier = mimic.attribute("multiplier").as_double(1);
@@ -170,6 +172,21 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
       linkage.multiplier *= of.multiplier;
       linkage.follows = of.follows;
     }
+  }
+  // One that follows a fixed joint stands still.
+  for (UrdfLinkage& linkage : tree.linkages) {
+    if (linkage.follows < 0 ||
+        tree.linkages[static_cast<std::size_t>(linkage.follows)].motion != UrdfMotion::fixed)
+      continue;
+    RigidMotion<long double> moved;
+    if (linkage.motion == UrdfMotion::turn)
+      moved = rotation_about(linkage.axis, linkage.offset);
+    else
+      moved.translation = linkage.offset * linkage.axis;
+    linkage.origin = linkage.origin * moved;
+    linkage.motion = UrdfMotion::fixed;
+    linkage.follows = -1;
+    linkage.damping = linkage.friction = linkage.rotor = 0;
   }
   order_tree(tree);
   return tree;

@@ -38,8 +38,8 @@ struct UrdfTree {
   std::vector<std::size_t> order;     ///< linkages, parents before children
 };
 
-/// Throws std::runtime_error at what is no tree. A mimic on a fixed joint, or of a joint that is not there,
-/// is none.
+/// Throws std::runtime_error at what is no tree. A mimic on a fixed joint, or of a joint that is not there or has
+/// no single position, is none; one of a fixed joint fixes its own.
 UrdfTree read_urdf_tree(const std::string& file, bool floating);
 
 }  // namespace alembert::oracles
