@@ -162,22 +162,16 @@ class ForceReader {
                 .expr};
   }
 
-  /// What a path leads around on its way from a point to the next.
-  struct Obstacle {
-    RoundObstacle shape;
-    int frame;
-    std::optional<int> side;
-  };
   static bool is_obstacle(const YamlNode& node) {
     if (node.kind != YamlNode::Kind::mapping) return false;
     for (std::size_t i = 0; i < node.items.size(); i += 2)  // keys
       if (node.items[i]->text == "sphere" || node.items[i]->text == "cylinder") return true;
     return false;
   }
-  Obstacle obstacle(const YamlNode& node, const std::string& what) {
+  PathObstacle obstacle(const YamlNode& node, const std::string& what) {
     const Section section(document_, node, "what " + what + " leads around",
                           {"sphere", "cylinder", "radius", "side"});
-    Obstacle out;
+    PathObstacle out{{}, 0};
     out.shape.cylinder = section.find("cylinder") != nullptr;
     if (out.shape.cylinder && section.find("sphere") != nullptr)
       throw InputError(document_.where(node), "a path leads around a sphere or a cylinder, one at a time");
@@ -197,7 +191,7 @@ class ForceReader {
   }
   Vec3 position(int frame) { return vec3(loading_.reader.frame_symbols(frame, FrameQuantity::position)); }
   /// In the axes of the obstacle, from its origin; of a sphere, in the world's.
-  Vec3 seen_from(const Obstacle& obstacle, int frame) {
+  Vec3 seen_from(const PathObstacle& obstacle, int frame) {
     const Vec3 away = position(frame) - position(obstacle.frame);
     if (!obstacle.shape.cylinder) return away;
     const std::vector<Expr>& R = loading_.reader.frame_symbols(obstacle.frame, FrameQuantity::rotation);
@@ -205,9 +199,9 @@ class ForceReader {
   }
   Expr stretch(const std::vector<PathPoint>& points, std::size_t from, std::size_t to) {
     const Expr straight = loading_.reader.distance(points[from].frame, points[to].frame);
-    const auto found = obstacles_.find(from);
-    if (found == obstacles_.end()) return straight;
-    const Obstacle& around = found->second;
+    const auto found = force_.obstacles.find(from);
+    if (found == force_.obstacles.end()) return straight;
+    const PathObstacle& around = found->second;
     const std::optional<Vec3> side =
         around.side ? std::optional(seen_from(around, *around.side)) : std::nullopt;
     return length_around(around.shape, seen_from(around, points[from].frame),
@@ -244,7 +238,7 @@ class ForceReader {
         if (end || is_obstacle(**std::prev(std::ranges::find(items, item))))
           throw InputError(document_.where(*item),
                            fmt::format("{} leads around something between two points", what));
-        obstacles_.emplace(points.size() - 1, obstacle(*item, what));
+        force_.obstacles.emplace(points.size() - 1, obstacle(*item, what));
         continue;
       }
       points.push_back(path_point(*item, end, what));
@@ -254,7 +248,7 @@ class ForceReader {
                          fmt::format("{} goes from frame '{}' to itself", what,
                                      loading_.mechanism.frames[static_cast<std::size_t>(frame)].name));
     }
-    for (const auto& [before, around] : obstacles_)
+    for (const auto& [before, around] : force_.obstacles)
       if (points[before].when || points[before + 1].when)
         throw InputError(force_.where,
                          fmt::format("{} leads around something beside a point with a condition; that is "
@@ -302,7 +296,6 @@ class ForceReader {
   const Document& document_;
   Section section_;
   Force force_;
-  std::map<std::size_t, Obstacle> obstacles_;  // by the point of the path before them
 };
 
 }  // namespace

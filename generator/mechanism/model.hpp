@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "mechanism/wrapped_path.hpp"
 #include "support/error.hpp"
 #include "symbolic/expr.hpp"
 #include "symbolic/matrix.hpp"
@@ -213,6 +215,13 @@ struct PathPoint {
   std::optional<Expr> when = {};
 };
 
+/// What a path leads around on its way from a point to the next.
+struct PathObstacle {
+  RoundObstacle shape;           ///< about the origin, or the z axis, of the frame
+  int frame;                     ///< index into Mechanism::frames
+  std::optional<int> side = {};  ///< likewise: on the side of its origin
+};
+
 /// What acts besides gravity and external wrenches: expressions over coordinates, speeds, t, runtime
 /// parameters, inputs, Mechanism::frame_symbols and distances.
 struct Force {
@@ -220,11 +229,12 @@ struct Force {
   ForceKind kind = ForceKind::on_speed;
   int speed = -1;  ///< on_speed: which one
   Expr value;      ///< on_speed, along: the generalized force; potential: J; path: the tension, N
-  std::vector<PathPoint> path;  ///< path: from end to end
-  Expr length;                  ///< path: over Mechanism::distances; along: the function
-  Expr rate;                    ///< path, along: the symbol that stands for the rate of that
-  int frame = -1;               ///< wrench: index into Mechanism::frames
-  bool frame_axes = true;       ///< wrench: in the axes of the frame, else in the world's
+  std::vector<PathPoint> path;                    ///< path: from end to end
+  std::map<std::size_t, PathObstacle> obstacles;  ///< path: by the point before them
+  Expr length;                                    ///< path: over Mechanism::distances; along: the function
+  Expr rate;               ///< path, along: the symbol that stands for the rate of that
+  int frame = -1;          ///< wrench: index into Mechanism::frames
+  bool frame_axes = true;  ///< wrench: in the axes of the frame, else in the world's
   Vec3 force, torque;
   bool passive = false;  ///< on_speed: damping and friction of a coordinate, not of a drive
   SourceLocation where;

@@ -1,8 +1,10 @@
-// Paths that lead around what is round. In: two points and an obstacle between them. Out: the length of the path.
+// Paths that lead around what is round. In: two points and an obstacle between them. Out: the length of the path, and
+// points along it.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "symbolic/matrix.hpp"
 
@@ -26,5 +28,9 @@ Expr length_around(const RoundObstacle& obstacle, const Vec3& from, const Vec3& 
 /// The same of numbers.
 double length_around(bool cylinder, double radius, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                      const std::optional<Eigen::Vector3d>& side);
+
+/// So many points of the arc, its ends included; all of them `from` where the line does not lead around.
+std::vector<Vec3> points_around(const RoundObstacle& obstacle, const Vec3& from, const Vec3& to,
+                                const std::optional<Vec3>& side, int count);
 
 }  // namespace alembert

@@ -2,6 +2,7 @@
 #include "simulation/force_readings.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "dynamics/recursions/frame_values.hpp"
@@ -63,8 +64,7 @@ class ReadingsBuilder {
         break;
       case ForceKind::path: {
         SceneLine line{acting_.forces.size(), {}};
-        line.points.resize(force.path.size());
-        add_line(force.path, poses);
+        line.points.resize(add_line(force, poses));
         acting_.lines.push_back(std::move(line));
         add_force(force.name, "N", force.value);
         break;
@@ -99,17 +99,41 @@ class ReadingsBuilder {
     const std::span<const Expr> pose = poses.subspan(12 * static_cast<std::size_t>(frame), 12);
     return {{pose[3], pose[7], pose[11]}};
   }
-  /// A point that the path does not lead over is where the one before it is.
-  void add_line(std::span<const PathPoint> path, std::span<const Expr> poses) {
-    Vec3 before = origin_of(path.front().frame, poses);
-    for (const PathPoint& point : path) {
+  /// The number of points. One that the path does not lead over is where the one before it is.
+  std::size_t add_line(const Force& force, std::span<const Expr> poses) {
+    const std::size_t had = line_points_.size();
+    const auto add = [&](const Vec3& point) {
+      line_points_.insert(line_points_.end(), point.entries.begin(), point.entries.end());
+    };
+    Vec3 before = origin_of(force.path.front().frame, poses);
+    for (std::size_t i = 0; i < force.path.size(); ++i) {
+      const PathPoint& point = force.path[i];
       Vec3 origin = origin_of(point.frame, poses);
       if (point.when)
         for (std::size_t r = 0; r < 3; ++r)
           origin[r] = if_positive(*point.when, origin[r]) + unless_positive(*point.when, before[r]);
-      line_points_.insert(line_points_.end(), origin.entries.begin(), origin.entries.end());
+      add(origin);
       before = origin;
+      if (const auto found = force.obstacles.find(i); found != force.obstacles.end())
+        for (const Vec3& bend :
+             bends(found->second, origin, origin_of(force.path[i + 1].frame, poses), poses))
+          add(bend);
     }
+    return (line_points_.size() - had) / 3;
+  }
+  /// Along an arc, from end to end.
+  static std::vector<Vec3> bends(const PathObstacle& around, const Vec3& from, const Vec3& to,
+                                 std::span<const Expr> poses) {
+    constexpr int kPoints = 9;
+    const std::span<const Expr> pose = poses.subspan(12 * static_cast<std::size_t>(around.frame), 12);
+    const Mat3 axes{{pose[0], pose[1], pose[2], pose[4], pose[5], pose[6], pose[8], pose[9], pose[10]}};
+    const Vec3 origin = origin_of(around.frame, poses);
+    const auto seen = [&](const Vec3& point) { return transpose(axes) * (point - origin); };
+    const std::optional<Vec3> side =
+        around.side ? std::optional(seen(origin_of(*around.side, poses))) : std::nullopt;
+    std::vector<Vec3> out = points_around(around.shape, seen(from), seen(to), side, kPoints);
+    for (Vec3& point : out) point = origin + axes * point;
+    return out;
   }
 
   /// The contact that the force is of, if it is of one: contacts have one or two forces each, in the same order.
