@@ -185,8 +185,8 @@ MjcfMuscle muscle_of(const MjcfElement& of, const std::array<double, 9>& given,
   if (!(given[0] < given[1]) || !(given[4] < 1 && given[5] > 1) ||
       !(given[6] > 0 && given[7] > 0 && given[8] > 0))
     throw InputError(of.where(),
-                     fmt::format("the muscle of {} has no range, lmin < 1 < lmax, and positive vmax, fpmax "
-                                 "and fvmax",
+                     fmt::format("expected a range that increases, lmin < 1 < lmax, and positive vmax, fpmax "
+                                 "and fvmax of {}",
                                  of.what()));
   return {.lengths = lengths,
           .first = given[0],
@@ -200,7 +200,7 @@ MjcfMuscle muscle_of(const MjcfElement& of, const std::array<double, 9>& given,
 }
 
 /// Its gain and bias, where they are a muscle's; or why they cannot be expressed.
-std::string find_muscles(const MjcfElement& of, Law& law, MjcfActuator& actuator) {
+std::string find_muscles(const MjcfElement& of, const Law& law, MjcfActuator& actuator) {
   const bool pulls = law.gain_type == Law::muscle, resists = law.bias_type == Law::muscle;
   if (!pulls && !resists) return {};
   const std::vector<double> lengths = of.list("lengthrange", 2, 2);
