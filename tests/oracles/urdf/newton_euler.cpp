@@ -28,6 +28,10 @@ RigidMotion<S> on(const RigidMotion<long double>& pose) {
   return result;
 }
 
+bool has_quaternion(const UrdfLinkage& linkage) {
+  return linkage.motion == UrdfMotion::free || linkage.motion == UrdfMotion::ball;
+}
+
 /// What a linkage moves along and about, in its own frame (a quaternion's axes: in the child's), one for each
 /// speed.
 struct Directions {
@@ -44,6 +48,8 @@ Directions directions_of(const UrdfLinkage& linkage) {
       return {{a}, {}};
     case UrdfMotion::free:
       return {{x, y, z}, {x, y, z}};
+    case UrdfMotion::ball:
+      return {{}, {x, y, z}};
     case UrdfMotion::planar: {
       // The coordinate axes after the normal, or x and y turned by the shortest rotation from z to it.
       for (std::size_t i = 0; i < 3; ++i) {
@@ -75,7 +81,7 @@ Places places_of(const UrdfTree& tree) {
     const Directions directions = directions_of(linkage);
     const std::size_t speeds = directions.along.size() + directions.about.size();
     places.nv += speeds;
-    nq += speeds + (linkage.motion == UrdfMotion::free ? 1 : 0);
+    nq += speeds + (has_quaternion(linkage) ? 1 : 0);
   }
   for (std::size_t i = 0; i < tree.linkages.size(); ++i) {
     if (tree.linkages[i].follows < 0) continue;
@@ -124,8 +130,9 @@ Moving<S> carried(const UrdfLinkage& linkage, const Moving<S>& parent, const S* 
     speed = speed + (factor * u[i]) * out.along[i];
     rate = rate + (factor * du[i]) * out.along[i];
   }
-  if (linkage.motion == UrdfMotion::free) {
-    relative.column = quaternion_rotation(q[3], q[4], q[5], q[6]).column;
+  if (has_quaternion(linkage)) {
+    const S* const p = q + shifts;
+    relative.column = quaternion_rotation(p[0], p[1], p[2], p[3]).column;
   } else if (!directions.about.empty()) {
     relative.column = rotation_about(on<S>(directions.about[0]), S(factor * q[shifts] + offset)).column;
   }

@@ -60,6 +60,7 @@ UrdfMotion motion_named(const std::string& type) {
   if (type == "prismatic") return UrdfMotion::shift;
   if (type == "planar") return UrdfMotion::planar;
   if (type == "floating") return UrdfMotion::free;
+  if (type == "spherical") return UrdfMotion::ball;
   throw std::runtime_error("unknown type of joint '" + type + "'");
 }
 
@@ -156,7 +157,7 @@ UrdfTree read_urdf_tree(const std::string& file, bool floating) {
     const auto of = linkages.find(mimic.attribute("joint").value());
     if (of == linkages.end()) continue;
     const UrdfMotion other = tree.linkages[static_cast<std::size_t>(of->second)].motion;
-    if (other == UrdfMotion::planar || other == UrdfMotion::free) continue;
+    if (other == UrdfMotion::planar || other == UrdfMotion::free || other == UrdfMotion::ball) continue;
     UrdfLinkage& linkage = tree.linkages[static_cast<std::size_t>(linkages.at(name))];
     linkage.follows = of->second;
     linkage.multiplier = mimic.attribute("multiplier").as_double(1);

@@ -18,7 +18,7 @@ struct UrdfBody {
   std::array<long double, 6> inertia{};  ///< xx yy zz xy xz yz about the centre of mass, in the link's axes
 };
 
-enum class UrdfMotion { fixed, turn, shift, planar, free };
+enum class UrdfMotion { fixed, turn, shift, planar, free, ball };
 
 struct UrdfLinkage {
   std::string name;
