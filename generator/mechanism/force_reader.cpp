@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -235,7 +234,7 @@ class ForceReader {
     for (const YamlNode* item : items) {
       const bool end = item == items.front() || item == items.back();
       if (is_obstacle(*item)) {
-        if (end || is_obstacle(**std::prev(std::ranges::find(items, item))))
+        if (end || force_.obstacles.contains(points.size() - 1))
           throw InputError(document_.where(*item),
                            fmt::format("{} leads around something between two points", what));
         force_.obstacles.emplace(points.size() - 1, obstacle(*item, what));
