@@ -189,8 +189,8 @@ void MjcfForceNodes::add_tendon(YamlNode& list, std::size_t tendon, const std::s
       YamlNode& path = nodes_.sequence(of.where);
       const std::vector<std::size_t>& sites = of.branches[b].sites;
       for (std::size_t i = 0; i < sites.size(); ++i) {
-        if (i > 0 && sites[i] == sites[i - 1]) continue;
-        path.items.push_back(&nodes_.text(naming_.frame(sites[i]), of.where));
+        if (i == 0 || sites[i] != sites[i - 1])
+          path.items.push_back(&nodes_.text(naming_.frame(sites[i]), of.where));
         const auto wrap = of.branches[b].wraps.find(i);
         if (wrap != of.branches[b].wraps.end() && sites[i + 1] != sites[i])
           path.items.push_back(&wrap_node(wrap->second, of.where));
