@@ -52,23 +52,9 @@ class ContactReader {
     return coefficient(*node, of(fmt::format("the {}", key)), false);
   }
   Expr coefficient(const YamlNode& node, const std::string& what, bool positive) {
-    const Quantity value = loading_.reader.read(node, Allowed::parameters, what);
-    if (positive ? !(value.initial > 0) : value.initial < 0)
-      throw InputError(loading_.document.where(node),
-                       fmt::format("{} is {:.6g}; expected {}", what, value.initial,
-                                   positive ? "a positive number" : "no negative number"));
-    return value.expr;
+    return loading_.reader.coefficient(node, what, positive);
   }
-  Vec3 vector(int frame, FrameQuantity quantity) {
-    const std::vector<Expr>& x = loading_.reader.frame_symbols(frame, quantity);
-    return {{x[0], x[1], x[2]}};
-  }
-  Mat3 rotation(int frame) {
-    Mat3 R;
-    const std::vector<Expr>& x = loading_.reader.frame_symbols(frame, FrameQuantity::rotation);
-    for (std::size_t i = 0; i < 9; ++i) R[i] = x[i];
-    return R;
-  }
+  Vec3 vector(int frame, FrameQuantity quantity) { return loading_.reader.vector_of(frame, quantity); }
   Vec3 zero() { return zeros<3, 1>(loading_.graph); }
 
   void check_apart(const YamlNode& node, int other) const {
@@ -99,7 +85,7 @@ class ContactReader {
     contact_.plane_point = point;
     contact_.plane_normal = contact_.normal;
     if (contact_.other >= 0) {
-      const Mat3 R = rotation(contact_.other);
+      const Mat3 R = loading_.reader.rotation_of(contact_.other);
       contact_.normal = R * contact_.normal;
       point = vector(contact_.other, FrameQuantity::position) + R * point;
     }

@@ -46,6 +46,15 @@ bool ExpressionReader::Reading::may_lack_value(const Operand& operation) const {
          });
 }
 
+Expr ExpressionReader::coefficient(const YamlNode& node, std::string_view what, bool positive) {
+  const Quantity value = read(node, Allowed::parameters, what);
+  if (positive ? !(value.initial > 0) : value.initial < 0)
+    throw InputError(document_.where(node),
+                     fmt::format("{} is {:.6g}; expected {}", what, value.initial,
+                                 positive ? "a positive number" : "no negative number"));
+  return value.expr;
+}
+
 Quantity ExpressionReader::read(const YamlNode& node, Allowed allowed, std::string_view what) {
   Reading reading{node, allowed, what};
   if (node.kind != YamlNode::Kind::scalar)

@@ -47,6 +47,8 @@ class ExpressionReader {
   Quantity read(const YamlNode& node, Allowed allowed, std::string_view what);
   /// A list of three expressions.
   Vec3 read_vector(const YamlNode& node, Allowed allowed, std::string_view what);
+  /// Of constants and runtime parameters; throws where it is negative or, if it is to be positive, 0.
+  Expr coefficient(const YamlNode& node, std::string_view what, bool positive);
   /// A name that only some expressions know, and its symbol.
   struct LocalName {
     std::string name;
@@ -68,6 +70,9 @@ class ExpressionReader {
   int expect_frame(const YamlNode& name, std::string_view what);
   /// A quantity of a frame; its symbols are noted in the mechanism.
   const std::vector<Expr>& frame_symbols(int frame, FrameQuantity quantity);
+  /// The same as a vector, or of its rotation as a matrix.
+  Vec3 vector_of(int frame, FrameQuantity quantity);
+  Mat3 rotation_of(int frame);
   /// The distance between the origins of two frames.
   Expr distance(int from, int to);
 

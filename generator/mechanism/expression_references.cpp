@@ -107,6 +107,16 @@ const std::vector<Expr>& ExpressionReader::frame_symbols(int frame, FrameQuantit
   return mechanism_.frame_symbols.emplace_back(std::move(symbols)).symbols;
 }
 
+Vec3 ExpressionReader::vector_of(int frame, FrameQuantity quantity) {
+  return vec3(frame_symbols(frame, quantity));
+}
+
+Mat3 ExpressionReader::rotation_of(int frame) {
+  Mat3 R;
+  std::ranges::copy(frame_symbols(frame, FrameQuantity::rotation), R.entries.begin());
+  return R;
+}
+
 Quantity ExpressionReader::of_frame(const Reading& reading, const PostfixToken& token,
                                     FrameQuantity quantity) {
   const std::string_view text = reading.node.text;

@@ -176,25 +176,17 @@ class ForceReader {
       throw InputError(document_.where(node), "a path leads around a sphere or a cylinder, one at a time");
     out.frame =
         loading_.reader.expect_frame(section.require(out.shape.cylinder ? "cylinder" : "sphere"), what);
-    const YamlNode& radius = section.require("radius");
-    const Quantity value =
-        loading_.reader.read(radius, Allowed::parameters, "the radius of what a path leads around");
-    if (!(value.initial > 0))
-      throw InputError(document_.where(radius),
-                       fmt::format("the radius of what {} leads around is {:.6g}; expected a "
-                                   "positive number",
-                                   what, value.initial));
-    out.shape.radius = value.expr;
+    out.shape.radius = loading_.reader.coefficient(section.require("radius"),
+                                                   "the radius of what " + what + " leads around", true);
     if (const YamlNode* side = section.find("side")) out.side = loading_.reader.expect_frame(*side, what);
     return out;
   }
-  Vec3 position(int frame) { return vec3(loading_.reader.frame_symbols(frame, FrameQuantity::position)); }
   /// In the axes of the obstacle, from its origin; of a sphere, in the world's.
   Vec3 seen_from(const PathObstacle& obstacle, int frame) {
-    const Vec3 away = position(frame) - position(obstacle.frame);
-    if (!obstacle.shape.cylinder) return away;
-    const std::vector<Expr>& R = loading_.reader.frame_symbols(obstacle.frame, FrameQuantity::rotation);
-    return transpose(Mat3{{R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]}}) * away;
+    ExpressionReader& reader = loading_.reader;
+    const Vec3 point = reader.vector_of(frame, FrameQuantity::position),
+               away = point - reader.vector_of(obstacle.frame, FrameQuantity::position);
+    return obstacle.shape.cylinder ? transpose(reader.rotation_of(obstacle.frame)) * away : away;
   }
   Expr stretch(const std::vector<PathPoint>& points, std::size_t from, std::size_t to) {
     const Expr straight = loading_.reader.distance(points[from].frame, points[to].frame);
@@ -203,8 +195,8 @@ class ForceReader {
     const PathObstacle& around = found->second;
     const std::optional<Vec3> side =
         around.side ? std::optional(seen_from(around, *around.side)) : std::nullopt;
-    return length_around(around.shape, seen_from(around, points[from].frame),
-                         seen_from(around, points[to].frame), side, straight);
+    const Vec3 begin = seen_from(around, points[from].frame), end = seen_from(around, points[to].frame);
+    return length_around(around.shape, begin, end, side, straight);
   }
 
   /// Through the points that are on the path: beyond each of them, to the next one whose condition holds.

@@ -231,7 +231,7 @@ struct Force {
   Expr value;      ///< on_speed, along: the generalized force; potential: J; path: the tension, N
   std::vector<PathPoint> path;                    ///< path: from end to end
   std::map<std::size_t, PathObstacle> obstacles;  ///< path: by the point before them
-  Expr length;                                    ///< path: over Mechanism::distances; along: the function
+  Expr length;                                    ///< path: its length; along: the function
   Expr rate;               ///< path, along: the symbol that stands for the rate of that
   int frame = -1;          ///< wrench: index into Mechanism::frames
   bool frame_axes = true;  ///< wrench: in the axes of the frame, else in the world's

@@ -15,8 +15,8 @@ Expr higher(const Expr& a, const Expr& b) {
   return select(a - b, a, b);
 }
 
-/// A line around something. What has no derivative or value where a point is inside, or the points are in line with the
-/// centre, is chosen there by nobody, and constant.
+/// A line around something. Some terms have no value or derivative where a point is inside, or where the points are in line
+/// with the centre: a constant stands in their place there, and no result uses it.
 class Wrapping {
  public:
   Wrapping(const RoundObstacle& obstacle, const Vec3& from, const Vec3& to, const std::optional<Vec3>& side)

@@ -110,17 +110,19 @@ void TransformFactors::add_joint(YamlNode& factors, const char* type, const Vect
 
 void TransformFactors::add_free(YamlNode& factors, const std::vector<std::string>& names,
                                 const SourceLocation& where) const {
-  YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "type", nodes_.text("free", where));
-  nodes_.put(node, "coordinates", nodes_.list({names[0], names[1], names[2], names[3]}, where));
-  factors.items.push_back(&nodes_.single("joint", node));
+  add_joint_of(factors, "free", nodes_.list({names[0], names[1], names[2], names[3]}, where), where);
 }
 
 void TransformFactors::add_spherical(YamlNode& factors, const std::string& name,
                                      const SourceLocation& where) const {
+  add_joint_of(factors, "spherical", nodes_.list({name}, where), where);
+}
+
+void TransformFactors::add_joint_of(YamlNode& factors, const char* type, const YamlNode& coordinates,
+                                    const SourceLocation& where) const {
   YamlNode& node = nodes_.mapping(where);
-  nodes_.put(node, "type", nodes_.text("spherical", where));
-  nodes_.put(node, "coordinates", nodes_.list({name}, where));
+  nodes_.put(node, "type", nodes_.text(type, where));
+  nodes_.put(node, "coordinates", coordinates);
   factors.items.push_back(&nodes_.single("joint", node));
 }
 

@@ -50,6 +50,8 @@ class TransformFactors {
   }
 
  private:
+  void add_joint_of(YamlNode& factors, const char* type, const YamlNode& coordinates,
+                    const SourceLocation& where) const;
   void add_shift(YamlNode& factors, const std::array<double, 3>& shift, const SourceLocation& where) const;
   void add_turns(YamlNode& factors, const std::array<double, 3>& rpy, const SourceLocation& where) const;
 

@@ -34,9 +34,9 @@ std::string text_of_element(pugi::xml_node element);
 /// A parsed XML text.
 class XmlText {
  public:
-  /// Throws InputError at what is not one well-formed element. Warned of and mended is what robots' own
-  /// engines read too: bytes that are no text, attributes without a blank between them, and `<!` that begins
-  /// neither a comment nor anything else.
+  /// Throws InputError at what is not one well-formed element. Mends, with a warning, what robots' own
+  /// engines read too: bytes that are no text become question marks, attributes get a blank between them, and
+  /// `<!` that begins neither a comment nor anything else is passed over.
   XmlText(std::shared_ptr<const SourceText> source, Warnings& warnings, const XmlFormat& format);
 
   pugi::xml_node root() const { return document_.document_element(); }

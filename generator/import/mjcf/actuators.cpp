@@ -204,10 +204,9 @@ std::string find_muscles(const MjcfElement& of, const Law& law, MjcfActuator& ac
   const bool pulls = law.gain_type == Law::muscle, resists = law.bias_type == Law::muscle;
   if (!pulls && !resists) return {};
   const std::vector<double> lengths = of.list("lengthrange", 2, 2);
-  if (lengths.empty() || !(lengths[0] < lengths[1]))
-    return "a muscle whose lengthrange MuJoCo would find by simulating";
+  if (lengths.empty() || !(lengths[0] < lengths[1])) return "a lengthrange that MuJoCo finds by simulating";
   if ((pulls && law.gain[2] < 0) || (resists && law.bias[2] < 0))
-    return "a muscle whose force MuJoCo would work out from its acceleration";
+    return "a force that MuJoCo works out from accelerations";
   if (pulls) actuator.pull = muscle_of(of, law.gain, {lengths[0], lengths[1]});
   if (resists) actuator.resistance = muscle_of(of, law.bias, {lengths[0], lengths[1]});
   if (pulls) actuator.gain = {};

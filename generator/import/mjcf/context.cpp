@@ -68,17 +68,20 @@ std::optional<MjcfWrap> read_wrap(MjcfContext& context, const MjcfElement& of) {
   return wrap;
 }
 
-/// Of a path from place to place, in the world.
+/// Of a site or another place, in the world.
+RigidPose place_at_rest(const MjcfModel& model, std::size_t place) {
+  return rest_pose(model, model.sites[place].body) * model.sites[place].pose;
+}
+
+/// Of a path between two points in the world.
 double wrapped_length(const MjcfModel& model, const MjcfWrap& wrap, const Eigen::Vector3d& from,
                       const Eigen::Vector3d& to) {
-  const auto rest_of = [&](std::size_t place) {
-    return rest_pose(model, model.sites[place].body) * model.sites[place].pose;
-  };
-  const RigidPose into = inverse(rest_of(wrap.geom));
+  const RigidPose into = inverse(place_at_rest(model, wrap.geom));
   const auto seen = [&](const Eigen::Vector3d& world) { return (into * RigidPose{world}).shift; };
   const MjcfRound& round = *model.sites[wrap.geom].round;
-  return length_around(round.cylinder, round.radius, seen(from), seen(to),
-                       wrap.side ? std::optional(seen(rest_of(*wrap.side).shift)) : std::nullopt);
+  return length_around(
+      round.cylinder, round.radius, seen(from), seen(to),
+      wrap.side ? std::optional(seen(place_at_rest(model, *wrap.side).shift)) : std::nullopt);
 }
 
 MjcfTendon read_spatial(MjcfContext& context, pugi::xml_node node) {
@@ -121,9 +124,8 @@ double length_at_rest(const MjcfModel& model, const MjcfTendon& tendon) {
   for (const MjcfTerm& term : tendon.terms) length += term.factor * model.joints[term.joint].rest;
   for (const MjcfBranch& branch : tendon.branches) {
     for (std::size_t i = 0; i + 1 < branch.sites.size(); ++i) {
-      const MjcfPlace &from = model.sites[branch.sites[i]], &to = model.sites[branch.sites[i + 1]];
-      const Eigen::Vector3d begin = (rest_pose(model, from.body) * from.pose).shift,
-                            end = (rest_pose(model, to.body) * to.pose).shift;
+      const Eigen::Vector3d begin = place_at_rest(model, branch.sites[i]).shift,
+                            end = place_at_rest(model, branch.sites[i + 1]).shift;
       const auto wrap = branch.wraps.find(i);
       length += (wrap == branch.wraps.end() ? (end - begin).norm()
                                             : wrapped_length(model, wrap->second, begin, end)) /

@@ -175,11 +175,13 @@ class SdfJointReader {
     out.initial = files_.number(node, "initial_position", 0);
     const pugi::xml_node limit = files_.of(node).find(node, "limit", what);
     check_sdf_spelling(files_, limit);
-    double lower = -kUnlimited, upper = kUnlimited;
-    files_.of(node).tolerate("it is left out",
-                             [&] { lower = files_.number_or_infinite(limit, "lower", lower); });
-    files_.of(node).tolerate("it is left out",
-                             [&] { upper = files_.number_or_infinite(limit, "upper", upper); });
+    const auto read = [&](const char* name, double otherwise) {
+      double value = otherwise;
+      files_.of(node).tolerate("it is left out",
+                               [&] { value = files_.number_or_infinite(limit, name, otherwise); });
+      return value;
+    };
+    const double lower = read("lower", -kUnlimited), upper = read("upper", kUnlimited);
     const bool below = lower > -kUnlimited, above = upper < kUnlimited;
     if (below && above && lower < upper) {
       out.limits = {lower, upper};
@@ -194,10 +196,8 @@ class SdfJointReader {
           {files_.where(limit), fmt::format("{} has one limit only; it is left out", what), {}, "one limit"});
     }
     const auto largest = [&](const char* name, std::optional<double>& to) {
-      files_.of(node).tolerate("it is left out", [&] {
-        const double value = files_.number_or_infinite(limit, name, -1);
-        if (value > 0 && value < kUnlimited) to = value;
-      });
+      const double value = read(name, -1);
+      if (value > 0 && value < kUnlimited) to = value;
     };
     largest("effort", out.effort);
     largest("velocity", out.speed);
