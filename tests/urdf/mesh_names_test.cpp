@@ -64,6 +64,29 @@ TEST_F(PublishedMeshes, AreNamedFromTheFolderOfTheDescription) {
   EXPECT_THAT(imported(urdf("near.stl"), options), HasSubstr("../arm_description/urdf/near.stl"));
 }
 
+/// A frame has no geometry of its own: its shapes are on the body that it is on.
+TEST_F(PublishedMeshes, OfFramesAreDrawnWithTheirBodies) {
+  const std::string text =
+      imported(put("arm_description/urdf/ball.urdf", R"(<robot name="arm"><link name="base"/>
+  <link name="link"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <link name="ball"><visual><origin xyz="0 0 5"/><geometry><mesh filename="near.stl"/></geometry></visual>
+    <visual><geometry><sphere radius="0.125"/></geometry></visual></link>
+  <joint name="tip" type="fixed"><origin xyz="7 0 0"/><parent link="link"/><child link="ball"/></joint>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="link"/></joint></robot>)"));
+  EXPECT_THAT(text, HasSubstr(R"(    geometry:
+      - mesh:
+          file: near.stl
+        transform:
+          - translate: [7, 0, 0]
+          - translate: [0, 0, 5]
+      - sphere: 0.125
+        transform:
+          - translate: [7, 0, 0]
+frames:
+  - name: ball
+    body: link)"));
+}
+
 TEST_F(PublishedMeshes, OfOtherPackagesAreFoundByInclude) {
   const std::string file = urdf("package://gripper/meshes/finger.stl");
   EXPECT_THAT(imported(file), Not(HasSubstr("mesh")));

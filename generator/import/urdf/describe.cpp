@@ -51,16 +51,18 @@ class Describer {
 
  private:
   // Names and coordinates.
-  bool is_bare(std::size_t link) const {
-    return !has_mass(robot_.links[link]) && !has_solid(robot_.links[link].shapes);
-  }
+  /// Shapes of a frame are drawn with the body that it is on, which must be there.
   bool is_frame(std::size_t link) const {
-    return link != robot_.root && is_bare(link) && robot_.children[link].empty() &&
-           robot_.joints[robot_.joint_of[link]].type == UrdfJointType::fixed;
+    const UrdfLink& of = robot_.links[link];
+    if (link == robot_.root || has_mass(of) || !robot_.children[link].empty()) return false;
+    const UrdfJoint& joint = robot_.joints[robot_.joint_of[link]];
+    const bool on_world = root_is_world_ && joint.parent == robot_.root;
+    return joint.type == UrdfJointType::fixed && (of.shapes.empty() || !on_world);
   }
 
   void name_links() {
-    root_is_world_ = !options_.floating && robot_.links[robot_.root].name == "world" && is_bare(robot_.root);
+    const UrdfLink& root = robot_.links[robot_.root];
+    root_is_world_ = !options_.floating && root.name == "world" && !has_mass(root) && !has_solid(root.shapes);
     FitNames bodies("link", warnings_), frames("link", warnings_);
     for (const UrdfLink& link : robot_.links) {
       bodies.reserve(link.name);
@@ -253,8 +255,17 @@ class Describer {
     }
     if (!factors.items.empty()) nodes_.put(node, "transform", factors);
     if (has_mass(of)) link_nodes_.add_inertial(node, *of.inertial);
-    if (!of.shapes.empty()) link_nodes_.add_shapes(node, of);
+    if (!frame) add_geometry(node, link);
     return node;
+  }
+
+  void add_geometry(YamlNode& node, std::size_t link) {
+    YamlNode& shapes = nodes_.sequence(robot_.links[link].where);
+    link_nodes_.add_shapes(shapes, robot_.links[link], {});
+    for (const std::size_t j : robot_.children[link])
+      if (const UrdfJoint& joint = robot_.joints[j]; is_frame(joint.child))
+        link_nodes_.add_shapes(shapes, robot_.links[joint.child], joint.origin);
+    if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
   }
 
   void count_nearly_right(const UrdfPose& pose) {

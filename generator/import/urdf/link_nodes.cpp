@@ -39,8 +39,7 @@ void LinkNodes::add_inertial(YamlNode& node, const UrdfInertial& inertial) const
   nodes_.put(node, "inertia", entries);
 }
 
-void LinkNodes::add_shapes(YamlNode& node, const UrdfLink& link) const {
-  YamlNode& shapes = nodes_.sequence(link.where);
+void LinkNodes::add_shapes(YamlNode& shapes, const UrdfLink& link, const UrdfPose& place) const {
   for (UrdfShape shape : link.shapes) {
     if (shape.kind == SolidKind::mesh) {
       const auto file = find_urdf_mesh(shape.file, link.where.source->name, options_.include_folders);
@@ -48,10 +47,10 @@ void LinkNodes::add_shapes(YamlNode& node, const UrdfLink& link) const {
       shape.file = file->string();
     }
     YamlNode& pose = nodes_.sequence(shape.where);
+    factors_.add_origin(pose, place);
     factors_.add_origin(pose, shape.origin);
     add_shape(nodes_, shapes, shape, pose, options_.folder);
   }
-  if (!shapes.items.empty()) nodes_.put(node, "geometry", shapes);
 }
 
 }  // namespace alembert

@@ -15,8 +15,9 @@ class LinkNodes {
 
   /// Adds `mass`, `com` and `inertia`, in the axes of the link.
   void add_inertial(YamlNode& node, const UrdfInertial& inertial) const;
-  /// Adds `geometry`: what is drawn, meshes only where their files are.
-  void add_shapes(YamlNode& node, const UrdfLink& link) const;
+  /// Adds what is drawn of a link at `place` in the axes of the body to its `geometry`: of meshes those whose
+  /// files are there.
+  void add_shapes(YamlNode& shapes, const UrdfLink& link, const UrdfPose& place) const;
 
  private:
   DescriptionNodes& nodes_;
