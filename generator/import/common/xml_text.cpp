@@ -243,8 +243,8 @@ void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
 
 pugi::xml_node XmlText::find(pugi::xml_node element, const char* child, std::string_view what) const {
   const pugi::xml_node found = element.child(child);
-  if (found && found.next_sibling(child))
-    throw InputError(where(found.next_sibling(child)), fmt::format("a second <{}> in {}", child, what));
+  if (const pugi::xml_node second = found.next_sibling(child))
+    warn({where(second), fmt::format("a second <{}> in {}; the first one is used", child, what)});
   return found;
 }
 

@@ -67,7 +67,7 @@ class XmlText {
                       std::initializer_list<std::string_view> children,
                       std::initializer_list<std::string_view> attributes) const;
 
-  /// The only child of a name, or none. Throws at a second one.
+  /// The first child of a name, or none. Warns of a second one.
   pugi::xml_node find(pugi::xml_node element, const char* child, std::string_view what) const;
   /// The same, where there must be one.
   pugi::xml_node require(pugi::xml_node element, const char* child, std::string_view what) const;
