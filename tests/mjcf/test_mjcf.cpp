@@ -54,6 +54,57 @@ std::string model(const std::string& inner, const std::string& around = "") {
   return "<mujoco>" + around + "<worldbody>" + inner + "</worldbody></mujoco>";
 }
 
+/// Places in the world, as models before MuJoCo 2.3.4 may have them, and the same ones in the axes of bodies: the
+/// torso is turned by half a turn about z. A body without a place is where its mass is, in the axes of its only shape
+/// or of its inertial.
+TEST(MjcfGlobalCoordinates, AreThoseOfTheLocalModel) {
+  const std::string local = model(R"(
+    <site name='floor' pos='0 0 0.5'/>
+    <body name='torso' pos='0.5 0 1.25' quat='0 0 0 1'>
+      <joint name='rooty' axis='0 1 0' pos='0 0 0.25'/>
+      <geom type='capsule' quat='0 0 0 -1' size='0.125 0.5'/>
+      <site name='side' pos='-1 -2 0'/>
+      <body name='thigh' pos='0 0 -1' quat='0 0 0 -1'>
+        <joint name='hip' axis='0 -1 0' pos='0.5 0 0'/>
+        <geom type='box' size='0.25 0.125 0.0625'/>
+        <body name='foot' pos='0.25 0 -0.125' quat='0 1 0 0'>
+          <joint name='ankle' axis='1 0 0' pos='0 0.5 0'/>
+          <inertial pos='0 0 0' mass='2' diaginertia='2 3 4'/>
+        </body>
+      </body>
+    </body>)",
+                                  "<compiler inertiafromgeom='auto'/>");
+  const std::string global = model(R"(
+    <site name='floor' pos='0 0 0.5'/>
+    <body name='torso' pos='0.5 0 1.25' quat='0 0 0 1'>
+      <joint name='rooty' axis='0 -1 0' pos='0.5 0 1.5'/>
+      <geom type='capsule' fromto='0.5 0 1.75 0.5 0 0.75' size='0.125'/>
+      <site name='side' pos='1.5 2 1.25' quat='0 0 0 1'/>
+      <body name='thigh'>
+        <joint name='hip' axis='0 -1 0' pos='1 0 0.25'/>
+        <geom type='box' pos='0.5 0 0.25' size='0.25 0.125 0.0625'/>
+        <body name='foot'>
+          <joint name='ankle' axis='1 0 0' pos='0.75 -0.5 0.125'/>
+          <inertial pos='0.75 0 0.125' quat='0 1 0 0' mass='2' diaginertia='2 3 4'/>
+        </body>
+      </body>
+    </body>)",
+                                   "<compiler coordinate='global'/>");
+  EXPECT_EQ(import(model_of(global)).text, import(model_of(local)).text);
+}
+
+/// Hopper of Gym has it. Its joints and shapes say where they are, which is what its equations depend on.
+TEST(MjcfGlobalCoordinates, TolerateAPlaceThatIsNoNumber) {
+  const std::string body = "><joint name='j' pos='1 0 0'/><geom size='0.1' pos='0 0 1'/></body>";
+  const auto read = [&](const std::string& place) {
+    return import(model_of(model("<body name='b'" + place + body, "<compiler coordinate='global'/>")));
+  };
+  const test::Imported odd = read(" pos='0.13/2 0 0.1'");
+  EXPECT_EQ(odd.text, read("").text);
+  ASSERT_EQ(odd.warnings.size(), 1u);
+  EXPECT_THAT(odd.warnings[0], testing::HasSubstr("the body's frame is at its centre of mass"));
+}
+
 TEST(MjcfStdin, HasNoFolder) {
   EXPECT_THAT(import(model_of(model(kBody))).text, testing::HasSubstr("coordinates: [j]"));
   EXPECT_THROW(import(model_of(model("<include file='leg.xml'/>"))), InputError);

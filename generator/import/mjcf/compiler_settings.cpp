@@ -114,9 +114,7 @@ MjcfCompiler read_compiler(const MjcfText& text) {
       out.inertia_groups = {groups[0], groups[1]};
     if (element.has("assetdir")) out.mesh_folder = element.string("assetdir");
     if (element.has("meshdir")) out.mesh_folder = element.string("meshdir");
-    if (element.string("coordinate") == "global")
-      throw element.error("coordinate", "global coordinates were given up by MuJoCo 2.3.4 and are not read",
-                          "MuJoCo 2.3.3 saves such a model in local ones");
+    out.global = element.word("coordinate", {"local", "global"}, out.global ? 1 : 0) == 1;
     if (element.flag("alignfree", false))
       text.warn({element.where("alignfree"),
                  "alignfree is passed over: coordinates of free bodies are those of their own frames"});

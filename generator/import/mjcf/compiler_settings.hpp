@@ -14,6 +14,7 @@ inline constexpr double kNoDirection = 1e-14;
 
 struct MjcfCompiler {
   bool degrees = true;
+  bool global = false;        ///< whether places are in the axes of the world, as before MuJoCo 2.3.4
   std::string euler = "xyz";  ///< axes in order; capital ones do not move
   bool autolimits = true;
   enum class FromGeoms { no, yes, where_missing } inertia_from_geoms = FromGeoms::where_missing;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <numeric>
+#include <optional>
 
 #include "import/mjcf/inertial.hpp"
 #include "support/shortest_turn.hpp"
@@ -71,6 +72,10 @@ void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
       throw InputError(scope.text().where(child),
                        fmt::format("the model has more than {} elements", kMaximumMjcfElements));
     const std::string_view kind = child.name();
+    if (scope.compiler().global && (kind == "frame" || kind == "replicate"))
+      throw InputError(scope.text().where(child),
+                       fmt::format("a <{}> in a model with global coordinates", kind),
+                       "MuJoCo had the one until 2.3.3 and has the other since 3.0");
     if (kind == "body") {
       read_body(child, scope);
     } else if (kind == "inertial") {
@@ -213,17 +218,50 @@ void MjcfTree::read_body(pugi::xml_node element, const Scope& scope) {
   body.parent = scope.body;
   body.where = of.has("name") ? of.where("name") : of.where();
   body.name = add_name(element, scope, bodies, index);
-  body.pose = scope.frame * scope.compiler().pose(of);
+  const pugi::xml_attribute childclass = element.attribute("childclass");
+  scope.part.file->defaults.require(childclass);
+  Scope inside{scope.part, index, {}, childclass ? childclass.value() : scope.childclass};
+  if (scope.compiler().global) {
+    const RigidPose in_world = global_pose(of, inside);
+    body.pose = scope.frame * in_world;
+    inside.frame = inverse(in_world);
+  } else {
+    body.pose = scope.frame * scope.compiler().pose(of);
+  }
   body.weightless = of.number("gravcomp", 0);
   if (of.flag("mocap", false))
     scope.text().warn({of.where("mocap"),
                        fmt::format("{} is moved from outside (mocap); it stands still here", of.what()),
                        {},
                        "mocap"});
-  const pugi::xml_attribute childclass = element.attribute("childclass");
-  scope.part.file->defaults.require(childclass);
-  read_children(element, {scope.part, index, {}, childclass ? childclass.value() : scope.childclass});
+  read_children(element, inside);
   finish_body(index, of, scope);
+}
+
+/// What is not said is the place of the body's mass. Joints and shapes have places of their own, so that only the
+/// coordinates of a free joint and the frame depend on it.
+RigidPose MjcfTree::global_pose(const MjcfElement& body, const Scope& inside) const {
+  const MjcfCompiler& compiler = inside.compiler();
+  std::optional<RigidPose> said;
+  if (body.has("pos"))
+    inside.text().of(body.node()).tolerate("the body's frame is at its centre of mass", [&] {
+      said = compiler.pose(body);
+    });
+  if (said) return *said;
+  std::vector<MjcfGeom> shapes;
+  for (const pugi::xml_node child : inside.text().children(body.node())) {
+    const std::string_view kind = child.name();
+    if (kind == "inertial" && compiler.inertia_from_geoms != MjcfCompiler::FromGeoms::yes)
+      return compiler.pose({inside.text(), {child}, "the inertial of " + body.what()});
+    if (kind == "geom")
+      shapes.emplace_back(inside.element(child), RigidPose{}, compiler, inside.part.file->assets);
+  }
+  const BodyMass mass = mass_of_geoms(shapes, compiler);
+  if (mass.mass == 0)
+    throw InputError(body.where(),
+                     fmt::format("no attribute 'pos' of {}, and no mass that tells its place", body.what()));
+  if (const MjcfGeom* only = only_geom_with_mass(shapes, compiler)) return only->shape().pose;
+  return {mass.centre, principal_turn(mass)};
 }
 
 void MjcfTree::read_inertial_of(pugi::xml_node element, const Scope& scope) {
@@ -258,7 +296,7 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element, const 
   }
   // What MuJoCo gives to a body that says nothing of its mass (boundmass) lies as far from it as it from its parent.
   if (body.mass.mass == 0 && given == inertials_.end()) {
-    const RigidPose said = compiler.pose(element);
+    const RigidPose said = compiler.global ? body.pose : compiler.pose(element);
     body.mass.centre = said.shift;
     body.inertial_turn = said.turn;
   }

@@ -56,6 +56,8 @@ class MjcfTree {
   void read_frame(pugi::xml_node element, Scope scope);
   void read_replicate(pugi::xml_node element, Scope scope);
   void read_body(pugi::xml_node element, const Scope& scope);
+  /// Where the body is in the world, of a file with global coordinates.
+  RigidPose global_pose(const MjcfElement& body, const Scope& inside) const;
   void read_inertial_of(pugi::xml_node element, const Scope& scope);
   void finish_body(std::size_t index, const MjcfElement& element, const Scope& scope);
   void read_joint(pugi::xml_node element, const Scope& scope);
