@@ -68,13 +68,7 @@ std::vector<std::string> meeting(const Anchor& a, const Anchor& b) {
   return out;
 }
 
-std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
-  const auto places = out.model.places.find(element);
-  const auto anchor = [&](std::size_t i, const char* socket, const char* suffix) {
-    return places == out.model.places.end() ? Anchor(out, element, {socket}, {}, suffix)
-                                            : Anchor(out, element, places->second[i], {}, suffix);
-  };
-  const Anchor a = anchor(0, "socket_frame1", "_1"), b = anchor(1, "socket_frame2", "_2");
+std::vector<std::string> welded(const Anchor& a, const Anchor& b) {
   std::vector<std::string> equations = meeting(a, b);
   const std::string ay = a.frame("_y", {0, 1, 0}), az = a.frame("_z", {0, 0, 1}),
                     bx = b.frame("_x", {1, 0, 0}), by = b.frame("_y", {0, 1, 0});
@@ -82,6 +76,16 @@ std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
   equations.push_back(product_of_lines(a.origin(), az, b.origin(), bx));
   equations.push_back(product_of_lines(a.origin(), az, b.origin(), by));
   return equations;
+}
+
+std::vector<std::string> weld(OsimDescription& out, pugi::xml_node element) {
+  const auto places = out.model.places.find(element);
+  const auto anchor = [&](std::size_t i, const char* socket, const char* suffix) {
+    return places == out.model.places.end() ? Anchor(out, element, {socket}, {}, suffix)
+                                            : Anchor(out, element, places->second[i], {}, suffix);
+  };
+  const Anchor a = anchor(0, "socket_frame1", "_1"), b = anchor(1, "socket_frame2", "_2");
+  return welded(a, b);
 }
 
 std::vector<std::string> point(OsimDescription& out, pugi::xml_node element) {
@@ -145,6 +149,14 @@ void add_osim_constraints(OsimDescription& out) {
     const std::string name = out.constraint_names.add(OsimXml::name_of(element), at);
     out.nodes.add_holonomic(*out.sections["constraints"], name, type->equations(out, element), at);
     out.took(element.name());
+  }
+  for (const OsimClosure& closure : out.model.closures) {
+    const SourceLocation at = out.xml.where(closure.joint);
+    const std::string name = out.constraint_names.add(OsimXml::name_of(closure.joint), at);
+    const Anchor a(out, closure.joint, closure.frames[0], {}, "_1"),
+        b(out, closure.joint, closure.frames[1], {}, "_2");
+    out.nodes.add_holonomic(*out.sections["constraints"], name, welded(a, b), at);
+    out.took("joints that close chains");
   }
 }
 

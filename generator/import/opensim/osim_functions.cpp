@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "import/common/snapped_angle.hpp"
 
@@ -35,15 +36,16 @@ class FunctionReader {
     if (type == "Constant") return constant_function(xml_.number(element, "value", 0));
     if (type == "LinearFunction") return linear(element);
     if (type == "PolynomialFunction") return polynomial(element);
+    if (type == "MultivariatePolynomialFunction") return multivariate_polynomial(element);
     if (type == "MultiplierFunction") return multiplier(element, nesting);
     if (type == "SimmSpline" || type == "NaturalCubicSpline" || type == "natCubicSpline")
       return curve(element, type == "SimmSpline" ? "simm_spline" : "spline", true);
     if (type == "PiecewiseLinearFunction") return curve(element, "linear", false);
     if (type == "Sine") return sine(element);
-    throw InputError(xml_.where(element),
-                     fmt::format("the function <{}> cannot be expressed", printable(type)),
-                     "Constant, LinearFunction, PolynomialFunction, SimmSpline, NaturalCubicSpline, "
-                     "PiecewiseLinearFunction, Sine and MultiplierFunction can");
+    throw InputError(
+        xml_.where(element), fmt::format("the function <{}> cannot be expressed", printable(type)),
+        "Constant, LinearFunction, PolynomialFunction, MultivariatePolynomialFunction, SimmSpline, "
+        "NaturalCubicSpline, PiecewiseLinearFunction, Sine and MultiplierFunction can");
   }
 
  private:
@@ -89,6 +91,50 @@ class FunctionReader {
       return constant_function(c.empty() ? 0 : c.back());
     OsimFunction out;
     out.text = sum_text(terms);
+    return out;
+  }
+
+  /// A coefficient for each product of powers up to an order, the power of the last variable growing first.
+  OsimFunction multivariate_polynomial(pugi::xml_node element) const {
+    const std::size_t variables = arguments_.size();
+    if (xml_.number(element, "dimension", 0) != static_cast<double>(variables))
+      throw InputError(
+          xml_.where(element),
+          fmt::format("the <dimension> of a {} is that of its variables, {}", element.name(), variables));
+    const double order = xml_.number(element, "order", 0);
+    const pugi::xml_node coefficients = element.child("coefficients");
+    if (!coefficients)
+      throw InputError(xml_.where(element), fmt::format("no <coefficients> in a {}", element.name()));
+    std::vector<std::string> terms;
+    std::vector<std::size_t> powers(variables, 0);
+    bool moves = false, more = true;
+    for (const double factor : xml_.numbers(coefficients)) {
+      if (!more)
+        throw InputError(xml_.where(coefficients),
+                         fmt::format("more <coefficients> than terms of order {}", number_text(order)));
+      std::string product;
+      for (std::size_t i = 0; i < variables; ++i) {
+        if (powers[i] == 0) continue;
+        if (!product.empty()) product += "*";
+        product += powers[i] == 1 ? arguments_[i] : fmt::format("{}^{}", arguments_[i], powers[i]);
+      }
+      if (factor != 0) {
+        terms.push_back(product.empty() ? number_text(factor) : product_text(factor, product));
+        moves = moves || !product.empty();
+      }
+      more = false;
+      for (std::size_t i = variables; i-- > 0 && !more;) {
+        ++powers[i];
+        more = static_cast<double>(std::accumulate(powers.begin(), powers.end(), std::size_t{0})) <= order;
+        if (!more) powers[i] = 0;
+      }
+    }
+    if (more)
+      throw InputError(xml_.where(coefficients),
+                       fmt::format("fewer <coefficients> than terms of order {}", number_text(order)));
+    OsimFunction out;
+    out.text = sum_text(terms);
+    if (!moves) return constant_function(terms.empty() ? 0 : xml_.numbers(coefficients)[0]);
     return out;
   }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,7 +16,18 @@
 namespace alembert {
 namespace {
 
-constexpr const char* kFrameElements[] = {"PhysicalOffsetFrame", "OffsetFrame"};
+/// What is placed on frames or points: names of the sockets that say on which.
+struct OsimFrameElement {
+  const char* name;
+  std::array<const char*, 4> sockets;
+  bool is_point = false;
+};
+constexpr OsimFrameElement kFrameElements[] = {
+    {"PhysicalOffsetFrame", {"socket_parent"}},
+    {"OffsetFrame", {"socket_parent"}},
+    {"StationDefinedFrame", {"socket_point_a", "socket_point_b", "socket_point_c", "socket_origin_point"}},
+    {"Station", {"socket_parent_frame"}, true},
+    {"Marker", {"socket_parent_frame"}, true}};
 
 /// A socket of 4.0 and later, a connector of 3.3's successor, or a property of 3.0.
 std::string socket_text(pugi::xml_node element, const char* socket, const char* connector,
@@ -25,6 +38,8 @@ std::string socket_text(pugi::xml_node element, const char* socket, const char* 
       return OsimXml::text(child, "connectee_name");
   return {};
 }
+
+constexpr double kNoMass = 1.9e-14;  // kg, for OpenSim
 
 /// Frames that stand on one another, each with its offset: all of them are written for each.
 constexpr std::size_t kDeepestFrame = 200;
@@ -80,6 +95,14 @@ class SkeletonReader {
                                           "inertia_xy", "inertia_xz", "inertia_yz"};
       for (std::size_t i = 0; i < 6; ++i) body.inertia[i] = xml_.number(element, kEntries[i], 0);
       body.inertia = xml_.vector<6>(element, "inertia", body.inertia);
+      if (std::abs(body.mass) <= kNoMass && body.inertia != std::array<double, 6>{}) {
+        xml_.warn({body.where,
+                   fmt::format("body '{}' has an inertia and no mass: OpenSim takes it to have neither",
+                               printable(name)),
+                   {},
+                   "inertia without mass"});
+        body.inertia = {};
+      }
       if (!names.insert(name).second)
         throw InputError(body.where, fmt::format("a second body '{}'", printable(name)));
       model_.bodies.push_back(body);
@@ -107,6 +130,9 @@ class SkeletonReader {
     collect_frames(model_.element.child("components"), "", true);
     collect_frames(model_.element.child("ComponentSet").child("objects"), "/componentset", true);
     collect_frames(model_.element.child("FrameSet").child("objects"), "/frameset", true);
+    // Markers may be the stations of a frame.
+    if (std::ranges::any_of(pending_, [](const Pending& each) { return each.on.size() > 1; }))
+      collect_frames(model_.element.child("MarkerSet").child("objects"), "/markerset", false);
     // Forces and constraints among the model's components, with frames of their own.
     for (const pugi::xml_node element : xml_.components(model_.element))
       if (!std::string_view(element.name()).ends_with("Joint"))
@@ -126,8 +152,9 @@ class SkeletonReader {
     while (!round.empty()) {
       const std::size_t i = *round.begin();
       round.erase(round.begin());
-      const std::string on = last_part(pending_[i].parent);
-      if (place(pending_[i], open.contains(on))) {
+      const std::string on = waits_for(pending_[i], open);
+      if (on.empty()) {
+        place(pending_[i]);
         if (const auto found = waiting.find(pending_[i].frame.name); found != waiting.end()) {
           for (const std::size_t each : found->second) (each > i ? round : next).insert(each);
           waiting.erase(found);
@@ -143,44 +170,108 @@ class SkeletonReader {
   }
   struct Pending {
     OsimFrame frame;
-    std::string parent;  ///< as the file says it
+    std::vector<std::string> on;  ///< as the file says it: the parent; or the stations of the frame
     OsimOffset offset;
+    pugi::xml_node element;
   };
   void collect_frames(pugi::xml_node parent, const std::string& path, bool own) {
-    for (const char* type : kFrameElements)
-      for (const pugi::xml_node element : parent.children(type)) {
+    for (const OsimFrameElement& type : kFrameElements)
+      for (const pugi::xml_node element : parent.children(type.name)) {
         const std::string name = OsimXml::name_of(element);
         // Step by step: GCC 12 destroys an aggregate twice when a part of it throws.
         Pending frame;
         frame.frame.name = name;
         frame.frame.path = path + "/" + name;
-        frame.frame.own = own;
+        frame.frame.own = own && !type.is_point;
         frame.frame.where = xml_.where(element);
-        frame.parent = socket_text(element, "socket_parent", "parent", "parent");
-        frame.offset.translation = xml_.vector<3>(element, "translation", {});
+        frame.element = element;
+        for (const char* socket : type.sockets)
+          if (socket != nullptr) frame.on.push_back(socket_text(element, socket, "parent", "parent"));
+        if (type.is_point && frame.on[0].empty()) frame.on[0] = OsimXml::text(element, "body");
+        frame.offset.translation = xml_.vector<3>(element, type.is_point ? "location" : "translation", {});
         frame.offset.orientation = xml_.vector<3>(element, "orientation", {});
         pending_.push_back(frame);
         collect_frames(element.child("components"), path + "/" + name, own);
       }
   }
   static std::string last_part(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-  bool place(const Pending& pending, bool parent_is_pending) {
-    const auto found =
-        pending.parent.empty() ? std::nullopt : find_osim_frame(model_, pending.parent, pending.frame.path);
-    if (!found && parent_is_pending) return false;
-    const std::size_t parent =
-        found ? *found
-              : resolve_osim_frame(model_, pending.parent, pending.frame.path, pending.frame.where,
-                                   fmt::format("frame '{}'", printable(pending.frame.name)));
+  /// The first frame of those not placed yet that this one needs; empty if there is none.
+  std::string waits_for(const Pending& pending, const std::set<std::string, std::less<>>& open) const {
+    for (const std::string& on : pending.on)
+      if (const std::string name = last_part(on);
+          open.contains(name) && !find_osim_frame(model_, on, pending.frame.path))
+        return name;
+    return {};
+  }
+  void place(const Pending& pending) {
+    std::vector<std::size_t> on;
+    for (const std::string& socket : pending.on)
+      on.push_back(resolve_osim_frame(model_, socket, pending.frame.path, pending.frame.where,
+                                      fmt::format("frame '{}'", printable(pending.frame.name))));
     OsimFrame frame = pending.frame;
-    frame.body = model_.frames[parent].body;
-    frame.offsets = model_.frames[parent].offsets;
+    frame.body = model_.frames[on[0]].body;
+    const bool stations = on.size() > 1;
+    if (!stations) frame.offsets = model_.frames[on[0]].offsets;
     if (frame.offsets.size() >= kDeepestFrame)
       throw InputError(frame.where, fmt::format("frame '{}' stands on more than {} others, one on the next",
                                                 printable(frame.name), kDeepestFrame));
-    if (!pending.offset.is_identity()) frame.offsets.push_back(pending.offset);
+    const OsimOffset offset = stations ? offset_by_stations(pending, on) : pending.offset;
+    if (!offset.is_identity()) frame.offsets.push_back(offset);
     model_.add_frame(std::move(frame));
-    return true;
+  }
+
+  /// The frame whose origin is a station, one axis along a -> b and another along (a -> b) x (a -> c).
+  OsimOffset offset_by_stations(const Pending& pending, const std::vector<std::size_t>& stations) const {
+    const std::string what = fmt::format("frame '{}'", printable(pending.frame.name));
+    std::array<Eigen::Vector3d, 4> points;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const OsimFrame& station = model_.frames[stations[i]];
+      if (station.body != model_.frames[stations[0]].body)
+        throw InputError(pending.frame.where, what + " has stations on different bodies");
+      points[i] = pose_of(station.offsets).translation();
+    }
+    const auto& [a, b, c, origin] = points;
+    const Eigen::Vector3d along = (b - a).normalized(), normal = (b - a).cross(c - a).normalized();
+    if (!(along.norm() > 0.5 && normal.norm() > 0.5))
+      throw InputError(pending.frame.where, what + " has its stations on one line");
+    const auto [first, first_sign] = direction(pending.element, "ab_axis", "+x");
+    const auto [second, second_sign] = direction(pending.element, "ab_x_ac_axis", "+y");
+    if (first == second)
+      throw InputError(pending.frame.where, fmt::format("the axes of {} are one and the same", what));
+    Eigen::Matrix3d axes;
+    axes.col(first) = first_sign * along;
+    axes.col(second) = second_sign * normal;
+    const int third = 3 - first - second;
+    axes.col(third) = axes.col((third + 1) % 3).cross(axes.col((third + 2) % 3));
+    OsimOffset out;
+    for (int i = 0; i < 3; ++i) out.translation[static_cast<std::size_t>(i)] = origin[i];
+    out.orientation = {std::atan2(-axes(1, 2), axes(2, 2)),
+                       std::atan2(axes(0, 2), std::hypot(axes(0, 0), axes(0, 1))),
+                       std::atan2(-axes(0, 1), axes(0, 0))};
+    return out;
+  }
+  static Eigen::Isometry3d pose_of(const std::vector<OsimOffset>& offsets) {
+    Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+    for (const OsimOffset& offset : offsets) {
+      out.translate(Eigen::Vector3d(offset.translation.data()));
+      for (int i = 0; i < 3; ++i)
+        out.rotate(
+            Eigen::AngleAxisd(offset.orientation[static_cast<std::size_t>(i)], Eigen::Vector3d::Unit(i)));
+    }
+    return out;
+  }
+  /// Number and sign of an axis, as in "-x".
+  std::pair<int, int> direction(pugi::xml_node element, const char* property, const char* otherwise) const {
+    const std::string said = OsimXml::text(element, property);
+    const std::string text = said.empty() ? otherwise : said;
+    const std::size_t letter = text.size() == 2 ? 1 : 0;
+    const std::size_t axis = std::string_view("xyzXYZ").find(text[letter]);
+    if (text.size() > 2 || axis == std::string_view::npos ||
+        (letter == 1 && text[0] != '+' && text[0] != '-'))
+      throw InputError(
+          xml_.where(element.child(property)),
+          fmt::format("expected an axis such as +x as <{}>, found '{}'", property, printable(text)));
+    return {static_cast<int>(axis % 3), text[0] == '-' ? -1 : 1};
   }
 
   /// Before 4.0, welds and bushings say where they stand on two bodies.
@@ -279,29 +370,65 @@ class SkeletonReader {
         placed[parent] = placed[child] = used[j] = more = true;
       }
     }
-    for (std::size_t j = 0; j < none; ++j) {
-      const OsimJoint& joint = model_.joints[j];
-      const OsimBody& parent = model_.bodies[model_.frames[joint.parent].body];
-      const OsimBody& child = model_.bodies[model_.frames[joint.child].body];
-      if (used[j] || !placed[model_.frames[joint.child].body]) continue;
-      throw InputError(
-          joint.where,
-          fmt::format("{} closes a chain: '{}' and '{}' are joined already", OsimXml::title(joint.element),
-                      printable(parent.name), printable(child.name)),
-          "leave the joint out, and add a constraint to the description");
-    }
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
       if (!placed[b])
         throw InputError(
             model_.bodies[b].where,
             fmt::format("no joint joins body '{}' to the ground", printable(model_.bodies[b].name)),
             "a FreeJoint lets it move freely");
+    for (std::size_t j = 0; j < none; ++j)
+      if (!used[j]) close_chain(j);
+    for (const auto& [body, copies] : copies_) share_mass(body, copies);
+  }
+
+  void close_chain(std::size_t j) {
+    OsimJoint& joint = model_.joints[j];
+    if (model_.frames[joint.parent].body == model_.frames[joint.child].body)
+      throw InputError(joint.where,
+                       fmt::format("{} joins body '{}' to itself", OsimXml::title(joint.element),
+                                   printable(model_.bodies[model_.frames[joint.child].body].name)));
+    if (joint.type == "WeldJoint") {
+      model_.closures.push_back({joint.element, {joint.parent, joint.child}});
+      return;
+    }
+    joint.reversed = model_.frames[joint.child].body == 0;
+    std::size_t& end = joint.reversed ? joint.parent : joint.child;
+    const std::size_t body = model_.frames[end].body, copy = model_.bodies.size();
+    OsimBody copied = model_.bodies[body];
+    copied.name += "_of_" + joint.name;
+    copied.element = {};
+    copied.where = joint.where;
+    const auto add_frame = [&](std::size_t of, std::vector<OsimOffset> offsets) {
+      OsimFrame frame = model_.frames[of];
+      frame.body = copy;
+      frame.name = copied.name;
+      frame.path = "";
+      frame.offsets = std::move(offsets);
+      frame.own = false;
+      model_.add_frame(std::move(frame));
+      return model_.frames.size() - 1;
+    };
+    model_.closures.push_back({joint.element, {body, add_frame(body, {})}});
+    end = add_frame(end, model_.frames[end].offsets);
+    model_.bodies.push_back(std::move(copied));
+    model_.joint_of.push_back(j);
+    copies_[body].push_back(copy);
+  }
+  void share_mass(std::size_t body, const std::vector<std::size_t>& copies) {
+    const double share = 1 / static_cast<double>(copies.size() + 1);
+    const auto scale = [&](OsimBody& of) {
+      of.mass *= share;
+      for (double& entry : of.inertia) entry *= share;
+    };
+    scale(model_.bodies[body]);
+    for (const std::size_t copy : copies) scale(model_.bodies[copy]);
   }
 
   const OsimXml& xml_;
   pugi::xml_node root_;
   OsimModel model_;
   std::vector<Pending> pending_;
+  std::map<std::size_t, std::vector<std::size_t>> copies_;  // of bodies, where joints close chains
 };
 
 }  // namespace

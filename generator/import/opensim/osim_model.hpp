@@ -60,26 +60,34 @@ struct OsimJoint {
   SourceLocation where;
 };
 
-/// Joints make a tree; body 0 is the ground.
+/// Two frames that are one: what a joint closes a chain by.
+struct OsimClosure {
+  pugi::xml_node joint;
+  std::array<std::size_t, 2> frames;
+};
+
+/// Joints make a tree; body 0 is the ground. Where a joint closes a chain, a copy of the body that it moves is at its
+/// end in place of it, welded to the body, of which it has a share of the mass; a weld is welded itself.
 struct OsimModel {
   void add_frame(OsimFrame frame);
 
   std::string name;
   std::array<double, 3> gravity{};
   std::vector<OsimBody> bodies;
-  std::vector<OsimFrame> frames;                                   ///< frame i is body i's, for all bodies
+  std::vector<OsimFrame> frames;
   std::map<std::string, std::size_t> frame_of_path;                ///< the first one of each
   std::map<std::string, std::vector<std::size_t>> frames_of_name;  ///< in their order
   std::map<pugi::xml_node, std::array<std::size_t, 2>>
       places;  ///< of welds and bushings before 4.0: their frames
   std::vector<OsimJoint> joints;
+  std::vector<OsimClosure> closures;
   std::vector<OsimCoordinate> coordinates;
   std::vector<std::size_t> joint_of;  ///< by body: that which moves it; of the ground: none
   pugi::xml_node element;             ///< <Model>
   SourceLocation where;
 };
 
-/// Throws InputError at what is no model, cannot be understood or is no tree.
+/// Throws InputError at what is no model, cannot be understood or does not reach the ground.
 OsimModel read_osim_model(const OsimXml& xml, pugi::xml_node root);
 
 }  // namespace alembert

@@ -43,7 +43,7 @@ class Muscle {
         at_(out.xml.where(element)),
         force_(positive("max_isometric_force", 1000)),
         fibre_(positive("optimal_fiber_length", 0.1)),
-        slack_(positive("tendon_slack_length", 0.2)),
+        slack_(positive("tendon_slack_length", 0.2, true)),
         speed_(positive("max_contraction_velocity", 10)),
         rise_(rise),
         fall_(fall) {
@@ -72,6 +72,13 @@ class Muscle {
     return out_.xml.number(element_, property, otherwise);
   }
   bool flag(const char* property) const { return out_.xml.flag(element_, property, false); }
+  /// Whether nothing stretches the tendon, as nothing stretches one of length 0.
+  bool has_rigid_tendon() {
+    if (flag("ignore_tendon_compliance")) return true;
+    if (slack_ == 0)
+      out_.approximated(element_, "has a tendon of length 0: its fibres reach from end to end of its path");
+    return slack_ == 0;
+  }
 
   /// With a rigid tendon: length of the fibres in optimal lengths, their speed in the largest, and the cosine of the
   /// pennation. The muscle keeps its thickness.
@@ -98,7 +105,7 @@ class Muscle {
     const double least =
         std::max(fibre_ * shortest, widest > 0 ? thickness / widest : fibre_ * kShortestFibre);
     const double reach = std::sqrt(std::max(0.0, least * least - thickness * thickness));
-    return fmt::format("select(length - {}, {}, 0)", n(slack_ + reach), along);
+    return fmt::format("select({}, {}, 0)", beyond(slack_ + reach), along);
   }
 
   /// `shortest` is what the curves allow.
@@ -142,13 +149,16 @@ class Muscle {
   YamlNode* node_ = nullptr;
 
  private:
-  double positive(const char* property, double otherwise) const {
+  double positive(const char* property, double otherwise, bool or_zero = false) const {
     const double value = out_.xml.number(element_, property, otherwise);
-    if (value > 0) return value;
+    if (value > 0 || (or_zero && value == 0)) return value;
     throw InputError(at_, fmt::format("<{}> of {} is {}; expected a positive number", property,
                                       OsimXml::title(element_), n(value)));
   }
-  std::string beyond_slack() const { return fmt::format("length - {}", n(slack_)); }
+  static std::string beyond(double length) {
+    return length == 0 ? "length" : fmt::format("length - {}", n(length));
+  }
+  std::string beyond_slack() const { return beyond(slack_); }
 
   /// The input is the excitation, and the activation a state; or the input is the activation.
   void add_activation() {
@@ -225,7 +235,7 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
   if (!muscle.begin()) return false;
   const Thelen curves(muscle);
   const std::string& a = muscle.activation_;
-  if (muscle.flag("ignore_tendon_compliance")) {
+  if (muscle.has_rigid_tendon()) {
     const std::string length = muscle.rigid_length();
     muscle.finish(
         muscle.rigid_tension(fmt::format("{}*{}*{} + {}", a, curves.active(length),
@@ -247,7 +257,7 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
   if (!muscle.begin()) return false;
   constexpr double kLeastDamping = 0.001;  // less is none
   const double damping = muscle.number("fiber_damping", 0.1);
-  const bool elastic = !muscle.flag("ignore_tendon_compliance"), damped = damping >= kLeastDamping;
+  const bool elastic = !muscle.has_rigid_tendon(), damped = damping >= kLeastDamping;
   const MillardCurves curves(out.xml, element, elastic && !damped);
   if (elastic) {
     const ElasticTendon tendon = muscle.add_elastic_tendon(curves.shortest());

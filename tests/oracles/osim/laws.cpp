@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -73,6 +74,24 @@ Law polynomial_law(const std::vector<double>& c) {
   return law;
 }
 
+/// The next number of these digits, each up to `most`; after the last one, the first digit is beyond it.
+void step(std::vector<int>& digits, int most) {
+  for (std::size_t i = digits.size(); i-- > 0;) {
+    if (++digits[i] <= most || i == 0) return;
+    digits[i] = 0;
+  }
+}
+
+/// A product of powers, differentiated so many times by each variable.
+double product(const std::vector<double>& x, const std::vector<int>& powers, const std::vector<int>& times) {
+  double out = 1;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (int k = 0; k < times[i]; ++k) out *= powers[i] - k;
+    if (powers[i] >= times[i]) out *= std::pow(x[i], powers[i] - times[i]);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<double> numbers_in(pugi::xml_node element) {
@@ -111,6 +130,15 @@ Law read_law(pugi::xml_node element, std::size_t variables) {
       return std::array<double, 3>{a * std::sin(w * x + p) + o, a * w * std::cos(w * x + p),
                                    -a * w * w * std::sin(w * x + p)};
     };
+  } else if (type == "MultivariatePolynomialFunction") {
+    // Exponents counted upwards as digits, the first variable's being the highest; sums above the order are none.
+    const int order = element.child("order").text().as_int();
+    std::vector<int> digits(variables, 0);
+    for (const double c : numbers_in(element.child("coefficients"))) {
+      while (std::accumulate(digits.begin(), digits.end(), 0) > order) step(digits, order);
+      law.products.emplace_back(c, digits);
+      step(digits, order);
+    }
   } else if (type == "MultiplierFunction") {
     return read_law(law_element(element, "function"), variables)
         .times(element.child("scale").text().as_double(1));
@@ -124,18 +152,31 @@ double Law::value(const std::vector<double>& x) const {
   if (curve) return curve(x[0])[0];
   double out = offset;
   for (std::size_t i = 0; i < x.size(); ++i) out += weights[i] * x[i];
+  for (const auto& [c, powers] : products) out += c * product(x, powers, std::vector<int>(x.size(), 0));
   return out;
 }
 double Law::first(const std::vector<double>& x, std::size_t i) const {
-  return curve ? curve(x[0])[1] : weights[i];
+  if (curve) return curve(x[0])[1];
+  double out = weights[i];
+  std::vector<int> times(x.size(), 0);
+  times[i] = 1;
+  for (const auto& [c, powers] : products) out += c * product(x, powers, times);
+  return out;
 }
-double Law::second(const std::vector<double>& x, std::size_t, std::size_t) const {
-  return curve ? curve(x[0])[2] : 0;
+double Law::second(const std::vector<double>& x, std::size_t i, std::size_t j) const {
+  if (curve) return curve(x[0])[2];
+  double out = 0;
+  std::vector<int> times(x.size(), 0);
+  ++times[i];
+  ++times[j];
+  for (const auto& [c, powers] : products) out += c * product(x, powers, times);
+  return out;
 }
 
 Law Law::times(double factor) const {
   Law out = *this;
   for (double& weight : out.weights) weight *= factor;
+  for (auto& [c, powers] : out.products) c *= factor;
   out.offset *= factor;
   if (curve)
     out.curve = [inner = curve, factor](double x) {

@@ -13,6 +13,8 @@ struct Law {
   std::vector<double> weights;
   double offset = 0;
   std::function<std::array<double, 3>(double)> curve;  ///< value, first and second derivative
+  /// Products of powers, that many of each variable, besides.
+  std::vector<std::pair<double, std::vector<int>>> products;
 
   double value(const std::vector<double>& x) const;
   double first(const std::vector<double>& x, std::size_t i) const;

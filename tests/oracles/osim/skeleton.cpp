@@ -89,6 +89,7 @@ OsimSkeleton::OsimSkeleton(const std::string& file) {
   for (const pugi::xml_node joint : model_.child("JointSet").child("objects").children())
     if (joint.type() == pugi::node_element) joints.push_back(joint);
   read_frames();
+  const std::vector<pugi::xml_node> closing = take_closing(joints);
   for (std::size_t added = 1; added > 0 && !joints.empty();) {
     const std::size_t before = joints.size();
     std::vector<pugi::xml_node> left;
@@ -98,6 +99,7 @@ OsimSkeleton::OsimSkeleton(const std::string& file) {
     joints = left;
   }
   if (!joints.empty()) throw std::runtime_error("joints that the ground does not reach");
+  for (const pugi::xml_node joint : closing) add_closing(joint);
   read_followers();
   state_ = system_.realizeTopology();
   matter_.setUseEulerAngles(state_, true);
@@ -108,7 +110,10 @@ void OsimSkeleton::read_frames() {
   struct Walker : pugi::xml_tree_walker {
     std::vector<pugi::xml_node> found;
     bool for_each(pugi::xml_node& node) override {
-      if (node.name() == std::string("PhysicalOffsetFrame")) found.push_back(node);
+      const std::string kind = node.name();
+      if (kind == "PhysicalOffsetFrame" || kind == "StationDefinedFrame" || kind == "Station" ||
+          kind == "Marker")
+        found.push_back(node);
       return true;
     }
   } walker;
@@ -131,13 +136,38 @@ OsimSkeleton::Place OsimSkeleton::find(const std::string& socket, const std::str
   if (frame == frames_.end()) throw std::runtime_error("no frame " + socket);
   const pugi::xml_node element = frame->second;
   const std::string its_owner = frame->first.substr(0, frame->first.find('/'));
+  if (element.name() == std::string("StationDefinedFrame")) return find_by_stations(element);
+  if (element.name() != std::string("PhysicalOffsetFrame")) {
+    Place place = find(text_of(element, "socket_parent_frame"), its_owner);
+    place.in_body = place.in_body * Transform(vec3(element.child("location")));
+    return place;
+  }
   Place place = find(text_of(element, "socket_parent"), its_owner);
   place.in_body = place.in_body * offset(element.child("translation"), element.child("orientation"));
   return place;
 }
 
-bool OsimSkeleton::add_joint(pugi::xml_node joint) {
-  const std::string name = joint.attribute("name").value(), type = joint.name();
+OsimSkeleton::Place OsimSkeleton::find_by_stations(pugi::xml_node frame) const {
+  const auto station = [&](const char* socket) { return find(text_of(frame, socket), ""); };
+  const Place origin = station("socket_origin_point");
+  const Vec3 a = station("socket_point_a").in_body.p();
+  const Vec3 ab = station("socket_point_b").in_body.p() - a, ac = station("socket_point_c").in_body.p() - a;
+  const auto axis = [&](const char* property, const SimTK::CoordinateAxis& otherwise) {
+    const std::string text = text_of(frame, property);
+    return text.empty() ? otherwise : SimTK::CoordinateAxis(text.back() - 'x');
+  };
+  const auto signed_by = [&](const char* property, const Vec3& v) {
+    return SimTK::UnitVec3(text_of(frame, property)[0] == '-' ? Vec3(-v) : v);
+  };
+  // Simbody makes the second direction normal to the first, which it is already.
+  return {origin.body, Transform(SimTK::Rotation(signed_by("ab_axis", ab), axis("ab_axis", SimTK::XAxis),
+                                                 signed_by("ab_x_ac_axis", SimTK::cross(ab, ac)),
+                                                 axis("ab_x_ac_axis", SimTK::YAxis)),
+                                 origin.in_body.p())};
+}
+
+std::pair<OsimSkeleton::Place, OsimSkeleton::Place> OsimSkeleton::ends(pugi::xml_node joint) const {
+  const std::string name = joint.attribute("name").value();
   Place parent, child;
   if (joint.child("socket_parent_frame")) {
     parent = find(text_of(joint, "socket_parent_frame"), name);
@@ -149,6 +179,52 @@ bool OsimSkeleton::add_joint(pugi::xml_node joint) {
              offset(joint.child("location"), joint.child("orientation"))};
     if (is_true(joint, "reverse")) std::swap(parent, child);
   }
+  return {parent, child};
+}
+
+std::vector<pugi::xml_node> OsimSkeleton::take_closing(std::vector<pugi::xml_node>& joints) {
+  std::set<std::string> reached{"ground"};
+  std::vector<pugi::xml_node> tree;
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const pugi::xml_node joint : joints) {
+      if (std::find(tree.begin(), tree.end(), joint) != tree.end()) continue;
+      const auto [parent, child] = ends(joint);
+      if (reached.count(parent.body) == reached.count(child.body)) continue;
+      reached.insert(parent.body);
+      reached.insert(child.body);
+      tree.push_back(joint);
+    }
+  }
+  std::vector<pugi::xml_node> closing;
+  std::map<std::string, int> shares;
+  for (const pugi::xml_node joint : joints) {
+    if (std::find(tree.begin(), tree.end(), joint) != tree.end()) continue;
+    const auto [parent, child] = ends(joint);
+    if (joint.name() != std::string("WeldJoint")) ++shares[child.body == "ground" ? parent.body : child.body];
+    closing.push_back(joint);
+  }
+  for (const auto& [body, copies] : shares) {
+    SimTK::MassProperties mass = rigid_.at(body).getDefaultRigidBodyMassProperties();
+    mass.setMassProperties(mass.getMass() / (copies + 1), mass.getMassCenter(), mass.getUnitInertia());
+    rigid_[body] = SimTK::Body::Rigid(mass);
+  }
+  joints = tree;
+  return closing;
+}
+
+void OsimSkeleton::add_closing(pugi::xml_node joint) {
+  if (joint.name() == std::string("WeldJoint")) return;
+  auto [parent, child] = ends(joint);
+  const bool backward = child.body == "ground";
+  if (backward) std::swap(parent, child);
+  bodies_[child.body + " at " + joint.attribute("name").value()] =
+      add_mobilizers(joint, bodies_.at(parent.body), parent.in_body, rigid_.at(child.body), child.in_body,
+                     backward ? MobilizedBody::Reverse : MobilizedBody::Forward);
+}
+
+bool OsimSkeleton::add_joint(pugi::xml_node joint) {
+  auto [parent, child] = ends(joint);
   const bool forward = bodies_.count(parent.body) > 0, backward = bodies_.count(child.body) > 0;
   if (forward == backward) return false;
   if (backward) std::swap(parent, child);

@@ -58,7 +58,14 @@ class OsimSkeleton {
   void read_frames();
   void read_followers();
   Place find(const std::string& socket, const std::string& owner) const;
+  /// Where a joint stands on two bodies.
+  std::pair<Place, Place> ends(pugi::xml_node joint) const;
   bool add_joint(pugi::xml_node joint);
+  /// Takes the joints that close chains out of `joints`, and shares out the masses of the bodies that they move.
+  std::vector<pugi::xml_node> take_closing(std::vector<pugi::xml_node>& joints);
+  void add_closing(pugi::xml_node joint);
+  /// Of a frame that three stations and an origin tell.
+  Place find_by_stations(pugi::xml_node frame) const;
   SimTK::MobilizedBody add_mobilizers(pugi::xml_node joint, SimTK::MobilizedBody inboard,
                                       const SimTK::Transform& in, const SimTK::Body& body,
                                       const SimTK::Transform& out, SimTK::MobilizedBody::Direction direction);
