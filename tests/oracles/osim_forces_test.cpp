@@ -78,7 +78,12 @@ void expect_near(const char* what, const Eigen::VectorXd& ours, const Eigen::Vec
 
 TEST(OsimForces, FollowTheirLaws) {
   Rig rig("forces.osim");
-  int engaged = 0;
+  int engaged = 0, cords = 0, usual_cords = 0, toes = 0, straight = 0;
+  pugi::xml_document usual;
+  usual.load_string(
+      "<SimmSpline><x>-5 0.998 0.999 1 1.1 1.2 1.3 1.4 1.5 1.6 1.601 1.602 5</x>"
+      "<y>0 0 0 0 0.035 0.12 0.26 0.55 1.17 2 2 2 2</y></SimmSpline>");
+  const Law usual_curve = read_law(usual.document_element(), 1);
   for (std::size_t i = 0; i < rig.states.size(); ++i) {
     SCOPED_TRACE("state " + std::to_string(i));
     const NamedMotion motion = rig.motion(i);
@@ -149,9 +154,45 @@ TEST(OsimForces, FollowTheirLaws) {
                             return 300 * std::max(0.0, length - 0.12) * (1 + 0.02 * rate);
                           }),
            kDifferences);
+    expect("cord",
+           rig.of_tension(motion, "cord",
+                          [&](double length, double) {
+                            const Law curve =
+                                read_law(law_element(rig.force("cord"), "force_length_curve"), 1);
+                            cords += length > 0.2 ? 1 : 0;
+                            return length > 0.2 ? 40 * curve.value({length / 0.2}) : 0.0;
+                          }),
+           kDifferences);
+    expect("usual_cord",
+           rig.of_tension(motion, "usual_cord",
+                          [&](double length, double) {
+                            usual_cords += length > 0.3 ? 1 : 0;
+                            return length > 0.3 ? 25 * usual_curve.value({length / 0.3}) : 0.0;
+                          }),
+           kDifferences);
+    const auto ligament = [&](const char* name, double stiffness, double slack, double transition,
+                              double damping) {
+      expect(name,
+             rig.of_tension(motion, name,
+                            [&](double length, double rate) {
+                              const double strain = length / slack - 1;
+                              if (strain <= 0) return 0.0;
+                              (strain < transition ? toes : straight) += 1;
+                              const double spring = strain < transition
+                                                        ? stiffness * strain * strain / (2 * transition)
+                                                        : stiffness * (strain - transition / 2);
+                              return spring + (rate > 0 ? damping * rate / slack *
+                                                              SimTK::stepUp(std::min(strain / 0.01, 1.0))
+                                                        : 0);
+                            }),
+             kDifferences);
+    };
+    ligament("fibres", 500, 0.35, 0.08, 2);
+    ligament("usual_fibres", 300, 0.25, 0.06, 0.003);
   }
   EXPECT_GE(engaged, kStates / 3);
-  EXPECT_EQ(rig.imported.description().force_names.size(), 14U);  // that which is off is not there
+  for (const int count : {cords, usual_cords, toes, straight}) EXPECT_GT(count, 0);
+  EXPECT_EQ(rig.imported.description().force_names.size(), 18U);  // that which is off is not there
 }
 
 /// A coordinate that follows another along a curve, and the dampers of a bushing: along an angle or a shift d of one frame

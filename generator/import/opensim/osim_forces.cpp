@@ -20,6 +20,18 @@ std::string times(double factor, const std::string& of) {
   return factor == 1 ? of : fmt::format("{}*{}", number_text(factor), of);
 }
 
+double positive_number(const OsimXml& xml, pugi::xml_node element, const char* property, double otherwise) {
+  const double value = xml.number(element, property, otherwise);
+  if (value > 0) return value;
+  throw InputError(xml.where(element), fmt::format("<{}> of {} is {}; expected a positive number", property,
+                                                   OsimXml::title(element), number_text(value)));
+}
+
+/// Of a Ligament that says none, over its length in resting lengths.
+constexpr const char* kLigamentCurve =
+    "[-5, 0.998, 0.999, 1, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.601, 1.602, 5]; "
+    "[0, 0, 0, 0, 0.035, 0.12, 0.26, 0.55, 1.17, 2, 2, 2, 2]";
+
 /// Joints whose first three speeds are an angular velocity, and no rates of their angles.
 constexpr std::string_view kTurningTogether[] = {"BallJoint", "FreeJoint", "EllipsoidJoint",
                                                  "ScapulothoracicJoint"};
@@ -226,6 +238,41 @@ bool add_path_spring(OsimDescription& out, pugi::xml_node element) {
                                  sum_text({"length", number_text(-rest)}), number_text(dissipation)));
 }
 
+/// A curve of the length in resting lengths, and nothing below.
+bool add_ligament(OsimDescription& out, pugi::xml_node element) {
+  const double rest = positive_number(out.xml, element, "resting_length", 0),
+               force = out.xml.number(element, "pcsa_force", 0);
+  const std::string length = fmt::format("(length/{})", number_text(rest));
+  const pugi::xml_node curve = find_osim_function(element, "force_length_curve");
+  const std::string tension = curve
+                                  ? scaled_text(force, read_osim_function(out.xml, curve, {length}))
+                                  : times(force, fmt::format("simm_spline({}; {})", length, kLigamentCurve));
+  return put_on_path(out, element, fmt::format("select(length - {}, {}, 0)", number_text(rest), tension));
+}
+
+/// Quadratic in the strain up to that of the transition, then straight; damped where it is stretched and lengthens, which
+/// sets in over a strain of 0.01 by 10 s^3 - 15 s^4 + 6 s^5. Source: Blankevoort and Huiskes, Ligament-Bone Interaction
+/// in a Three-Dimensional Model of the Knee, Journal of Biomechanical Engineering 113 (1991), 263-269.
+bool add_blankevoort_ligament(OsimDescription& out, pugi::xml_node element) {
+  const double slack = positive_number(out.xml, element, "slack_length", 0),
+               stiffness = out.xml.number(element, "linear_stiffness", 1),
+               transition = out.xml.number(element, "transition_strain", 0.06),
+               damping = out.xml.number(element, "damping_coefficient", 0.003);
+  const std::string strain = fmt::format("(length/{} - 1)", number_text(slack));
+  std::vector<std::string> terms;
+  if (transition > 0)
+    terms.push_back(fmt::format("{}*clamp({}, 0, {})^2", number_text(stiffness / (2 * transition)), strain,
+                                number_text(transition)));
+  terms.push_back(fmt::format("{}*max(0, length/{} - {})", number_text(stiffness), number_text(slack),
+                              number_text(1 + std::max(0.0, transition))));
+  if (damping > 0) {
+    const std::string onset = fmt::format("clamp(100*{}, 0, 1)", strain);
+    terms.push_back(
+        fmt::format("{0}*max(0, rate)*{1}^3*(10 - 15*{1} + 6*{1}^2)", number_text(damping / slack), onset));
+  }
+  return put_on_path(out, element, sum_text(terms));
+}
+
 struct ForceType {
   std::string_view name;
   bool (*add)(OsimDescription&, pugi::xml_node);
@@ -239,6 +286,8 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"PointActuator", add_point_actuator},
                                      {"TorqueActuator", add_torque_actuator},
                                      {"PathSpring", add_path_spring},
+                                     {"Ligament", add_ligament},
+                                     {"Blankevoort1991Ligament", add_blankevoort_ligament},
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle}};
 
