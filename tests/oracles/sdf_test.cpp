@@ -587,6 +587,7 @@ const std::string kDartData = "/usr/share/doc/dart/data/sdf/";
 INSTANTIATE_TEST_SUITE_P(
     Files, Sdf,
     testing::Values(Case{"joints.sdf"}, Case{"old.sdf"}, Case{"middle.sdf"}, Case{"merged.sdf"},
+                    Case{"names_of_joints.sdf"},
                     Case{"frames.sdf", {{"hand_curl", {"hand_grip", -1.5, 0.35}}}},
                     Case{"gears.sdf", {{"out", {"in", 2.5, 0}}}},
                     Case{"loops.sdf", {}, nullptr, {"d", "e", "i", "pq", "sr"}},

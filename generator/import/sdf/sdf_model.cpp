@@ -168,6 +168,10 @@ class SdfReader {
       named.index = link_count_++;
     } else if (kind == "joint") {
       named.kind = SdfKind::joint;
+      if (named.name == "world")
+        files_.warn(
+            {named.where,
+             "a joint is called 'world': as a parent or child, 'world' is the world, and not this joint"});
       named.name = distinct_name(node, names, {"link", "model"}, minor);
       named.index = joint_count_++;
       const pugi::xml_node child = node.child("child");
@@ -193,19 +197,16 @@ class SdfReader {
     named.where = files_.where(node, "name");
     named.base = base;
     named.minor = minor;
-    set_pose(named, node, named.name);
+    set_pose(named, node);
     return named;
   }
-  void set_pose(SdfNamed& named, pugi::xml_node owner, const std::string& own_name) const {
+  void set_pose(SdfNamed& named, pugi::xml_node owner) const {
     const pugi::xml_node pose = files_.of(owner).find(owner, "pose", sdf_title(owner));
     check_sdf_spelling(files_, pose);
     named.pose = pose ? files_.pose(pose) : RigidPose{};
     const char* attribute = pose.attribute("relative_to") ? "relative_to" : "frame";
     named.relative_to = pose.attribute(attribute).value();
     named.relative_where = pose ? files_.where(pose, attribute) : named.where;
-    if (!named.relative_to.empty() && named.relative_to == own_name)
-      throw InputError(named.relative_where,
-                       fmt::format("the pose of '{}' is relative to itself", printable(own_name)));
   }
 
   void read_model(pugi::xml_node node, std::size_t scope, std::size_t base, int minor, int depth,
@@ -224,7 +225,7 @@ class SdfReader {
     if (by.include) {
       inner.fixed = files_.flag(by.include, "static", inner.fixed);
       named.where = files_.where(by.include);
-      if (by.include.child("pose")) set_pose(named, by.include, named.name);
+      if (by.include.child("pose")) set_pose(named, by.include);
       if (const std::string placement = SdfFiles::text(by.include.child("placement_frame"));
           !placement.empty())
         inner.placement = placement;
@@ -279,7 +280,7 @@ class SdfReader {
     frame.kind = SdfKind::frame;
     frame.carrier = model.attribute("canonical_link").value();
     if (frame.carrier.empty()) frame.carrier = model.child("link").attribute("name").value();
-    if (node.child("pose")) set_pose(frame, node, frame.name);
+    if (node.child("pose")) set_pose(frame, node);
     const std::size_t index = scopes_.add(scope, std::move(frame));
     merged_.emplace_back(scope, index);
     read_contents(model, scope, index, minor, depth + 1);

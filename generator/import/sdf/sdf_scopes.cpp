@@ -60,10 +60,17 @@ SdfScopes::Found SdfScopes::find(std::size_t scope, std::string_view name,
                                       did_you_mean(name, known)));
 }
 
+bool SdfScopes::is_world(std::size_t scope, std::string_view name) const {
+  if (name != kWorldFrame) return false;
+  const SdfScope& of = all[scope];
+  const auto found = of.by_name.find(name);
+  return found == of.by_name.end() || of.named[found->second].kind == SdfKind::joint;
+}
+
 RigidPose SdfScopes::pose(std::size_t scope, std::size_t base, std::string_view name,
                           const SourceLocation& where) {
   if (name == kModelFrame) return base == kNoSdf ? RigidPose{} : pose(scope, base);
-  if (name == kWorldFrame && !all[scope].by_name.contains(name)) {
+  if (is_world(scope, name)) {
     if (scope == 0) return {};
     return inverse(in_world(scope));
   }
@@ -129,7 +136,7 @@ std::size_t SdfScopes::link(std::size_t scope, std::size_t base, std::string_vie
                             const SourceLocation& where) {
   const Depth depth(depth_, where);
   if (name == kModelFrame) return base_link(scope, base, where);
-  if (name == kWorldFrame && !all[scope].by_name.contains(name)) return kNoSdf;
+  if (is_world(scope, name)) return kNoSdf;
   const Found found = find(scope, name, where);
   if (found.named == kNoSdf) return canonical_link(found.scope, where);
   const SdfNamed named = at(found);

@@ -71,6 +71,8 @@ class SdfScopes {
     std::size_t scope, named;
   };
   Found find(std::size_t scope, std::string_view name, const SourceLocation& where) const;
+  /// Whether the world is meant: a link of that name comes first, a joint does not.
+  bool is_world(std::size_t scope, std::string_view name) const;
   const SdfNamed& at(const Found& found) const { return all[found.scope].named[found.named]; }
 
   std::map<std::pair<std::size_t, std::size_t>, std::optional<RigidPose>> poses_;  ///< none: being worked out
