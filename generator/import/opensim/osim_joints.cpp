@@ -28,6 +28,9 @@ constexpr const char* kSpatialAxes[] = {"rotation1",    "rotation2",    "rotatio
 
 std::array<pugi::xml_node, 6> transform_axes(const OsimXml& xml, pugi::xml_node joint) {
   std::array<pugi::xml_node, 6> out;
+  if (const pugi::xml_node old = joint.child("TransformAxisSet"))
+    throw InputError(xml.where(old), "a <TransformAxisSet> is of OpenSim before 2.0, which is not read",
+                     "a later OpenSim saves the model with a <SpatialTransform>");
   for (const pugi::xml_node axis : joint.child("SpatialTransform").children("TransformAxis")) {
     const std::string name = OsimXml::name_of(axis);
     const auto which = std::ranges::find(kSpatialAxes, name);
