@@ -58,7 +58,8 @@ std::string model(const std::string& inner, const std::string& around = "") {
 /// torso is turned by half a turn about z. A body without a place is where its mass is, in the axes of its only shape
 /// or of its inertial.
 TEST(MjcfGlobalCoordinates, AreThoseOfTheLocalModel) {
-  const std::string local = model(R"(
+  const std::string local =
+      model(R"(
     <site name='floor' pos='0 0 0.5'/>
     <body name='torso' pos='0.5 0 1.25' quat='0 0 0 1'>
       <joint name='rooty' axis='0 1 0' pos='0 0 0.25'/>
@@ -73,8 +74,10 @@ TEST(MjcfGlobalCoordinates, AreThoseOfTheLocalModel) {
         </body>
       </body>
     </body>)",
-                                  "<compiler inertiafromgeom='auto'/>");
-  const std::string global = model(R"(
+            "<compiler inertiafromgeom='auto'/>"
+            "<equality><connect body1='torso' body2='foot' anchor='-0.5 0.25 0.75'/></equality>");
+  const std::string global =
+      model(R"(
     <site name='floor' pos='0 0 0.5'/>
     <body name='torso' pos='0.5 0 1.25' quat='0 0 0 1'>
       <joint name='rooty' axis='0 -1 0' pos='0.5 0 1.5'/>
@@ -89,7 +92,8 @@ TEST(MjcfGlobalCoordinates, AreThoseOfTheLocalModel) {
         </body>
       </body>
     </body>)",
-                                   "<compiler coordinate='global'/>");
+            "<compiler coordinate='global'/>"
+            "<equality><connect body1='torso' body2='foot' anchor='1 -0.25 2'/></equality>");
   EXPECT_EQ(import(model_of(global)).text, import(model_of(local)).text);
 }
 

@@ -151,7 +151,9 @@ void add_ends_of_bodies(MjcfContext& context, const MjcfElement& of, MjcfEqualit
   equality.second = of.has("body2") ? context.find(of, "body2", "body", context.tree.bodies) : 0;
   const RigidPose between =
       inverse(reference_pose(model, equality.first)) * reference_pose(model, *equality.second);
-  const Eigen::Vector3d anchor = of.vector("anchor", Eigen::Vector3d::Zero());
+  Eigen::Vector3d anchor = of.vector("anchor", Eigen::Vector3d::Zero());
+  if (!weld && context.part.file->compiler.global)
+    anchor = (inverse(reference_pose(model, equality.first)) * RigidPose{anchor}).shift;
   if (weld) {
     equality.second_pose.shift = anchor;
     equality.first_pose = between * equality.second_pose;

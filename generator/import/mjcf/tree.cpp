@@ -72,10 +72,10 @@ void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
       throw InputError(scope.text().where(child),
                        fmt::format("the model has more than {} elements", kMaximumMjcfElements));
     const std::string_view kind = child.name();
-    if (scope.compiler().global && (kind == "frame" || kind == "replicate"))
+    if (scope.compiler().global && (kind == "frame" || kind == "replicate" || kind == "attach"))
       throw InputError(scope.text().where(child),
                        fmt::format("a <{}> in a model with global coordinates", kind),
-                       "MuJoCo had the one until 2.3.3 and has the other since 3.0");
+                       "MuJoCo had the ones until 2.3.3 and has the other since 3.0");
     if (kind == "body") {
       read_body(child, scope);
     } else if (kind == "inertial") {

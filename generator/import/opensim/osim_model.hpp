@@ -74,7 +74,7 @@ struct OsimModel {
   std::string name;
   std::array<double, 3> gravity{};
   std::vector<OsimBody> bodies;
-  std::vector<OsimFrame> frames;
+  std::vector<OsimFrame> frames;                                   ///< frame i is body i's, but for copies
   std::map<std::string, std::size_t> frame_of_path;                ///< the first one of each
   std::map<std::string, std::vector<std::size_t>> frames_of_name;  ///< in their order
   std::map<pugi::xml_node, std::array<std::size_t, 2>>
