@@ -71,6 +71,20 @@ TEST(Sdf, LooksForModelsInFoldersThatAreGiven) {
   EXPECT_THAT(import(file_of(text), options).text, HasSubstr("axle"));
 }
 
+/// In a folder that is the package or holds it, and nowhere else.
+TEST(Sdf, LooksForPackagesInFoldersThatAreGiven) {
+  const auto text = [](const std::string& file) {
+    return "<sdf version='1.9'><world name='w'><include><uri>package://parts/" + file +
+           "</uri></include></world></sdf>";
+  };
+  for (const char* folder : {"tests/sdf/models", "tests/sdf/models/parts", "tests/sdf/models/parts/"}) {
+    DescribeOptions options;
+    options.include_folders = {(fs::path(ALEMBERT_SOURCE_DIR) / folder).string()};
+    EXPECT_THAT(import(file_of(text("cart.sdf")), options).text, HasSubstr("name: bed")) << folder;
+    EXPECT_THROW(import(file_of(text("../../errors/bad_xml.sdf")), options), InputError) << folder;
+  }
+}
+
 TEST(Sdf, OptionsWithoutMeaningAreAWarning) {
   DescribeOptions options;
   options.floating = true;

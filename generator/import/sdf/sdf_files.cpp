@@ -107,10 +107,10 @@ fs::path SdfFiles::resolve(pugi::xml_node uri, std::string_view kind) const {
   bool by_model = false;
   if (const std::size_t colon = name.find("://"); colon != std::string::npos) {
     const std::string scheme = lower(name.substr(0, colon));
-    if (scheme != "model" && scheme != "file")
+    by_model = scheme == "model" || scheme == "package";
+    if (!by_model && scheme != "file")
       throw InputError(place, fmt::format("'{}' is not on this machine: nothing is fetched", printable(name)),
-                       "give model://NAME, or a path beside the file");
-    by_model = scheme == "model";
+                       "give model://NAME, package://NAME or a path beside the file");
     rest = name.substr(colon + 3);
   }
   if (rest.empty()) throw InputError(place, fmt::format("the uri of {} is empty", kind));
@@ -121,6 +121,11 @@ fs::path SdfFiles::resolve(pugi::xml_node uri, std::string_view kind) const {
   std::vector<fs::path> candidates;
   if (!by_model && from != "<stdin>") candidates.push_back(fs::absolute(from).parent_path() / rest);
   for (const fs::path& root : roots) candidates.push_back(root / rest);
+  // A folder that is the model or package itself.
+  if (const fs::path path = rest; by_model)
+    for (const fs::path& root : roots)
+      if (const fs::path whole = fs::weakly_canonical(root); whole.filename() == *path.begin())
+        candidates.push_back(whole.parent_path() / path);
   // Models that lie beside that of the file, where they are within a folder that was given.
   if (by_model && from != "<stdin>")
     candidates.push_back(fs::absolute(from).parent_path().parent_path() / rest);
