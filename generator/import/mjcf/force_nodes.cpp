@@ -93,9 +93,9 @@ void MjcfForceNodes::add_springs_of_turns(YamlNode& list) {
 std::string MjcfForceNodes::turn_energy(std::size_t j) {
   const MjcfJoint& joint = model_.joints[j];
   const MjcfBody& body = model_.bodies[joint.body];
-  if (body.joints.size() > 1)
-    throw InputError(joint.where,
-                     "the stiffness of a ball joint beside other joints of its body is not taken",
+  const auto is_hinge = [&](std::size_t each) { return model_.joints[each].type == MjcfJointType::hinge; };
+  if (std::ranges::any_of(body.joints, is_hinge))
+    throw InputError(joint.where, "the stiffness of a ball joint beside a hinge of its body is not taken",
                      "a body between them may have the ball joint alone");
   const std::string own = naming_.new_frame(naming_.body(joint.body) + "_turned");
   bodies_.add_frame(frames_, own, joint.body, {}, joint.where);
