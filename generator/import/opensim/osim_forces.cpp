@@ -20,13 +20,6 @@ std::string times(double factor, const std::string& of) {
   return factor == 1 ? of : fmt::format("{}*{}", number_text(factor), of);
 }
 
-double positive_number(const OsimXml& xml, pugi::xml_node element, const char* property, double otherwise) {
-  const double value = xml.number(element, property, otherwise);
-  if (value > 0) return value;
-  throw InputError(xml.where(element), fmt::format("<{}> of {} is {}; expected a positive number", property,
-                                                   OsimXml::title(element), number_text(value)));
-}
-
 /// Of a Ligament that says none, over its length in resting lengths.
 constexpr const char* kLigamentCurve =
     "[-5, 0.998, 0.999, 1, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.601, 1.602, 5]; "
@@ -240,7 +233,7 @@ bool add_path_spring(OsimDescription& out, pugi::xml_node element) {
 
 /// A curve of the length in resting lengths, and nothing below.
 bool add_ligament(OsimDescription& out, pugi::xml_node element) {
-  const double rest = positive_number(out.xml, element, "resting_length", 0),
+  const double rest = out.xml.positive_number(element, "resting_length", 0),
                force = out.xml.number(element, "pcsa_force", 0);
   const std::string length = fmt::format("(length/{})", number_text(rest));
   const pugi::xml_node curve = find_osim_function(element, "force_length_curve");
@@ -254,7 +247,7 @@ bool add_ligament(OsimDescription& out, pugi::xml_node element) {
 /// sets in over a strain of 0.01 by 10 s^3 - 15 s^4 + 6 s^5. Source: Blankevoort and Huiskes, Ligament-Bone Interaction
 /// in a Three-Dimensional Model of the Knee, Journal of Biomechanical Engineering 113 (1991), 263-269.
 bool add_blankevoort_ligament(OsimDescription& out, pugi::xml_node element) {
-  const double slack = positive_number(out.xml, element, "slack_length", 0),
+  const double slack = out.xml.positive_number(element, "slack_length", 0),
                stiffness = out.xml.number(element, "linear_stiffness", 1),
                transition = out.xml.number(element, "transition_strain", 0.06),
                damping = out.xml.number(element, "damping_coefficient", 0.003);

@@ -41,10 +41,10 @@ class Muscle {
       : out_(out),
         element_(element),
         at_(out.xml.where(element)),
-        force_(positive("max_isometric_force", 1000)),
-        fibre_(positive("optimal_fiber_length", 0.1)),
-        slack_(positive("tendon_slack_length", 0.2, true)),
-        speed_(positive("max_contraction_velocity", 10)),
+        force_(out.xml.positive_number(element, "max_isometric_force", 1000)),
+        fibre_(out.xml.positive_number(element, "optimal_fiber_length", 0.1)),
+        slack_(out.xml.positive_number(element, "tendon_slack_length", 0.2, true)),
+        speed_(out.xml.positive_number(element, "max_contraction_velocity", 10)),
         rise_(rise),
         fall_(fall) {
     const char* const angle =
@@ -149,12 +149,6 @@ class Muscle {
   YamlNode* node_ = nullptr;
 
  private:
-  double positive(const char* property, double otherwise, bool or_zero = false) const {
-    const double value = out_.xml.number(element_, property, otherwise);
-    if (value > 0 || (or_zero && value == 0)) return value;
-    throw InputError(at_, fmt::format("<{}> of {} is {}; expected a positive number", property,
-                                      OsimXml::title(element_), n(value)));
-  }
   static std::string beyond(double length) {
     return length == 0 ? "length" : fmt::format("length - {}", n(length));
   }

@@ -9,6 +9,8 @@
 #include <limits>
 #include <optional>
 
+#include "import/common/snapped_angle.hpp"
+
 namespace alembert {
 namespace {
 
@@ -107,6 +109,14 @@ std::optional<std::array<double, 2>> OsimXml::range(pugi::xml_node element, cons
   const auto infinite = [](const std::string& word) { return infinity_of(word).has_value(); };
   if (std::ranges::any_of(words(element, property), infinite)) return std::nullopt;
   return vector<2>(element, property, {0, 0});
+}
+
+double OsimXml::positive_number(pugi::xml_node element, const char* property, double otherwise,
+                                bool or_zero) const {
+  const double value = number(element, property, otherwise);
+  if (value > 0 || (or_zero && value == 0)) return value;
+  throw InputError(where(element), fmt::format("<{}> of {} is {}; expected a positive number", property,
+                                               title(element), number_text(value)));
 }
 
 double OsimXml::required_number(pugi::xml_node element, const char* property) const {

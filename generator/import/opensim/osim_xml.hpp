@@ -37,6 +37,9 @@ class OsimXml {
   double number(pugi::xml_node element, const char* property, double otherwise) const;
   /// The same, where Inf and -Inf are numbers too.
   double number_or_infinite(pugi::xml_node element, const char* property, double otherwise) const;
+  /// One that must be positive, or 0 where that has a meaning.
+  double positive_number(pugi::xml_node element, const char* property, double otherwise,
+                         bool or_zero = false) const;
   /// A number that must be there.
   double required_number(pugi::xml_node element, const char* property) const;
   /// Of as many finite numbers as the array has.
