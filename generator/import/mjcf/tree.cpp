@@ -75,7 +75,7 @@ void MjcfTree::read_children(pugi::xml_node parent, const Scope& scope) {
     if (scope.compiler().global && (kind == "frame" || kind == "replicate" || kind == "attach"))
       throw InputError(scope.text().where(child),
                        fmt::format("a <{}> in a model with global coordinates", kind),
-                       "MuJoCo had the ones until 2.3.3 and has the other since 3.0");
+                       "global coordinates ended with MuJoCo 2.3.3, and this element came later");
     if (kind == "body") {
       read_body(child, scope);
     } else if (kind == "inertial") {
@@ -238,8 +238,8 @@ void MjcfTree::read_body(pugi::xml_node element, const Scope& scope) {
   finish_body(index, of, scope);
 }
 
-/// What is not said is the place of the body's mass. Joints and shapes have places of their own, so that only the
-/// coordinates of a free joint and the frame depend on it.
+/// Without a `pos`, the frame is where the body's mass is. Joints and shapes have places of their own: only the
+/// coordinates of a free joint and the body's frame depend on it.
 RigidPose MjcfTree::global_pose(const MjcfElement& body, const Scope& inside) const {
   const MjcfCompiler& compiler = inside.compiler();
   std::optional<RigidPose> said;

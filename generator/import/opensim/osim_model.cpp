@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -39,7 +40,7 @@ std::string socket_text(pugi::xml_node element, const char* socket, const char* 
   return {};
 }
 
-constexpr double kNoMass = 1.9e-14;  // kg, for OpenSim
+constexpr double kNoMass = 1.9e-14;  // kg: OpenSim takes so little for none
 
 /// Frames that stand on one another, each with its offset: all of them are written for each.
 constexpr std::size_t kDeepestFrame = 200;
@@ -231,16 +232,19 @@ class SkeletonReader {
       points[i] = pose_of(station.offsets).translation();
     }
     const auto& [a, b, c, origin] = points;
-    const Eigen::Vector3d along = (b - a).normalized(), normal = (b - a).cross(c - a).normalized();
-    if (!(along.norm() > 0.5 && normal.norm() > 0.5))
+    const Eigen::Vector3d along = b - a, across = c - a, normal = along.cross(across);
+    // What rounding leaves of points on one line, by how far they are from the origin.
+    const double blur =
+        16 * std::numeric_limits<double>::epsilon() * std::max({a.norm(), b.norm(), c.norm()});
+    if (!(normal.norm() > blur * std::max(along.norm(), across.norm())))
       throw InputError(pending.frame.where, what + " has its stations on one line");
     const auto [first, first_sign] = direction(pending.element, "ab_axis", "+x");
     const auto [second, second_sign] = direction(pending.element, "ab_x_ac_axis", "+y");
     if (first == second)
       throw InputError(pending.frame.where, fmt::format("the axes of {} are one and the same", what));
     Eigen::Matrix3d axes;
-    axes.col(first) = first_sign * along;
-    axes.col(second) = second_sign * normal;
+    axes.col(first) = first_sign * along.normalized();
+    axes.col(second) = second_sign * normal.normalized();
     const int third = 3 - first - second;
     axes.col(third) = axes.col((third + 1) % 3).cross(axes.col((third + 2) % 3));
     OsimOffset out;

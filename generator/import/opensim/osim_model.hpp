@@ -66,8 +66,8 @@ struct OsimClosure {
   std::array<std::size_t, 2> frames;
 };
 
-/// Joints make a tree; body 0 is the ground. Where a joint closes a chain, a copy of the body that it moves is at its
-/// end in place of it, welded to the body, of which it has a share of the mass; a weld is welded itself.
+/// Joints make a tree; body 0 is the ground. A joint that would close a chain moves a copy of its body instead: the
+/// two are welded, and share the mass. A WeldJoint that would close one is only the weld.
 struct OsimModel {
   void add_frame(OsimFrame frame);
 

@@ -72,7 +72,7 @@ class Muscle {
     return out_.xml.number(element_, property, otherwise);
   }
   bool flag(const char* property) const { return out_.xml.flag(element_, property, false); }
-  /// Whether nothing stretches the tendon, as nothing stretches one of length 0.
+  /// A tendon of length 0 is rigid, too.
   bool has_rigid_tendon() {
     if (flag("ignore_tendon_compliance")) return true;
     if (slack_ == 0)
