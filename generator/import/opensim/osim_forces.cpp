@@ -282,7 +282,8 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"Ligament", add_ligament},
                                      {"Blankevoort1991Ligament", add_blankevoort_ligament},
                                      {"Thelen2003Muscle", add_thelen_muscle},
-                                     {"Millard2012EquilibriumMuscle", add_millard_muscle}};
+                                     {"Millard2012EquilibriumMuscle", add_millard_muscle},
+                                     {"DeGrooteFregly2016Muscle", add_degroote_muscle}};
 
 const ForceType* force_type(pugi::xml_node element) {
   const auto type = std::ranges::find(kForceTypes, std::string_view(element.name()), &ForceType::name);

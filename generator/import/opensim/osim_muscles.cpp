@@ -1,6 +1,8 @@
 // Sources of the laws: Thelen, Adjustment of Muscle Mechanics Model Parameters to Simulate Dynamic Contractions in Older
 // Adults, Journal of Biomechanical Engineering 125 (2003), 70-77; Millard, Uchida, Seth and Delp, Flexing Computational
-// Muscle, Journal of Biomechanical Engineering 135 (2013), 021005.
+// Muscle, Journal of Biomechanical Engineering 135 (2013), 021005; De Groote, Kinney, Rao and Fregly, Evaluation of
+// Direct Collocation Optimal Control Problem Formulations for Solving the Muscle Redundancy Problem, Annals of
+// Biomedical Engineering 44 (2016), 2922-2936.
 #include "import/opensim/osim_muscles.hpp"
 
 #include <fmt/format.h>
@@ -34,10 +36,17 @@ struct ElasticTendon {
   double shortest;   ///< the fibres may get, in optimal lengths
 };
 
+/// How an activation follows its excitation.
+struct ActivationLaw {
+  double rise, fall;     ///< time constants, in seconds
+  double initial;        ///< activation
+  double steepness = 0;  ///< of the tanh between rise and fall; 0 for a jump
+};
+
 /// One muscle while it is described.
 class Muscle {
  public:
-  Muscle(OsimDescription& out, pugi::xml_node element, double rise, double fall)
+  Muscle(OsimDescription& out, pugi::xml_node element, const ActivationLaw& law)
       : out_(out),
         element_(element),
         at_(out.xml.where(element)),
@@ -45,8 +54,7 @@ class Muscle {
         fibre_(out.xml.positive_number(element, "optimal_fiber_length", 0.1)),
         slack_(out.xml.positive_number(element, "tendon_slack_length", 0.2, true)),
         speed_(out.xml.positive_number(element, "max_contraction_velocity", 10)),
-        rise_(rise),
-        fall_(fall) {
+        law_(law) {
     const char* const angle =
         out.xml.property(element, "pennation_angle") ? "pennation_angle" : "pennation_angle_at_optimal";
     pennation_ = out.xml.number(element, angle, 0);
@@ -70,6 +78,9 @@ class Muscle {
 
   double number(const char* property, double otherwise) const {
     return out_.xml.number(element_, property, otherwise);
+  }
+  double positive(const char* property, double otherwise) const {
+    return out_.xml.positive_number(element_, property, otherwise);
   }
   bool flag(const char* property) const { return out_.xml.flag(element_, property, false); }
   /// A tendon of length 0 is rigid, too.
@@ -141,11 +152,44 @@ class Muscle {
                    {std::max(0.2, tendon.shortest), 2}, rate, at_);
   }
 
+  std::string add_output(const char* what, const std::string& value) {
+    const std::string name = out_.names.add(name_ + what, at_);
+    out_.put(out_.nodes.add_named(*out_.sections["outputs"], name, at_), "value", value, at_);
+    return name;
+  }
+  /// The fibres of a muscle whose tendon's length is known, in slack lengths.
+  struct Fibre {
+    std::string length;  ///< in optimal lengths
+    std::string cosine;  ///< of the pennation; none if there is none
+  };
+  Fibre add_fibre_on(const std::string& tendon) {
+    const std::string along =
+        add_output("_along", fmt::format("(length({}) - {}*{})/{}", name_, n(slack_), tendon, n(fibre_)));
+    if (pennation_ == 0) return {along, {}};
+    const std::string length =
+        add_output("_fibre", fmt::format("sqrt({} + {}^2)", n(std::pow(std::sin(pennation_), 2)), along));
+    return {length, fmt::format("({}/{})", along, length)};
+  }
+  /// The state of an elastic tendon that is told by what it bears, of the largest isometric force.
+  std::string add_tendon_force() {
+    tendon_force_ = out_.names.add(name_ + "_tendon_force", at_);
+    return tendon_force_;
+  }
+  /// Its rate, by the slope of what a tendon bears over its length in slack lengths, and the speed of the fibres along it,
+  /// in largest ones.
+  void put_tendon_rate(const std::string& slope, const std::string& speed) {
+    constexpr double kMost = 5;
+    out_.add_state(
+        tendon_force_, number("default_normalized_tendon_force", 0.5), {0, kMost},
+        fmt::format("{}*(rate({}) - {}*{})/{}", slope, name_, n(speed_ * fibre_), speed, n(slack_)), at_);
+  }
+
   OsimDescription& out_;
   pugi::xml_node element_;
   SourceLocation at_;
-  double force_, fibre_, slack_, speed_, rise_, fall_, pennation_ = 0, least_cosine_ = kLeastCosine;
-  std::string name_, activation_;
+  double force_, fibre_, slack_, speed_, pennation_ = 0, least_cosine_ = kLeastCosine;
+  ActivationLaw law_;
+  std::string name_, activation_, tendon_force_;
   YamlNode* node_ = nullptr;
 
  private:
@@ -156,7 +200,8 @@ class Muscle {
 
   /// The input is the excitation, and the activation a state; or the input is the activation.
   void add_activation() {
-    const double least = number("minimum_activation", 0.01), initial = number("default_activation", 0.05);
+    const double least = number("minimum_activation", 0.01),
+                 initial = number("default_activation", law_.initial);
     std::array<double, 2> limits = osim_control_limits(out_.xml, element_);
     limits = {std::max(limits[0], least), std::min(limits[1], 1.0)};
     const std::string input =
@@ -165,10 +210,15 @@ class Muscle {
     if (flag("ignore_activation_dynamics")) return;
     activation_ = out_.names.add(name_ + "_activation", at_);
     const std::string change = fmt::format("{} - {}", input, activation_);
-    const std::string ease = fmt::format("(0.5 + 1.5*{})", activation_);
-    out_.add_state(activation_, initial, {least, 1},
-                   fmt::format("({0})*select({0}, 1/({1}*{2}), {2}/{3})", change, n(rise_), ease, n(fall_)),
-                   at_);
+    const std::string ease = fmt::format("(0.5 + 1.5*{})", activation_),
+                      rising = fmt::format("1/({}*{})", n(law_.rise), ease),
+                      falling = fmt::format("{}/{}", ease, n(law_.fall));
+    std::string quickness = fmt::format("select({}, {}, {})", change, rising, falling);
+    if (law_.steepness > 0) {
+      const std::string turn = fmt::format("0.5*tanh({}*({}))", n(law_.steepness), change);
+      quickness = fmt::format("((0.5 + {0})*{1} + (0.5 - {0})*{2})", turn, rising, falling);
+    }
+    out_.add_state(activation_, initial, {least, 1}, fmt::format("({})*{}", change, quickness), at_);
   }
 };
 
@@ -221,11 +271,58 @@ struct Thelen {
   }
 };
 
+/// The curves of De Groote and others for one muscle.
+struct DeGroote {
+  static constexpr double kPassive = 4, kShortest = 0.2;           // fibres of 0.2 bear no passive force
+  static constexpr double kTendonScale = 0.2, kTendonShift = 0.2;  // a tendon of its slack length bears none
+  double width, fibre_strain, stiffness;
+  bool has_passive;
+
+  explicit DeGroote(const Muscle& of)
+      : width(of.positive("active_force_width_scale", 1)),
+        fibre_strain(of.positive("passive_fiber_strain_at_one_norm_force", 0.6)),
+        stiffness(std::log((1 + kTendonShift) / kTendonScale) /
+                  of.positive("tendon_strain_at_one_norm_force", 0.049)),
+        has_passive(!of.flag("ignore_passive_fiber_force")) {}
+
+  std::string active(const std::string& length) const {
+    const std::string x = width == 1 ? length : fmt::format("(1 + ({} - 1)/{})", length, n(width));
+    return fmt::format(
+        "(0.8150671134243542*exp(-0.5*(({0} - 1.055033428970575)/(0.162384573599574 + "
+        "0.063303448465465*{0}))^2)"
+        " + 0.433004984392647*exp(-0.5*(({0} - 0.71677541339776)/(0.200356847296188*{0} - "
+        "0.029947116970696))^2)"
+        " + 0.1*exp(-4*({0} - 1)^2))",
+        x);
+  }
+  std::string passive(const std::string& length) const {
+    const double least = std::exp(kPassive * (kShortest - 1) / fibre_strain);
+    return fmt::format("(exp({}*({} - 1)) - {})/{}", n(kPassive / fibre_strain), length, n(least),
+                       n(std::exp(kPassive) - least));
+  }
+  static std::string over_speed(const std::string& v) {
+    const std::string y = fmt::format("(8.149*{} + 0.374)", v);
+    return fmt::format("(0.8825327733249912 + 0.3211346127989808*log({0} + sqrt({0}^2 + 1)))", y);
+  }
+  /// The inverse of the last one.
+  static std::string speed(const std::string& force) {
+    return fmt::format("(sinh(({} - 0.8825327733249912)/0.3211346127989808) - 0.374)/8.149", force);
+  }
+  /// Length of the tendon, in slack lengths, that bears so much; and the slope of what it bears over its length.
+  std::string tendon_length(const std::string& force) const {
+    return fmt::format("(1 + log(1 + {}*{})/{})", n(1 / kTendonScale), force, n(stiffness));
+  }
+  std::string tendon_slope(const std::string& force) const {
+    return fmt::format("{}*({} + {})", n(stiffness), force, n(kTendonShift));
+  }
+};
+
 }  // namespace
 
 bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
-  Muscle muscle(out, element, out.xml.number(element, "activation_time_constant", 0.015),
-                out.xml.number(element, "deactivation_time_constant", 0.05));
+  Muscle muscle(out, element,
+                {out.xml.number(element, "activation_time_constant", 0.015),
+                 out.xml.number(element, "deactivation_time_constant", 0.05), 0.05});
   if (!muscle.begin()) return false;
   const Thelen curves(muscle);
   const std::string& a = muscle.activation_;
@@ -246,8 +343,9 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
 }
 
 bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
-  Muscle muscle(out, element, out.xml.number(element, "activation_time_constant", 0.01),
-                out.xml.number(element, "deactivation_time_constant", 0.04));
+  Muscle muscle(out, element,
+                {out.xml.number(element, "activation_time_constant", 0.01),
+                 out.xml.number(element, "deactivation_time_constant", 0.04), 0.05});
   if (!muscle.begin()) return false;
   constexpr double kLeastDamping = 0.001;  // less is none
   const double damping = muscle.number("fiber_damping", 0.1);
@@ -271,6 +369,44 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
                                 curves.over_speed(speed), curves.passive(length));
   if (damping != 0) sum += fmt::format(" + {}*{}", n(damping), speed);
   muscle.finish(muscle.rigid_tension(sum, curves.shortest()));
+  return true;
+}
+
+bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element) {
+  Muscle muscle(out, element,
+                {out.xml.positive_number(element, "activation_time_constant", 0.015),
+                 out.xml.positive_number(element, "deactivation_time_constant", 0.06), 0.5,
+                 out.xml.positive_number(element, "activation_dynamics_smoothing", 0.1)});
+  if (!muscle.begin()) return false;
+  const DeGroote curves(muscle);
+  const double damping = muscle.number("fiber_damping", 0);
+  if (muscle.has_rigid_tendon()) {
+    const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
+    std::string sum =
+        fmt::format("{}*{}*{}", muscle.activation_, curves.active(length), DeGroote::over_speed(speed));
+    if (curves.has_passive) sum += " + " + curves.passive(length);
+    if (damping != 0) sum += fmt::format(" + {}*{}", n(damping), speed);
+    const std::string cosine = muscle.rigid_cosine();
+    muscle.finish(fmt::format("{}*({}){}", n(muscle.force_), sum, cosine == "1" ? "" : "*" + cosine));
+    return true;
+  }
+  if (damping != 0 && OsimXml::text(element, "tendon_compliance_dynamics_mode") == "implicit")
+    out.approximated(element,
+                     "has damped fibres on an elastic tendon: their damping is left out, as in OpenSim's "
+                     "explicit mode");
+  const std::string force = muscle.add_tendon_force();
+  muscle.finish(fmt::format("{}*{}", n(muscle.force_), force));
+  const std::string tendon = curves.tendon_length(force);
+  const Muscle::Fibre fibre = muscle.add_fibre_on(tendon);
+  const auto over_cosine = [&](const std::string& of) {
+    return fibre.cosine.empty() ? of : fmt::format("{}/{}", of, fibre.cosine);
+  };
+  std::string load = over_cosine(force);
+  if (curves.has_passive) load = fmt::format("({} - {})", load, curves.passive(fibre.length));
+  const std::string active =
+      muscle.add_output("_active", fmt::format("{}*{}", muscle.activation_, curves.active(fibre.length)));
+  muscle.put_tendon_rate(curves.tendon_slope(force),
+                         over_cosine(DeGroote::speed(fmt::format("{}/{}", load, active))));
   return true;
 }
 

@@ -8,7 +8,10 @@ namespace alembert {
 /// Thelen's, with an elastic tendon unless the file says otherwise. False if it has no path of points.
 bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element);
 
-/// Millard's with a rigid tendon; an elastic one is approximated by that, with a warning.
+/// Millard's, likewise.
 bool add_millard_muscle(OsimDescription& out, pugi::xml_node element);
+
+/// That of De Groote and others, likewise.
+bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element);
 
 }  // namespace alembert
