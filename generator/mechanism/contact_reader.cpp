@@ -1,8 +1,10 @@
 // Contacts of a sphere or a point with a plane or another sphere. A mapping in; wrenches out, expressions of positions and
-// velocities of frames. With n the normal towards the sphere, d the depth, v the velocity of the point of the sphere that
-// is deepest relative to what it touches, v_n and v_t its parts along n and across:
+// velocities of frames. With n the normal towards the sphere, d the depth, v the velocity of the point where they act
+// relative to what the sphere touches, v_n and v_t its parts along n and across, and s = sqrt(v_t^2 + v_s^2) the slip:
 //
-//   f_n = k max(0, d)^(3/2) max(0, 1 - 3/2 c v_n),    f = f_n (n - mu v_t / sqrt(v_t^2 + v_s^2))
+//   f_n = k max(0, d)^(3/2) max(0, 1 - 3/2 c v_n), or any function of d and -v_n;    f = f_n (n - mu(s) v_t / s)
+//
+// They act at the sphere's deepest point, or above it by a share of d.
 //
 // Source: Hunt and Crossley, Coefficient of restitution interpreted as damping in vibroimpact, Journal of Applied
 // Mechanics 42 (1975), 440-445.
@@ -19,9 +21,9 @@ class ContactReader {
  public:
   ContactReader(Loading& loading, const YamlNode& node, const std::string& name)
       : loading_(loading),
-        section_(
-            loading.document, node, fmt::format("the contact of force '{}'", name),
-            {"frame", "radius", "plane", "sphere", "stiffness", "dissipation", "friction", "slip_velocity"}) {
+        section_(loading.document, node, fmt::format("the contact of force '{}'", name),
+                 {"frame", "radius", "plane", "sphere", "normal_force", "stiffness", "dissipation",
+                  "friction", "slip_velocity", "flattening"}) {
     contact_.name = name;
   }
 
@@ -112,25 +114,59 @@ class ContactReader {
            cross(vector(frame, FrameQuantity::angular_velocity), arm);
   }
 
-  Vec3 force(const Vec3& velocity) {
+  /// By Hunt and Crossley, or as it is given.
+  Expr normal_force(const Expr& speed) {
+    if (const YamlNode* given = section_.find("normal_force")) {
+      for (const char* key : {"stiffness", "dissipation"})
+        if (const YamlNode* other = section_.find(key))
+          throw InputError(loading_.document.where(*other),
+                           of(fmt::format("'normal_force' takes the place of '{}'", key)));
+      return loading_.reader
+          .read_with(*given, {{"depth", contact_.depth, Dependence::coordinate}, {"rate", -speed, kMoving}},
+                     Allowed::force, of("the normal force"))
+          .expr;
+    }
     ExprGraph& graph = loading_.graph;
-    const Expr speed = dot(contact_.normal, velocity);
     const Expr deep = if_positive(contact_.depth, contact_.depth);
     const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
-    const Expr strength = coefficient(section_.require("stiffness"), of("the stiffness"), false) *
-                          (deep * sqrt(deep)) * if_positive(damped, damped);
+    return coefficient(section_.require("stiffness"), of("the stiffness"), false) * (deep * sqrt(deep)) *
+           if_positive(damped, damped);
+  }
+
+  Vec3 force(const Vec3& velocity) {
+    const Expr speed = dot(contact_.normal, velocity);
+    const Expr strength = normal_force(speed);
     contact_.strength = strength;
-    const Expr friction = or_zero("friction");
-    if (friction.is_zero()) return strength * contact_.normal;
-    const Expr slow = coefficient(section_.require("slip_velocity"), of("the slip velocity"), true);
+    const YamlNode* given = section_.find("friction");
+    if (given == nullptr) return strength * contact_.normal;
+    const YamlNode* least = section_.find("slip_velocity");
+    const Expr slow =
+        least == nullptr ? loading_.graph.zero() : coefficient(*least, of("the slip velocity"), true);
     const Vec3 slip = velocity - speed * contact_.normal;
     const Expr size = sqrt(dot(slip, slip) + slow * slow);
+    const Expr friction =
+        loading_.reader.coefficient_with(*given, {{"slip", size, kMoving}}, of("the friction"));
+    if (friction.is_zero()) return strength * contact_.normal;
+    section_.require("slip_velocity");
     return strength * (contact_.normal - (friction / size) * slip);
   }
 
+  /// Where the forces act, from the centre of the sphere.
+  Vec3 lever() {
+    const YamlNode* given = section_.find("flattening");
+    if (given == nullptr) return -contact_.radius * contact_.normal;
+    const std::string what = of("the flattening");
+    const Quantity share = loading_.reader.read(*given, Allowed::parameters, what);
+    if (share.initial < 0 || share.initial > 1)
+      throw InputError(
+          loading_.document.where(*given),
+          fmt::format("{} is {:.6g}; expected a share of the depth, from 0 to 1", what, share.initial));
+    return (share.expr * contact_.depth - contact_.radius) * contact_.normal;
+  }
+
   std::vector<Force> wrenches(const SourceLocation& where) {
-    const Vec3 arm = -contact_.radius * contact_.normal;
+    const Vec3 arm = lever();
     Vec3 velocity = velocity_at(contact_.frame, arm), other_arm = zero();
     if (contact_.other >= 0) {
       other_arm = vector(contact_.frame, FrameQuantity::position) + arm -
@@ -154,6 +190,8 @@ class ContactReader {
     if (contact_.other >= 0) add(contact_.other, zero() - f, other_arm);
     return result;
   }
+
+  static constexpr Dependence kMoving = Dependence::coordinate | Dependence::speed;
 
   Loading& loading_;
   Section section_;

@@ -47,7 +47,16 @@ bool ExpressionReader::Reading::may_lack_value(const Operand& operation) const {
 }
 
 Expr ExpressionReader::coefficient(const YamlNode& node, std::string_view what, bool positive) {
-  const Quantity value = read(node, Allowed::parameters, what);
+  return checked_sign(node, read(node, Allowed::parameters, what), what, positive);
+}
+
+Expr ExpressionReader::coefficient_with(const YamlNode& node, std::vector<LocalName> names,
+                                        std::string_view what) {
+  return checked_sign(node, read_with(node, std::move(names), Allowed::force, what), what, false);
+}
+
+Expr ExpressionReader::checked_sign(const YamlNode& node, const Quantity& value, std::string_view what,
+                                    bool positive) const {
   if (positive ? !(value.initial > 0) : value.initial < 0)
     throw InputError(document_.where(node),
                      fmt::format("{} is {:.6g}; expected {}", what, value.initial,

@@ -58,6 +58,8 @@ class ExpressionReader {
   /// As read, with names that only this expression knows.
   Quantity read_with(const YamlNode& node, std::vector<LocalName> names, Allowed allowed,
                      std::string_view what);
+  /// As read_with in a force; throws where it is known to be negative at the initial state.
+  Expr coefficient_with(const YamlNode& node, std::vector<LocalName> names, std::string_view what);
   /// As read_vector, over constants, runtime parameters and the names given.
   Vec3 read_point(const YamlNode& node, std::vector<LocalName> names, std::string_view what);
   /// Makes the last frame of the mechanism known to expressions.
@@ -108,6 +110,7 @@ class ExpressionReader {
   Quantity speed_of(const Reading& reading, std::size_t offset, NameEntry& coordinate,
                     std::string_view part) const;
   InputError unknown_name(const Reading& reading, std::size_t offset, std::string_view name) const;
+  Expr checked_sign(const YamlNode& node, const Quantity& value, std::string_view what, bool positive) const;
   Operand binary(const Reading& reading, const PostfixToken& token, const Operand& a, const Operand& b) const;
   Operand call(const Reading& reading, const PostfixToken& token,
                const std::vector<Operand>& arguments) const;

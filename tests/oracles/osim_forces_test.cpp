@@ -36,7 +36,8 @@ struct Rig {
   }
   /// What a force adds to the generalized forces.
   Eigen::VectorXd contribution(std::size_t i, const std::string& name) const {
-    const auto& names = imported.description().force_names;
+    std::vector<std::string> names = imported.description().force_names;
+    names.erase(std::unique(names.begin(), names.end()), names.end());  // both sides of a contact have its name
     const auto row = std::find(names.begin(), names.end(), name) - names.begin();
     return found[i].at("force_contributions").at("Q").row(row).transpose();
   }
@@ -542,6 +543,33 @@ TEST(OsimForces, SlackMusclesDoNotPull) {
       }
     }
   }
+}
+
+/// Of one element several contacts may come.
+TEST(OsimForces, ContactsAreThoseOfSimbody) {
+  constexpr int kMany = 40;
+  Rig rig("contacts.osim", kMany);
+  const std::map<std::string, std::vector<std::string>> contacts = {
+      {"smooth", {"smooth"}},
+      {"smooth_default", {"smooth_default"}},
+      {"hunt", {"hunt"}},
+      {"bump", {"bump_stone_heel", "bump_stone_knob", "bump_heel_knob"}}};
+  std::map<std::string, int> touching;
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    for (const auto& [name, parts] : contacts) {
+      const Eigen::VectorXd expected = rig.skeleton.contact(name, motion.order);
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(expected.size());
+      for (const std::string& part : parts) {
+        sum += rig.contribution(i, part);
+        touching[part] += rig.contribution(i, part).norm() > 1 ? 1 : 0;
+      }
+      expect_near(name.c_str(), sum, expected, 1e-9);
+    }
+  }
+  for (const auto& [name, parts] : contacts)
+    for (const std::string& part : parts) EXPECT_GE(touching[part], 3) << part;
 }
 
 TEST(OsimConstraints, HoldPointsAndFrames) {

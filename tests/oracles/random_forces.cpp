@@ -276,11 +276,21 @@ class ForceWriter : private RandomQuantities {
     } else {
       lines += ", sphere: {frame: " + frames_[second] + ", radius: " + constant(0.4, 1, unit) + "}";
     }
-    lines += ", stiffness: " + constant(5, 50, units_.force / std::pow(unit, 1.5));
-    if (draw_.chance(0.8)) lines += ", dissipation: " + constant(0.05, 0.5, 1 / unit);
+    const bool usual = draw_.chance(0.7);
+    if (usual) {
+      lines += ", stiffness: " + constant(5, 50, units_.force / std::pow(unit, 1.5));
+      if (draw_.chance(0.8)) lines += ", dissipation: " + constant(0.05, 0.5, 1 / unit);
+    } else {
+      // Smooth where it touches, and never nothing.
+      const std::string strength = constant(2, 20, units_.force / unit), steep = constant(2, 8, 1 / unit),
+                        blur = constant(0.01, 0.1, unit * unit), loss = constant(0.05, 0.3, 1 / unit);
+      lines += ", normal_force: \"" + strength + "*sqrt(depth^2 + " + blur + ")*(1 + tanh(" + steep +
+               "*depth))*(1 + " + loss + "*rate)\", flattening: " + constant(0, 1);
+    }
     if (draw_.chance(0.7)) {
       const std::string friction = constant(0.1, 1), slow = constant(0.05, 0.5, unit);
-      lines += ", friction: " + friction + ", slip_velocity: " + slow;
+      lines += ", friction: " + (usual ? friction : "\"" + friction + "/(1 + slip/" + slow + ")\"") +
+               ", slip_velocity: " + slow;
     }
     forces_ += "  - {name: force" + std::to_string(force_count_++) + ", contact: " + lines + "}}\n";
   }

@@ -427,6 +427,109 @@ TEST(SimbodyForces, SphereOnSphere) {
       options);
 }
 
+/// What both sides of a contact are made of.
+struct Material {
+  double modulus, dissipation, still, sliding, viscous;
+  double softness() const { return std::pow(modulus, -2.0 / 3); }
+};
+
+/// As a contact says it: what follows its surfaces, for a sphere of the first material. R is the relative radius.
+std::string yielding(const Material& a, const Material& b, double R, double transition) {
+  const auto mean = [](double x, double y) { return 2 * x * y / (x + y); };
+  const double share = a.softness() / (a.softness() + b.softness());
+  const double still = mean(a.still, b.still), sliding = mean(a.sliding, b.sliding);
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "stiffness: %.17g, dissipation: %.17g, friction: \"min(slip/%.17g, 1)*(%.17g + "
+                "%.17g/(1 + (slip/%.17g)^2)) + %.17g*slip\", slip_velocity: 1e-9, flattening: %.17g",
+                4.0 / 3 * std::sqrt(R) * std::pow(a.softness() + b.softness(), -1.5),
+                a.dissipation * share + b.dissipation * (1 - share), transition, sliding,
+                2 * (still - sliding), transition, mean(a.viscous, b.viscous), share);
+  return text;
+}
+
+/// Both surfaces give way, and friction falls from its greatest as they slide faster.
+TEST(SimbodyForces, SurfacesThatYield) {
+  const Material sole{700, 0.3, 0.9, 0.5, 0.2}, ground{400, 0.5, 0.7, 0.4, 0.1};
+  constexpr double kTransition = 0.8;
+  Options options;
+  options.acting = kStates / 3;
+  compare(
+      rig_with({},
+               "\n  - {name: floor, contact: {frame: tip, radius: 0.6, plane: {point: [0.1, 0.2, -0.3], "
+               "normal: [0.2, -0.4, 2]}, " +
+                   yielding(sole, ground, 0.6, kTransition) +
+                   "}}\n  - {name: bump, contact: {frame: tip, radius: 1.2, sphere: {frame: ring, radius: "
+                   "0.9}, " +
+                   yielding(ground, sole, 1.2 * 0.9 / 2.1, kTransition) + "}}\n"),
+      [&](Elements& rig) {
+        const auto pair = [&](const auto& add) {
+          const SimTK::ContactSetIndex set = rig.contacts.createContactSet();
+          SimTK::HuntCrossleyForce law(rig.forces, rig.contacts, set);
+          law.setTransitionVelocity(kTransition);
+          int count = 0;
+          add([&](const SimTK::MobilizedBody& body, const SimTK::ContactGeometry& geometry,
+                  const SimTK::Transform& at, const Material& of) {
+            rig.contacts.addBody(set, body, geometry, at);
+            law.setBodyParameters(SimTK::ContactSurfaceIndex(count++), of.modulus, of.dissipation, of.still,
+                                  of.sliding, of.viscous);
+          });
+        };
+        pair([&](const auto& add) {
+          add(rig["hand"], SimTK::ContactGeometry::Sphere(0.6), SimTK::Transform(kTip), sole);
+          add(rig["world"], SimTK::ContactGeometry::HalfSpace(),
+              SimTK::Transform(SimTK::Rotation(SimTK::UnitVec3(-0.2, 0.4, -2), SimTK::XAxis),
+                               Vec3(0.1, 0.2, -0.3)),
+              ground);
+        });
+        pair([&](const auto& add) {
+          add(rig["hand"], SimTK::ContactGeometry::Sphere(1.2), SimTK::Transform(kTip), ground);
+          add(rig["buoy"], SimTK::ContactGeometry::Sphere(0.9), SimTK::Transform(kRing), sole);
+        });
+      },
+      options);
+}
+
+/// Simbody's smooth contact of a sphere with a half space (Serrancoli and others, Subject-Exoskeleton Contact Model
+/// Calibration Leads to Accurate Interaction Force Predictions, 2019), of both kinds of bodies and the world.
+TEST(SimbodyForces, SmoothSphereOnPlanes) {
+  const auto smooth = [](double E, double c, double R) {
+    char text[700];
+    // k = E^(2/3)/2; the force is 4/3 k sqrt(R k) (d^2 + e)^(3/4), times what fades it out as bodies part.
+    const double k = std::pow(E, 2.0 / 3) / 2;
+    std::snprintf(
+        text, sizeof text,
+        "normal_force: \"%.17g*(depth^2 + 1e-3)^0.75*(0.5 + 0.5*tanh(30*depth))*(1 + %.17g*rate)*(0.5 + "
+        "0.5*tanh(5*(rate + %.17g)))\", friction: \"min(slip/0.5, 1)*(0.4 + 0.8/(1 + (slip/0.5)^2)) + "
+        "0.3*slip\", slip_velocity: \"sqrt(1e-3)\", flattening: 0.5",
+        4.0 / 3 * k * std::sqrt(R * k), 1.5 * c, 2 / (3 * c));
+    return std::string(text);
+  };
+  compare(
+      rig_with({},
+               "\n  - {name: floor, contact: {frame: tip, radius: 0.6, plane: {point: [0.1, 0.2, -0.3], "
+               "normal: [0.2, -0.4, 2]}, " +
+                   smooth(900, 0.4, 0.6) +
+                   "}}\n  - {name: tray, contact: {frame: ring, radius: 0.5, plane: {frame: deck, point: [0, "
+                   "-0.1, 0], normal: [0.3, 1, 0]}, " +
+                   smooth(400, 0.2, 0.5) + "}}\n"),
+      [](Elements& rig) {
+        const auto add = [&](const char* sphere, const Vec3& center, double radius, const char* plane,
+                             const Vec3& point, const Vec3& normal, double E, double c) {
+          SimTK::SmoothSphereHalfSpaceForce law(rig.forces);
+          law.setParameters(E, c, 0.8, 0.4, 0.3, 0.5, 1e-3, 30, 5);
+          law.setContactSphereBody(rig[sphere]);
+          law.setContactSphereLocationInBody(center);
+          law.setContactSphereRadius(radius);
+          law.setContactHalfSpaceBody(rig[plane]);
+          law.setContactHalfSpaceFrame(
+              SimTK::Transform(SimTK::Rotation(SimTK::UnitVec3(-normal), SimTK::XAxis), point));
+        };
+        add("hand", kTip, 0.6, "world", Vec3(0.1, 0.2, -0.3), Vec3(0.2, -0.4, 2), 900, 0.4);
+        add("buoy", kRing, 0.5, "mast", Vec3(0, 0, 0.4 - 0.1), Vec3(0.3, 0, 1), 400, 0.2);
+      });
+}
+
 // Simbody has no armatures. A rotor on the ground that turns N times as far as a joint has N^2 times its inertia for it,
 // and for nothing else.
 TEST(SimbodyForces, ArmatureIsAGearedRotor) {

@@ -68,8 +68,9 @@ std::string OsimDescription::define(const std::string& name, const std::string& 
 }
 
 std::string OsimDescription::add_frame(const std::string& name, std::size_t on,
-                                       const std::array<std::string, 3>& point, const SourceLocation& at) {
-  const std::string key = fmt::format("{} {}", name, fmt::join(point, " "));
+                                       const std::array<std::string, 3>& point, const SourceLocation& at,
+                                       const std::array<double, 3>& orientation) {
+  const std::string key = fmt::format("{} {} {}", name, fmt::join(point, " "), fmt::join(orientation, " "));
   if (const auto made = frames_made_.find({on, key}); made != frames_made_.end()) return made->second;
   const OsimFrame& frame = model.frames[on];
   const std::string fit = frame_names.add(name, at);
@@ -79,6 +80,7 @@ std::string OsimDescription::add_frame(const std::string& name, std::size_t on,
   factors.add_offsets(transform, frame, at);
   if (std::ranges::any_of(point, [](const std::string& text) { return text != "0"; }))
     transform.items.push_back(&nodes.single("translate", nodes.list({point[0], point[1], point[2]}, at)));
+  factors.add_offset(transform, {{}, orientation}, at);
   if (!transform.items.empty()) nodes.put(node, "transform", transform);
   frames_made_.emplace(std::pair(on, key), fit);
   return fit;

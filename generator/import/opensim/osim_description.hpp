@@ -31,9 +31,10 @@ struct OsimDescription {
 
   /// A definition, and the name that it gets.
   std::string define(const std::string& name, const std::string& text, const SourceLocation& at);
-  /// A frame at a point of another, and the name that it gets; a frame of the same name and place only once.
+  /// A frame at a point of another, turned about x, the new y and the new z, and the name that it gets; a frame of the same
+  /// name and place only once.
   std::string add_frame(const std::string& name, std::size_t on, const std::array<std::string, 3>& point,
-                        const SourceLocation& at);
+                        const SourceLocation& at, const std::array<double, 3>& orientation = {});
   /// The same at the origin, under the frame's own name.
   std::string frame_of(std::size_t frame, const SourceLocation& at);
   /// An input, and the name that it gets.

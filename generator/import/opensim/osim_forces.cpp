@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "import/common/snapped_angle.hpp"
+#include "import/opensim/osim_contacts.hpp"
 #include "import/opensim/osim_muscles.hpp"
 #include "import/opensim/osim_paths.hpp"
 #include "import/opensim/osim_sockets.hpp"
@@ -283,7 +284,9 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"Blankevoort1991Ligament", add_blankevoort_ligament},
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle},
-                                     {"DeGrooteFregly2016Muscle", add_degroote_muscle}};
+                                     {"DeGrooteFregly2016Muscle", add_degroote_muscle},
+                                     {"HuntCrossleyForce", add_hunt_crossley},
+                                     {"SmoothSphereHalfSpaceForce", add_smooth_contact}};
 
 const ForceType* force_type(pugi::xml_node element) {
   const auto type = std::ranges::find(kForceTypes, std::string_view(element.name()), &ForceType::name);
@@ -295,8 +298,9 @@ bool is_no_force(pugi::xml_node component) {
   const std::string_view name = component.name();
   for (const char* known : {"Body", "Marker", "Station", "ControlSet"})
     if (name == known) return true;
-  for (const char* end : {"Joint", "Constraint", "Frame", "Reporter", "Geometry", "Mesh", "Controller",
-                          "Probe", "WrapObject", "ContactSphere", "ContactHalfSpace"})
+  if (name.starts_with("Contact")) return true;
+  for (const char* end :
+       {"Joint", "Constraint", "Frame", "Reporter", "Geometry", "Mesh", "Controller", "Probe", "WrapObject"})
     if (name.ends_with(end)) return true;
   return false;
 }
@@ -319,9 +323,7 @@ std::vector<pugi::xml_node> acting_elements(const OsimDescription& of) {
 
 /// Sets of what is no part of the equations here.
 constexpr std::pair<const char*, const char*> kLeftSets[] = {
-    {"ControllerSet", "inputs are set by whoever calls"},
-    {"ContactGeometrySet", "contacts are not taken"},
-    {"ProbeSet", "what is measured is not taken"}};
+    {"ControllerSet", "inputs are set by whoever calls"}, {"ProbeSet", "what is measured is not taken"}};
 
 }  // namespace
 

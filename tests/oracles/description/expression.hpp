@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "oracles/taylor/jet.hpp"
@@ -114,20 +115,48 @@ S clamped(const S& x, const S& low, const S& high) {
   return leading(x) < leading(low) ? low : leading(x) > leading(high) ? high : x;
 }
 
+template <class S>
+class Evaluation;
+
 /// Value of `e` at coordinates `q` and time `t`. Where a function has branches, jets are those of the branch that is
 /// taken, and nothing else of a selection is looked at.
 template <class S>
 S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
+  return Evaluation<S>(q, t)(e);
+}
+
+/// One evaluation, which looks once at what stands in several places.
+template <class S>
+class Evaluation {
+ public:
+  Evaluation(const std::vector<S>& q, const S& t) : q_(q), t_(t) {}
+
+  S operator()(const Expression& e) {
+    if (e.use_count() == 1 || !e->operand[0]) return value(*e);
+    const auto known = known_.find(e.get());
+    return known != known_.end() ? known->second : known_.emplace(e.get(), value(*e)).first->second;
+  }
+
+ private:
+  S value(const ExpressionNode& e);
+
+  const std::vector<S>& q_;
+  const S& t_;
+  std::unordered_map<const ExpressionNode*, S> known_;
+};
+
+template <class S>
+S Evaluation<S>::value(const ExpressionNode& e) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
       std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
-  const auto operand = [&](std::size_t i) { return evaluate(e->operand[i], q, t); };
-  switch (e->operation) {
+  const auto operand = [&](std::size_t i) { return (*this)(e.operand[i]); };
+  switch (e.operation) {
     case Operation::number:
-      return S(e->number);
+      return S(e.number);
     case Operation::coordinate:
-      return q[static_cast<std::size_t>(e->coordinate)];
+      return q_[static_cast<std::size_t>(e.coordinate)];
     case Operation::time:
-      return t;
+      return t_;
     case Operation::add:
       return operand(0) + operand(1);
     case Operation::subtract:
@@ -137,8 +166,8 @@ S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
     case Operation::divide:
       return operand(0) / operand(1);
     case Operation::power:
-      if (is_constant(e->operand[1]))
-        return pow(operand(0), evaluate(e->operand[1], std::vector<double>{}, 0.0));
+      if (is_constant(e.operand[1]))
+        return pow(operand(0), evaluate(e.operand[1], std::vector<double>{}, 0.0));
       return exp(operand(1) * log(operand(0)));
     case Operation::negate:
       return -operand(0);
@@ -189,7 +218,7 @@ S evaluate(const Expression& e, const std::vector<S>& q, const S& t) {
       return S(x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0);
     }
     case Operation::table:
-      return e->table.at(operand(0));
+      return e.table.at(operand(0));
   }
   return S(0.0);
 }

@@ -2,6 +2,7 @@
 #include "oracles/description/force_section.hpp"
 
 #include <array>
+#include <cctype>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -83,7 +84,8 @@ Expression3 three_or_zero(const YAML::Node& node, const Names& names) {
   return {expression_of(node[0], names), expression_of(node[1], names), expression_of(node[2], names)};
 }
 
-/// A contact as formulas in text: a force at the surface of the sphere, and its opposite on what it touches.
+/// A contact as formulas in text, whose parts have names: a force at the surface of the sphere, and its opposite on what
+/// it touches.
 class ContactText {
  public:
   using Three = std::array<std::string, 3>;
@@ -120,25 +122,57 @@ class ContactText {
       for (std::size_t i = 0; i < 3; ++i) normal[i] = "(" + apart[i] + "/" + distance + ")";
       depth = "(" + radius + " + " + sphere["radius"].as<std::string>() + " - " + distance + ")";
     }
-    const Three arm = times("(-" + radius + ")", normal);
+    depth = called("contact__depth", depth);
+    normal = called("contact__normal", normal);
+    const Three arm = times("(" + text("flattening", "0") + "*" + depth + " - " + radius + ")", normal);
     Three velocity = at(frame, arm), other_arm;
     if (!other.empty()) {
       other_arm = difference(sum(center, arm), of(other, "position"));
       velocity = difference(velocity, at(other, other_arm));
     }
-    const std::string speed = dot(normal, velocity);
-    const std::string strength = text("stiffness", "0") + "*select(" + depth + ", " + depth +
-                                 "^1.5, 0)*max(0, 1 - 1.5*" + text("dissipation", "0") + "*" + speed + ")";
-    const Three slip = difference(velocity, times(speed, normal));
-    const std::string size = "sqrt(" + dot(slip, slip) + " + " + text("slip_velocity", "1") + "^2)";
-    const Three braking = times(text("friction", "0") + "/" + size, slip);
-    const Three force = times(strength, difference(normal, braking));
+    velocity = called("contact__velocity", velocity);
+    const std::string speed = called("contact__speed", dot(normal, velocity));
+    const std::string strength =
+        contact["normal_force"]
+            ? with_words(text("normal_force", ""), {{"depth", depth}, {"rate", "(-" + speed + ")"}})
+            : text("stiffness", "0") + "*select(" + depth + ", " + depth + "^1.5, 0)*max(0, 1 - 1.5*" +
+                  text("dissipation", "0") + "*" + speed + ")";
+    const Three slip = called("contact__slip", difference(velocity, times(speed, normal)));
+    const std::string size =
+        called("contact__size", "sqrt(" + dot(slip, slip) + " + " + text("slip_velocity", "1") + "^2)");
+    const Three braking = times(with_words(text("friction", "0"), {{"slip", size}}) + "/" + size, slip);
+    const Three force =
+        called("contact__force", times(called("contact__strength", strength), difference(normal, braking)));
     add(root, frame, force, arm);
     if (!other.empty()) add(root, other, times("(-1)", force), other_arm);
   }
   const std::vector<FrameForce>& forces() const { return forces_; }
 
  private:
+  std::string called(const std::string& name, const std::string& text) {
+    names_[name] = expression_of(YAML::Node(text), names_);
+    return name;
+  }
+  Three called(const std::string& name, const Three& texts) {
+    return {called(name + ".x", texts[0]), called(name + ".y", texts[1]), called(name + ".z", texts[2])};
+  }
+  /// A text in which words stand for others.
+  static std::string with_words(std::string text, const std::map<std::string, std::string>& words) {
+    const auto is_letter = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+      std::size_t end = i + 1;
+      if (is_letter(text[i]))
+        while (end < text.size() && is_letter(text[end])) ++end;
+      const std::string word = text.substr(i, end - i);
+      const auto found = words.find(word);
+      result += found == words.end() ? word : found->second;
+      i = end;
+    }
+    return result;
+  }
   static Three of(const std::string& frame, const std::string& what) {
     return {what + "(" + frame + ").x", what + "(" + frame + ").y", what + "(" + frame + ").z"};
   }
@@ -179,7 +213,7 @@ class ContactText {
     forces_.push_back(std::move(result));
   }
 
-  const Names& names_;
+  Names names_;
   std::vector<FrameForce> forces_;
 };
 

@@ -101,6 +101,7 @@ OsimSkeleton::OsimSkeleton(const std::string& file) {
   if (!joints.empty()) throw std::runtime_error("joints that the ground does not reach");
   for (const pugi::xml_node joint : closing) add_closing(joint);
   read_followers();
+  add_contacts();
   state_ = system_.realizeTopology();
   matter_.setUseEulerAngles(state_, true);
   system_.realizeModel(state_);
@@ -391,30 +392,105 @@ int OsimSkeleton::place(const std::pair<MobilizedBody, int>& slot) const {
   return static_cast<int>(slot.first.getFirstQIndex(state_)) + slot.second;
 }
 
+std::vector<SimTK::Vector> OsimSkeleton::rates_by(const std::vector<std::string>& order) const {
+  std::vector<SimTK::Vector> columns(order.size(), SimTK::Vector(state_.getNQ(), 0.0));
+  for (const auto& [name, slot] : slots_)
+    for (std::size_t k = 0; k < order.size(); ++k)
+      if (const auto by = values_.at(name).by.find(order[k]); by != values_.at(name).by.end())
+        columns[k][place(slot)] = by->second;
+  return columns;
+}
+
+Eigen::VectorXd OsimSkeleton::project(const std::vector<SimTK::Vector>& rates,
+                                      const SimTK::Vector& force) const {
+  SimTK::Vector in_q;
+  matter_.multiplyByNInv(state_, true, force, in_q);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(rates.size()));
+  for (std::size_t k = 0; k < rates.size(); ++k) out(static_cast<Eigen::Index>(k)) = ~rates[k] * in_q;
+  return out;
+}
+
+void OsimSkeleton::add_contacts() {
+  const auto geometry = [&](const std::string& path) {
+    return model_.child("ContactGeometrySet")
+        .child("objects")
+        .find_child_by_attribute("name", last_of(path).c_str());
+  };
+  const auto place_of = [&](pugi::xml_node of) {
+    const Place on =
+        find(text_of(of, of.child("socket_frame") ? "socket_frame" : "body_name"), "contactgeometryset");
+    return Place{on.body, on.in_body * offset(of.child("location"), of.child("orientation"))};
+  };
+  const auto number = [](pugi::xml_node of, const char* child, double otherwise) {
+    return of.child(child).text().as_double(otherwise);
+  };
+  std::vector<pugi::xml_node> all = {};
+  for (const pugi::xml_node parent : {model_.child("ForceSet").child("objects"), model_.child("components")})
+    for (const pugi::xml_node force : parent.children()) all.push_back(force);
+  for (const pugi::xml_node force : all) {
+    const std::string name = force.attribute("name").value();
+    if (force.name() == std::string("SmoothSphereHalfSpaceForce")) {
+      SimTK::SmoothSphereHalfSpaceForce law(forces_);
+      const pugi::xml_node sphere = geometry(text_of(force, "socket_sphere")),
+                           plane = geometry(text_of(force, "socket_half_space"));
+      const Place center = place_of(sphere), ground = place_of(plane);
+      law.setContactSphereBody(bodies_.at(center.body));
+      law.setContactSphereLocationInBody(center.in_body.p());
+      law.setContactSphereRadius(number(sphere, "radius", 0));
+      law.setContactHalfSpaceBody(bodies_.at(ground.body));
+      law.setContactHalfSpaceFrame(ground.in_body);
+      law.setParameters(number(force, "stiffness", 1), number(force, "dissipation", 0),
+                        number(force, "static_friction", 0), number(force, "dynamic_friction", 0),
+                        number(force, "viscous_friction", 0), number(force, "transition_velocity", 0.01),
+                        number(force, "constant_contact_force", 1e-5), number(force, "hertz_smoothing", 300),
+                        number(force, "hunt_crossley_smoothing", 50));
+      contact_forces_[name] = law.getForceIndex();
+    } else if (force.name() == std::string("HuntCrossleyForce")) {
+      const SimTK::ContactSetIndex set = contacts_.createContactSet();
+      SimTK::HuntCrossleyForce law(forces_, contacts_, set);
+      law.setTransitionVelocity(number(force, "transition_velocity", 0.01));
+      for (const pugi::xml_node group :
+           force.child("HuntCrossleyForce::ContactParametersSet").child("objects").children())
+        for (const std::string& path : words_in(group.child("geometry"))) {
+          const pugi::xml_node of = geometry(path);
+          const Place at = place_of(of);
+          if (of.name() == std::string("ContactSphere"))
+            contacts_.addBody(set, bodies_.at(at.body),
+                              SimTK::ContactGeometry::Sphere(number(of, "radius", 0)), at.in_body);
+          else
+            contacts_.addBody(set, bodies_.at(at.body), SimTK::ContactGeometry::HalfSpace(), at.in_body);
+          law.setBodyParameters(SimTK::ContactSurfaceIndex(contacts_.getNumBodies(set) - 1),
+                                number(group, "stiffness", 0), number(group, "dissipation", 0),
+                                number(group, "static_friction", 0), number(group, "dynamic_friction", 0),
+                                number(group, "viscous_friction", 0));
+        }
+      contact_forces_[name] = law.getForceIndex();
+    }
+  }
+}
+
+Eigen::VectorXd OsimSkeleton::contact(const std::string& name, const std::vector<std::string>& order) {
+  system_.realize(state_, SimTK::Stage::Dynamics);
+  SimTK::Vector_<SimTK::SpatialVec> on_bodies;
+  SimTK::Vector_<Vec3> on_particles;
+  SimTK::Vector on_speeds, pulled;
+  forces_.getForce(contact_forces_.at(name))
+      .calcForceContribution(state_, on_bodies, on_particles, on_speeds);
+  matter_.multiplyBySystemJacobianTranspose(state_, on_bodies, pulled);
+  return project(rates_by(order), pulled);
+}
+
 SkeletonDynamics OsimSkeleton::dynamics(const std::vector<std::string>& order) {
   const auto n = static_cast<Eigen::Index>(order.size());
-  // Rates of Simbody's q by the free speeds.
-  std::vector<SimTK::Vector> columns(order.size(), SimTK::Vector(state_.getNQ(), 0.0));
+  const std::vector<SimTK::Vector> columns = rates_by(order);
   SimTK::Vector rest(state_.getNQ(), 0.0);
-  for (const auto& [name, slot] : slots_) {
-    const Value& value = values_[name];
-    rest[place(slot)] = value.rate;
-    for (std::size_t k = 0; k < order.size(); ++k)
-      if (const auto by = value.by.find(order[k]); by != value.by.end()) columns[k][place(slot)] = by->second;
-  }
-  const auto project = [&](const SimTK::Vector& force) {
-    SimTK::Vector in_q;
-    matter_.multiplyByNInv(state_, true, force, in_q);
-    Eigen::VectorXd out(n);
-    for (Eigen::Index k = 0; k < n; ++k) out(k) = ~columns[static_cast<std::size_t>(k)] * in_q;
-    return out;
-  };
+  for (const auto& [name, slot] : slots_) rest[place(slot)] = values_[name].rate;
   SkeletonDynamics out{Eigen::MatrixXd(n, n), {}, {}};
   for (Eigen::Index k = 0; k < n; ++k) {
     SimTK::Vector u, Mu;
     matter_.multiplyByNInv(state_, false, columns[static_cast<std::size_t>(k)], u);
     matter_.multiplyByM(state_, u, Mu);
-    out.M.col(k) = project(Mu);
+    out.M.col(k) = project(columns, Mu);
   }
   const Vec3 gravity = vec3(model_.child("gravity"), Vec3(0, -9.80665, 0));
   SimTK::Vector_<SimTK::SpatialVec> weights(matter_.getNumBodies(), SimTK::SpatialVec(Vec3(0), Vec3(0)));
@@ -427,12 +503,12 @@ SkeletonDynamics OsimSkeleton::dynamics(const std::vector<std::string>& order) {
   }
   SimTK::Vector pulled, NDotu, rates, residual;
   matter_.multiplyBySystemJacobianTranspose(state_, weights, pulled);
-  out.g = -project(pulled);
+  out.g = -project(columns, pulled);
   matter_.multiplyByNDot(state_, false, state_.getU(), NDotu);
   matter_.multiplyByNInv(state_, false, SimTK::Vector(rest - NDotu), rates);
   matter_.calcResidualForceIgnoringConstraints(state_, SimTK::Vector(state_.getNU(), 0.0), weights, rates,
                                                residual);
-  out.c = project(residual);
+  out.c = project(columns, residual);
   return out;
 }
 

@@ -28,6 +28,8 @@ class OsimSkeleton {
   void set(const std::map<std::string, double>& q, const std::map<std::string, double>& u, double time);
   /// Of speeds in this order.
   SkeletonDynamics dynamics(const std::vector<std::string>& order);
+  /// What a contact force of Simbody adds to the generalized forces, over speeds in this order.
+  Eigen::VectorXd contact(const std::string& name, const std::vector<std::string>& order);
   /// World position of a point in a frame, given as the file names frames.
   SimTK::Vec3 point(const std::string& frame, const SimTK::Vec3& at) const;
   /// Pose of a frame that an element owns, or of any other.
@@ -70,11 +72,19 @@ class OsimSkeleton {
                                       const SimTK::Transform& in, const SimTK::Body& body,
                                       const SimTK::Transform& out, SimTK::MobilizedBody::Direction direction);
   int place(const Slot& slot) const;
+  void add_contacts();
+  /// Rates of Simbody's q by each of the free speeds.
+  std::vector<SimTK::Vector> rates_by(const std::vector<std::string>& order) const;
+  /// A force over Simbody's speeds as one over the free ones.
+  Eigen::VectorXd project(const std::vector<SimTK::Vector>& rates, const SimTK::Vector& force) const;
 
   pugi::xml_document document_;
   pugi::xml_node model_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
+  SimTK::GeneralForceSubsystem forces_{system_};
+  SimTK::GeneralContactSubsystem contacts_{system_};
+  std::map<std::string, SimTK::ForceIndex> contact_forces_;
   SimTK::State state_;
   std::map<std::string, SimTK::Body::Rigid> rigid_;
   std::map<std::string, SimTK::MobilizedBody> bodies_;
