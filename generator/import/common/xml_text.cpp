@@ -228,7 +228,9 @@ void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
           (is_element ? "element " : "attribute ") + shown});
   };
   for (const pugi::xml_node child : element.children()) {
-    const std::string_view name = child.name();
+    std::string_view name = child.name();
+    if (!format_.older_end.empty() && name.ends_with(format_.older_end))
+      name.remove_suffix(format_.older_end.size());
     if (child.type() != pugi::node_element || is_among(name, children) || passed_over(name, where(child)))
       continue;
     unknown(where(child), name, true, children);

@@ -26,6 +26,7 @@ inline constexpr const char* kExpandXacro = "expand it first: xacro FILE > robot
 struct XmlFormat {
   std::string_view root;
   std::span<const std::string_view> vital;
+  std::string_view older_end = {};  ///< what names of elements may end in besides
 };
 
 /// The text of an element, which comments may split; without white space around it.

@@ -56,18 +56,17 @@ pugi::xml_node find_geometry(const OsimDescription& of, pugi::xml_node force, co
 /// None, with a warning, if it is neither a sphere nor a half space.
 std::optional<Surface> read_surface(OsimDescription& out, pugi::xml_node force, const std::string& path) {
   const pugi::xml_node element = find_geometry(out, force, path);
-  Surface out_surface;
-  out_surface.element = element;
-  out_surface.sphere = element.name() == std::string_view("ContactSphere");
-  if (!out_surface.sphere && element.name() != std::string_view("ContactHalfSpace")) {
+  Surface surface;
+  surface.element = element;
+  surface.sphere = element.name() == std::string_view("ContactSphere");
+  if (!surface.sphere && element.name() != std::string_view("ContactHalfSpace")) {
     out.left(element, "only spheres and half spaces are in contact");
     return {};
   }
-  out_surface.frame =
-      resolve_osim_frame(out.model, OsimXml::text(element, {"socket_frame", "body_name"}),
-                         "/contactgeometryset", out.xml.where(element), OsimXml::title(element));
-  if (out_surface.sphere) out_surface.radius = out.xml.positive_number(element, "radius", 0);
-  return out_surface;
+  surface.frame = resolve_osim_frame(out.model, OsimXml::text(element, {"socket_frame", "body_name"}),
+                                     "/contactgeometryset", out.xml.where(element), OsimXml::title(element));
+  if (surface.sphere) surface.radius = out.xml.positive_number(element, "radius", 0);
+  return surface;
 }
 
 /// The frame of a surface: its origin is the centre of a sphere, or on the surface of a half space, which is where its

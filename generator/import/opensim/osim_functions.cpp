@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "import/common/snapped_angle.hpp"
@@ -40,7 +41,7 @@ class FunctionReader {
     if (type == "MultiplierFunction") return multiplier(element, nesting);
     if (type == "SimmSpline" || type == "NaturalCubicSpline" || type == "natCubicSpline")
       return curve(element, type == "SimmSpline" ? "simm_spline" : "spline", true);
-    if (type == "PiecewiseLinearFunction") return curve(element, "linear", false);
+    if (type == "PiecewiseLinearFunction") return piecewise_linear(element);
     if (type == "Sine") return sine(element);
     throw InputError(
         xml_.where(element), fmt::format("the function <{}> cannot be expressed", printable(type)),
@@ -60,7 +61,11 @@ class FunctionReader {
   OsimFunction linear(pugi::xml_node element) const {
     const pugi::xml_node coefficients = element.child("coefficients");
     if (!coefficients) throw InputError(xml_.where(element), "no <coefficients> in a LinearFunction");
-    const std::vector<double> c = xml_.numbers(coefficients, arguments_.size() + 1);
+    return linear_function(xml_.numbers(coefficients, arguments_.size() + 1));
+  }
+
+  /// Of a factor for each argument and an offset.
+  OsimFunction linear_function(const std::vector<double>& c) const {
     std::vector<std::string> terms;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       if (c[i] != 0) terms.push_back(product_text(c[i], arguments_[i]));
@@ -70,6 +75,20 @@ class FunctionReader {
     out.text = sum_text(terms);
     if (arguments_.size() == 1) out.linear = {c[0], c[1]};
     return out;
+  }
+
+  /// Without kinks where its points are on one line, but for rounding.
+  OsimFunction piecewise_linear(pugi::xml_node element) const {
+    constexpr double kRounding = 1e-14;
+    OsimFunction out = curve(element, "linear", false);
+    if (out.constant) return out;
+    const std::vector<double> x = xml_.numbers(element.child("x")), y = xml_.numbers(element.child("y"));
+    const double slope = (y.back() - y.front()) / (x.back() - x.front());
+    const double largest = std::max(std::abs(y.front()), std::abs(y.back()));
+    for (std::size_t i = 1; i + 1 < x.size(); ++i)
+      if (std::abs(y[i] - y.front() - slope * (x[i] - x.front())) > kRounding * largest) return out;
+    const double offset = y.front() - slope * x.front();
+    return linear_function({slope, std::abs(offset) > kRounding * largest ? offset : 0});
   }
 
   /// The coefficient of the highest power comes first.
@@ -180,7 +199,7 @@ class FunctionReader {
     };
     OsimFunction out;
     out.text = fmt::format("{}({}; {}; {})", name, argument, list(knots), list(values));
-    out.smooth = smooth || knots.size() == 2;
+    out.smooth = smooth;
     return out;
   }
 

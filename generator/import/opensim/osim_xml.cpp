@@ -59,7 +59,9 @@ std::string OsimXml::title(pugi::xml_node element) {
 }
 
 std::string OsimXml::text(pugi::xml_node element, const char* property) {
-  return text_of_element(element.child(property));
+  const pugi::xml_node found = element.child(property);
+  if (found || !std::string_view(property).starts_with("socket_")) return text_of_element(found);
+  return text_of_element(element.child((property + std::string(kOlderSocketEnd)).c_str()));
 }
 
 std::string OsimXml::text(pugi::xml_node element, std::initializer_list<const char*> properties) {

@@ -14,6 +14,9 @@
 
 namespace alembert {
 
+/// What names of sockets ended in before 4.0: <socket_parent_connectee_name>.
+inline constexpr std::string_view kOlderSocketEnd = "_connectee_name";
+
 class OsimXml {
  public:
   explicit OsimXml(const XmlText& xml);
@@ -26,7 +29,7 @@ class OsimXml {
 
   /// A property's element: the object's own, or that of the model's <defaults> for its type. Null if neither has one.
   pugi::xml_node property(pugi::xml_node element, const char* name) const;
-  /// Text of a property without white space around it; empty where there is none.
+  /// Text of a property without white space around it, or of a socket by its older name; empty where there is none.
   static std::string text(pugi::xml_node element, const char* property);
   /// The first of several properties that has a text.
   static std::string text(pugi::xml_node element, std::initializer_list<const char*> properties);

@@ -59,7 +59,9 @@ Eigen::VectorXd numeric_gradient(OsimSkeleton& skeleton, const NamedMotion& moti
 double path_length(const OsimSkeleton& skeleton, pugi::xml_node path) {
   const auto text = [](pugi::xml_node point, std::initializer_list<const char*> names) {
     for (const char* name : names)
-      if (const pugi::xml_node found = point.child(name)) return std::string(found.child_value());
+      for (const char* end : {"", "_connectee_name"})
+        if (const pugi::xml_node found = point.child((std::string(name) + end).c_str()))
+          return std::string(found.child_value());
     return std::string();
   };
   const auto coordinate = [&](const std::string& path_to) {

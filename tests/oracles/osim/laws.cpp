@@ -60,6 +60,18 @@ Law cubic(const std::vector<double>& x, const std::vector<double>& y, bool simm)
   return law;
 }
 
+/// Straight between its points and beyond its ends.
+Law straight(const std::vector<double>& x, const std::vector<double>& y) {
+  Law law;
+  law.curve = [x, y](double q) -> std::array<double, 3> {
+    std::size_t i = 0;
+    while (i + 2 < x.size() && q > x[i + 1]) ++i;
+    const double slope = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    return {y[i] + slope * (q - x[i]), slope, 0};
+  };
+  return law;
+}
+
 Law polynomial_law(const std::vector<double>& c) {
   Law law;
   law.curve = [c](double x) {
@@ -121,6 +133,8 @@ Law read_law(pugi::xml_node element, std::size_t variables) {
     return polynomial_law(numbers_in(element.child("coefficients")));
   } else if (type == "SimmSpline" || type == "NaturalCubicSpline") {
     return cubic(numbers_in(element.child("x")), numbers_in(element.child("y")), type == "SimmSpline");
+  } else if (type == "PiecewiseLinearFunction") {
+    return straight(numbers_in(element.child("x")), numbers_in(element.child("y")));
   } else if (type == "Sine") {
     const double a = element.child("amplitude").text().as_double(1),
                  w = element.child("omega").text().as_double(1),

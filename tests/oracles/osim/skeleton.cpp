@@ -28,7 +28,8 @@ std::string last_of(const std::string& path) {
 }
 
 std::string text_of(pugi::xml_node element, const char* child) {
-  std::string text = element.child(child).child_value();
+  const std::string older = std::string(child) + "_connectee_name";
+  std::string text = element.child(element.child(child) ? child : older.c_str()).child_value();
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
   return text.substr(std::min(text.find_first_not_of(" \t\n"), text.size()));
 }
@@ -170,7 +171,7 @@ OsimSkeleton::Place OsimSkeleton::find_by_stations(pugi::xml_node frame) const {
 std::pair<OsimSkeleton::Place, OsimSkeleton::Place> OsimSkeleton::ends(pugi::xml_node joint) const {
   const std::string name = joint.attribute("name").value();
   Place parent, child;
-  if (joint.child("socket_parent_frame")) {
+  if (!text_of(joint, "socket_parent_frame").empty()) {
     parent = find(text_of(joint, "socket_parent_frame"), name);
     child = find(text_of(joint, "socket_child_frame"), name);
   } else {
