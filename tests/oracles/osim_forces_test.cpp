@@ -37,7 +37,8 @@ struct Rig {
   /// What a force adds to the generalized forces.
   Eigen::VectorXd contribution(std::size_t i, const std::string& name) const {
     std::vector<std::string> names = imported.description().force_names;
-    names.erase(std::unique(names.begin(), names.end()), names.end());  // both sides of a contact have its name
+    names.erase(std::unique(names.begin(), names.end()),
+                names.end());  // both sides of a contact have its name
     const auto row = std::find(names.begin(), names.end(), name) - names.begin();
     return found[i].at("force_contributions").at("Q").row(row).transpose();
   }
@@ -60,6 +61,19 @@ struct Rig {
     for (std::size_t k = 0; k < motion.order.size(); ++k)
       sum += gradient(static_cast<Eigen::Index>(k)) * motion.u.at(motion.order[k]);
     return sum;
+  }
+  /// What a force or torque in world axes that stays as it is now does along a motion.
+  Eigen::VectorXd of_force(const NamedMotion& motion, const char* body, const Vec3& place,
+                           const Vec3& force) {
+    return numeric_gradient(skeleton, motion,
+                            [=](const OsimSkeleton& s) { return SimTK::dot(force, s.point(body, place)); });
+  }
+  Eigen::VectorXd of_torque(const NamedMotion& motion, const char* body, const Vec3& torque) {
+    const SimTK::Rotation now = skeleton.pose(body, "").R();
+    return numeric_gradient(skeleton, motion, [=](const OsimSkeleton& s) {
+      const SimTK::Vec4 turn = (s.pose(body, "").R() * ~now).convertRotationToAngleAxis();
+      return turn[0] * SimTK::dot(torque, Vec3(turn[1], turn[2], turn[3]));
+    });
   }
   /// What a force along a coordinate does, which may follow others.
   Eigen::VectorXd along(const NamedMotion& motion, const char* coordinate, double value) const {
@@ -133,17 +147,11 @@ TEST(OsimForces, FollowTheirLaws) {
                  2;
         }),
         kDifferences);
-    // What a force or torque that stays as it is now does along a motion.
     const auto of_force = [&](const char* body, const Vec3& place, const Vec3& force) {
-      return Eigen::VectorXd(
-          -of_energy([=](const OsimSkeleton& s) { return SimTK::dot(force, s.point(body, place)); }));
+      return rig.of_force(motion, body, place, force);
     };
     const auto of_torque = [&](const char* body, const Vec3& torque) {
-      const SimTK::Rotation now = at.pose(body, "").R();
-      return Eigen::VectorXd(-of_energy([=](const OsimSkeleton& s) {
-        const SimTK::Vec4 turn = (s.pose(body, "").R() * ~now).convertRotationToAngleAxis();
-        return turn[0] * SimTK::dot(torque, Vec3(turn[1], turn[2], turn[3]));
-      }));
+      return rig.of_torque(motion, body, torque);
     };
     const SimTK::Rotation lower = at.pose("lower", "").R();
     expect("jet", of_force("lower", Vec3(0.1, -0.1, 0.05), lower * (2 * inputs.at("jet") * Vec3(1, 2, -2))),
@@ -236,6 +244,67 @@ TEST(OsimForces, AreAlongCurvesAndDampedInBushings) {
   }
   EXPECT_GE(engaged, kStates / 3);
   EXPECT_EQ(rig.imported.description().force_names.size(), 9U);
+}
+
+TEST(OsimForces, ExpressionsAndFunctionsOfTime) {
+  Rig rig("expression_forces.osim");
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    const OsimSkeleton& at = rig.skeleton;
+    const auto expect = [&](const char* name, const Eigen::VectorXd& expected,
+                            double tolerance = kDifferences) {
+      expect_near(name, rig.contribution(i, name), expected, tolerance);
+    };
+    const double activation = rig.states[i].states.at("servo_activation");
+    expect("servo", rig.along(motion, "elbow", 30 * activation), 1e-11);
+    EXPECT_NEAR(rig.rate_of(i, "servo_activation"), (rig.states[i].inputs.at("servo") - activation) / 0.035,
+                1e-9);
+    const double q = at.coordinate("shoulder"), u = at.speed("shoulder");
+    expect(
+        "stiff",
+        rig.along(motion, "shoulder",
+                  -2.44 * std::exp(1.5 * (q - 0.81)) + 1.51 * std::exp(-1.8 * (q + 0.5)) - 0.3 * u * u * u),
+        1e-11);
+    expect("geared_stiff",
+           rig.along(motion, "drive",
+                     -20 * std::max(at.coordinate("drive"), 0.1) - std::min(at.speed("drive"), 2.0)),
+           1e-11);
+    const auto distance = [](const OsimSkeleton& s) {
+      return (s.point("/ground", Vec3(0.3, 0.1, 0.2)) - s.point("/bodyset/lower", Vec3(0, -0.2, 0.05)))
+          .norm();
+    };
+    const Eigen::VectorXd line = numeric_gradient(rig.skeleton, motion, distance);
+    expect("cord", -(25 * std::pow(distance(at) - 0.3, 3) + 2 * Rig::rate(motion, line)) * line);
+    const auto deflection = [](const OsimSkeleton& s, int axis) {
+      const SimTK::Transform X = ~s.pose("/bodyset/upper", "") * s.pose("/bodyset/lower", "");
+      return axis < 3 ? X.R().convertRotationToBodyFixedXYZ()[axis] : X.p()[axis - 3];
+    };
+    const auto d = [&](int axis) { return deflection(at, axis); };
+    const struct {
+      const char* name;
+      int axis;
+      double force, damping;
+    } cuffs[] = {{"cuff_turn_x", 0, 9.5 * d(0) - 29.5 * d(0) * d(0) + d(4), 0.1},
+                 {"cuff_turn_y", 1, 0, 0.2},
+                 {"cuff_turn_z", 2, 4 * std::sin(d(2)) * d(0), 0},
+                 {"cuff_shift_x", 3, 3 * d(3), 0},
+                 {"cuff_shift_z", 5, 0, 0.4}};
+    for (const auto& cuff : cuffs) {
+      const Eigen::VectorXd slope = numeric_gradient(
+          rig.skeleton, motion, [&](const OsimSkeleton& s) { return deflection(s, cuff.axis); });
+      expect(cuff.name, -(cuff.force + cuff.damping * Rig::rate(motion, slope)) * slope);
+    }
+    const double t = motion.time;
+    const SimTK::Transform upper = at.pose("upper", ""), lower = at.pose("lower", "");
+    expect("gust", rig.of_force(motion, "lower", Vec3(0.1 * t + 0.02, 0.1, 0), Vec3(2 * t + 1, 0, -3)) +
+                       rig.of_torque(motion, "lower", Vec3(0, t + 0.5, 0.2)));
+    expect("thruster",
+           rig.of_force(motion, "upper", ~upper * Vec3(0.1, 0.3 * t + 0.2, 0), upper.R() * Vec3(1, 2, -1)));
+    expect("tug", rig.of_force(motion, "upper", ~upper * Vec3(0.2, 0.2, 0.1), Vec3(4, 0, 1)));
+    expect("twist", rig.of_torque(motion, "lower", lower.R() * Vec3(0.4, 2 * std::sin(3 * t), 0)));
+  }
+  EXPECT_EQ(rig.imported.description().force_names.size(), 13U);
 }
 
 /// Thelen's curves, in optimal lengths and largest forces.

@@ -10,21 +10,12 @@
 #include "import/common/snapped_angle.hpp"
 #include "import/opensim/osim_contacts.hpp"
 #include "import/opensim/osim_muscles.hpp"
-#include "import/opensim/osim_paths.hpp"
+#include "import/opensim/osim_path_forces.hpp"
 #include "import/opensim/osim_sockets.hpp"
 #include "import/opensim/osim_wrenches.hpp"
 
 namespace alembert {
 namespace {
-
-std::string times(double factor, const std::string& of) {
-  return factor == 1 ? of : fmt::format("{}*{}", number_text(factor), of);
-}
-
-/// Of a Ligament that says none, over its length in resting lengths.
-constexpr const char* kLigamentCurve =
-    "[-5, 0.998, 0.999, 1, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.601, 1.602, 5]; "
-    "[0, 0, 0, 0, 0.035, 0.12, 0.26, 0.55, 1.17, 2, 2, 2, 2]";
 
 /// Joints whose first three speeds are an angular velocity, and no rates of their angles.
 constexpr std::string_view kTurningTogether[] = {"BallJoint", "FreeJoint", "EllipsoidJoint",
@@ -55,7 +46,7 @@ std::optional<Along> along(OsimDescription& out, pugi::xml_node force) {
     return {};
   }
   const std::string& on = out.text_of(driver->first);
-  return Along{name, times(driver->second, fmt::format("d({})", on)), on, driver->second};
+  return Along{name, times_text(driver->second, fmt::format("d({})", on)), on, driver->second};
 }
 
 void put_along(OsimDescription& out, pugi::xml_node element, const Along& where, const std::string& value) {
@@ -66,15 +57,11 @@ void put_along(OsimDescription& out, pugi::xml_node element, const Along& where,
           where.factor == 1 ? value : fmt::format("{}*({})", number_text(where.factor), value), at);
 }
 
-std::string input_of(OsimDescription& out, pugi::xml_node actuator) {
-  return out.add_input(OsimXml::name_of(actuator), 0, osim_control_limits(out.xml, actuator),
-                       out.xml.where(actuator));
-}
-
 bool add_coordinate_actuator(OsimDescription& out, pugi::xml_node element) {
   const std::optional<Along> where = along(out, element);
   if (!where) return false;
-  put_along(out, element, *where, times(out.xml.number(element, "optimal_force", 1), input_of(out, element)));
+  put_along(out, element, *where,
+            times_text(out.xml.number(element, "optimal_force", 1), osim_control(out, element)));
   return true;
 }
 
@@ -136,22 +123,28 @@ std::string point_frame(OsimDescription& out, pugi::xml_node element, std::initi
                        at);
 }
 
-bool add_point_spring(OsimDescription& out, pugi::xml_node element) {
+/// A force on the line between two points of bodies, without its tension.
+YamlNode& add_between_points(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string first = point_frame(out, element, {"socket_body1", "body1"}, "point1", "_1"),
                     second = point_frame(out, element, {"socket_body2", "body2"}, "point2", "_2");
-  const double stiffness = out.xml.number(element, "stiffness", 1),
-               rest = out.xml.number(element, "rest_length", 0);
   YamlNode& force = out.add_force(OsimXml::name_of(element), at);
   out.nodes.put(force, "between", out.nodes.list({first, second}, at));
+  return force;
+}
+
+bool add_point_spring(OsimDescription& out, pugi::xml_node element) {
+  YamlNode& force = add_between_points(out, element);
+  const double stiffness = out.xml.number(element, "stiffness", 1),
+               rest = out.xml.number(element, "rest_length", 0);
   out.put(force, "tension",
-          fmt::format("{}*({})", number_text(stiffness), sum_text({"length", number_text(-rest)})), at);
+          fmt::format("{}*({})", number_text(stiffness), sum_text({"length", number_text(-rest)})),
+          out.xml.where(element));
   return true;
 }
 
-/// The energy of three angles, of the second frame in the first, and of its origin in the first's axes; damping acts along
-/// each of the six.
-bool add_bushing(OsimDescription& out, pugi::xml_node element) {
+/// Three angles, of the second frame of a bushing in the first, and three shifts of its origin along the first's axes.
+std::array<std::string, 6> deflections_of(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string owner = "/forceset/" + OsimXml::name_of(element);
   const auto places = out.model.places.find(element);
@@ -174,97 +167,123 @@ bool add_bushing(OsimDescription& out, pugi::xml_node element) {
       terms.push_back(fmt::format("rotation({}).{}{}*rotation({}).{}{}", a, k, row, b, k, column));
     return "(" + sum_text(terms) + ")";
   };
-  const std::array<double, 3> none{}, turn = out.xml.vector<3>(element, "rotational_stiffness", none),
-                                      shift = out.xml.vector<3>(element, "translational_stiffness", none);
-  const std::string angles[] = {fmt::format("atan2(-{}, {})", entry('y', 'z'), entry('z', 'z')),
-                                fmt::format("asin({})", entry('x', 'z')),
-                                fmt::format("atan2(-{}, {})", entry('x', 'y'), entry('x', 'x'))};
-  const auto shift_along = [&](std::size_t axis) {
+  const auto shift_along = [&](char axis) {
     std::vector<std::string> sum;
     for (const char k : {'x', 'y', 'z'})
-      sum.push_back(fmt::format("rotation({0}).{1}{2}*(position({3}).{1} - position({0}).{1})", a, k,
-                                static_cast<char>('x' + axis), b));
+      sum.push_back(
+          fmt::format("rotation({0}).{1}{2}*(position({3}).{1} - position({0}).{1})", a, k, axis, b));
     return sum_text(sum);
   };
+  return {fmt::format("atan2(-{}, {})", entry('y', 'z'), entry('z', 'z')),
+          fmt::format("asin({})", entry('x', 'z')),
+          fmt::format("atan2(-{}, {})", entry('x', 'y'), entry('x', 'x')),
+          shift_along('x'),
+          shift_along('y'),
+          shift_along('z')};
+}
+
+/// Of a bushing for each of its deflections, of which `turning` and `shifting` are properties.
+std::array<double, 6> of_deflections(const OsimXml& xml, pugi::xml_node element, const char* turning,
+                                     const char* shifting) {
+  const std::array<double, 3> turn = xml.vector<3>(element, turning, {}),
+                              shift = xml.vector<3>(element, shifting, {});
+  return {turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]};
+}
+
+std::string deflection_name(pugi::xml_node element, std::size_t i) {
+  return fmt::format("{}_{}_{}", OsimXml::name_of(element), i < 3 ? "turn" : "shift", "xyz"[i % 3]);
+}
+
+/// The energy of the deflections; damping acts along each of them.
+bool add_bushing(OsimDescription& out, pugi::xml_node element) {
+  const SourceLocation at = out.xml.where(element);
+  const std::array<std::string, 6> deflections = deflections_of(out, element);
+  const std::array<double, 6> stiffness = of_deflections(out.xml, element, "rotational_stiffness",
+                                                         "translational_stiffness"),
+                              damping = of_deflections(out.xml, element, "rotational_damping",
+                                                       "translational_damping");
   std::vector<std::string> terms;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (turn[i] != 0) terms.push_back(times(turn[i] / 2, angles[i] + "^2"));
-  for (std::size_t i = 0; i < 3; ++i)
-    if (shift[i] != 0) terms.push_back(times(shift[i] / 2, fmt::format("({})^2", shift_along(i))));
+  for (std::size_t i = 0; i < 6; ++i)
+    if (stiffness[i] != 0)
+      terms.push_back(
+          times_text(stiffness[i] / 2, i < 3 ? deflections[i] + "^2" : "(" + deflections[i] + ")^2"));
   YamlNode& force = out.add_force(OsimXml::name_of(element), at);
   out.put(force, "potential", sum_text(terms), at);
-  const std::array<double, 3> slow_turn = out.xml.vector<3>(element, "rotational_damping", none),
-                              slow_shift = out.xml.vector<3>(element, "translational_damping", none);
   for (std::size_t i = 0; i < 6; ++i) {
-    const double damping = i < 3 ? slow_turn[i] : slow_shift[i - 3];
-    if (damping == 0) continue;
-    YamlNode& damper = out.add_force(
-        fmt::format("{}_{}_{}", OsimXml::name_of(element), i < 3 ? "turn" : "shift", "xyz"[i % 3]), at);
-    out.put(damper, "along", i < 3 ? angles[i] : shift_along(i - 3), at);
-    out.put(damper, "value", times(-damping, "rate"), at);
+    if (damping[i] == 0) continue;
+    YamlNode& damper = out.add_force(deflection_name(element, i), at);
+    out.put(damper, "along", deflections[i], at);
+    out.put(damper, "value", times_text(-damping[i], "rate"), at);
   }
   return true;
 }
 
-/// A force of a tension along a path.
-bool put_on_path(OsimDescription& out, pugi::xml_node element, const std::string& tension) {
+/// A force along each deflection, which is an expression of all of them; damping.
+bool add_expression_bushing(OsimDescription& out, pugi::xml_node element) {
+  constexpr const char* kProperties[] = {"Mx_expression", "My_expression", "Mz_expression",
+                                         "Fx_expression", "Fy_expression", "Fz_expression"};
+  constexpr const char* kVariables[] = {"theta_x", "theta_y", "theta_z", "delta_x", "delta_y", "delta_z"};
   const SourceLocation at = out.xml.where(element);
-  YamlNode& force = out.add_force(OsimXml::name_of(element), at);
-  if (!add_osim_path(out, force, element)) {
-    out.sections["forces"]->items.pop_back();
-    return false;
+  const std::array<std::string, 6> deflections = deflections_of(out, element);
+  const std::array<double, 6> damping =
+      of_deflections(out.xml, element, "rotational_damping", "translational_damping");
+  for (std::size_t i = 0; i < 6; ++i) {
+    std::vector<OsimVariable> variables;
+    for (std::size_t k = 0; k < 6; ++k) variables.push_back({kVariables[k], "(" + deflections[k] + ")"});
+    YamlNode& force = out.add_force(deflection_name(element, i), at);
+    variables[i].text = fmt::format("length({})", OsimDescription::name_of(force));
+    const std::string strength = read_osim_expression(out.xml, element, kProperties[i], variables);
+    std::vector<std::string> terms;
+    if (strength != "0") terms.push_back(fmt::format("-({})", strength));
+    if (damping[i] != 0) terms.push_back(times_text(-damping[i], "rate"));
+    if (terms.empty()) {
+      out.sections["forces"]->items.pop_back();
+      continue;
+    }
+    out.put(force, "along", deflections[i], at);
+    out.put(force, "value", sum_text(terms), at);
   }
-  out.put(force, "tension", tension, at);
   return true;
 }
 
-bool add_path_actuator(OsimDescription& out, pugi::xml_node element) {
-  return put_on_path(out, element,
-                     times(out.xml.number(element, "optimal_force", 1), input_of(out, element)));
+/// Of `q` and `qdot`.
+bool add_expression_coordinate(OsimDescription& out, pugi::xml_node element) {
+  const std::optional<Along> where = along(out, element);
+  if (!where) return false;
+  const auto factor = [](const std::string& of) {
+    return of.find_first_of("*+- ") == std::string::npos ? of : "(" + of + ")";
+  };
+  put_along(out, element, *where,
+            read_osim_expression(out.xml, element, "expression",
+                                 {{"q", factor(where->position)}, {"qdot", factor(where->speed)}}));
+  return true;
 }
 
-bool add_path_spring(OsimDescription& out, pugi::xml_node element) {
-  const double rest = out.xml.number(element, "resting_length", 0),
-               k = out.xml.number(element, "stiffness", 0),
-               dissipation = out.xml.number(element, "dissipation", 0);
-  return put_on_path(out, element,
-                     fmt::format("{}*max(0, {})*(1 + {}*rate)", number_text(k),
-                                 sum_text({"length", number_text(-rest)}), number_text(dissipation)));
+/// Of the distance `d` of two points and its rate `ddot`; it pulls them together.
+bool add_expression_between(OsimDescription& out, pugi::xml_node element) {
+  YamlNode& force = add_between_points(out, element);
+  out.put(force, "tension",
+          read_osim_expression(out.xml, element, "expression", {{"d", "length"}, {"ddot", "rate"}}),
+          out.xml.where(element));
+  return true;
 }
 
-/// A curve of the length in resting lengths, and nothing below.
-bool add_ligament(OsimDescription& out, pugi::xml_node element) {
-  const double rest = out.xml.positive_number(element, "resting_length", 0),
-               force = out.xml.number(element, "pcsa_force", 0);
-  const std::string length = fmt::format("(length/{})", number_text(rest));
-  const pugi::xml_node curve = find_osim_function(element, "force_length_curve");
-  const std::string tension = curve
-                                  ? scaled_text(force, read_osim_function(out.xml, curve, {length}))
-                                  : times(force, fmt::format("simm_spline({}; {})", length, kLigamentCurve));
-  return put_on_path(out, element, fmt::format("select(length - {}, {}, 0)", number_text(rest), tension));
-}
-
-/// Quadratic in the strain up to that of the transition, then straight; damped where it is stretched and lengthens, which
-/// sets in over a strain of 0.01 by 10 s^3 - 15 s^4 + 6 s^5. Source: Blankevoort and Huiskes, Ligament-Bone Interaction
-/// in a Three-Dimensional Model of the Knee, Journal of Biomechanical Engineering 113 (1991), 263-269.
-bool add_blankevoort_ligament(OsimDescription& out, pugi::xml_node element) {
-  const double slack = out.xml.positive_number(element, "slack_length", 0),
-               stiffness = out.xml.number(element, "linear_stiffness", 1),
-               transition = out.xml.number(element, "transition_strain", 0.06),
-               damping = out.xml.number(element, "damping_coefficient", 0.003);
-  const std::string strain = fmt::format("(length/{} - 1)", number_text(slack));
-  std::vector<std::string> terms;
-  if (transition > 0)
-    terms.push_back(fmt::format("{}*clamp({}, 0, {})^2", number_text(stiffness / (2 * transition)), strain,
-                                number_text(transition)));
-  terms.push_back(fmt::format("{}*max(0, length/{} - {})", number_text(stiffness), number_text(slack),
-                              number_text(1 + std::max(0.0, transition))));
-  if (damping > 0) {
-    const std::string onset = fmt::format("clamp(100*{}, 0, 1)", strain);
-    terms.push_back(
-        fmt::format("{0}*max(0, rate)*{1}^3*(10 - 15*{1} + 6*{1}^2)", number_text(damping / slack), onset));
-  }
-  return put_on_path(out, element, sum_text(terms));
+/// Its activation follows the control.
+bool add_activation_actuator(OsimDescription& out, pugi::xml_node element) {
+  const std::optional<Along> where = along(out, element);
+  if (!where) return false;
+  const SourceLocation at = out.xml.where(element);
+  const std::string control = osim_control(out, element);
+  const std::string activation = out.names.add(OsimXml::name_of(element) + "_activation", at);
+  const std::array<double, 2> limits = osim_control_limits(out.xml, element);
+  const bool limited = std::isfinite(limits[0]) && std::isfinite(limits[1]) && limits[0] < limits[1];
+  out.add_state(activation, out.xml.number(element, "default_activation", 0.5),
+                limited ? limits : std::array<double, 2>{-1, 1},
+                fmt::format("({} - {})/{}", control, activation,
+                            number_text(out.xml.positive_number(element, "activation_time_constant", 0.01))),
+                at);
+  put_along(out, element, *where, times_text(out.xml.number(element, "optimal_force", 1), activation));
+  return true;
 }
 
 struct ForceType {
@@ -272,6 +291,11 @@ struct ForceType {
   bool (*add)(OsimDescription&, pugi::xml_node);
 };
 constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actuator},
+                                     {"ActivationCoordinateActuator", add_activation_actuator},
+                                     {"ExpressionBasedCoordinateForce", add_expression_coordinate},
+                                     {"ExpressionBasedPointToPointForce", add_expression_between},
+                                     {"ExpressionBasedBushingForce", add_expression_bushing},
+                                     {"PrescribedForce", add_prescribed_force},
                                      {"SpringGeneralizedForce", add_generalized_spring},
                                      {"CoordinateLimitForce", add_coordinate_limit},
                                      {"PointToPointSpring", add_point_spring},
@@ -331,6 +355,11 @@ std::array<double, 2> osim_control_limits(const OsimXml& xml, pugi::xml_node act
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {xml.number_or_infinite(actuator, "min_control", -kInfinity),
           xml.number_or_infinite(actuator, "max_control", kInfinity)};
+}
+
+std::string osim_control(OsimDescription& out, pugi::xml_node actuator) {
+  return out.add_input(OsimXml::name_of(actuator), 0, osim_control_limits(out.xml, actuator),
+                       out.xml.where(actuator));
 }
 
 std::vector<pugi::xml_node> osim_known_forces(const OsimDescription& of) {

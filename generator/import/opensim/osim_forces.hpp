@@ -14,4 +14,7 @@ std::vector<pugi::xml_node> osim_known_forces(const OsimDescription& of);
 /// The smallest and the largest control of an actuator; infinite if nothing is said.
 std::array<double, 2> osim_control_limits(const OsimXml& xml, pugi::xml_node actuator);
 
+/// The input that an actuator is controlled by: the name that it gets.
+std::string osim_control(OsimDescription& out, pugi::xml_node actuator);
+
 }  // namespace alembert

@@ -265,4 +265,53 @@ std::string sum_text(const std::vector<std::string>& terms) {
   return out.empty() ? "0" : out;
 }
 
+std::string times_text(double factor, const std::string& of) {
+  return factor == 1 ? of : fmt::format("{}*{}", number_text(factor), of);
+}
+
+std::string read_osim_expression(const OsimXml& xml, pugi::xml_node element, const char* property,
+                                 const std::vector<OsimVariable>& variables) {
+  constexpr std::string_view kFunctions[] = {"sqrt", "exp",  "log",  "sin",  "cos",  "tan", "asin", "acos",
+                                             "atan", "sinh", "cosh", "tanh", "step", "min", "max",  "abs"};
+  const pugi::xml_node found = xml.property(element, property);
+  const std::string text = text_of_element(found);
+  const auto is_digit = [](char c) { return ('0' <= c && c <= '9') || c == '.'; };
+  const auto is_letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
+  std::string out;
+  bool moves = false;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    if (is_digit(text[i])) {
+      while (end < text.size() && is_digit(text[end])) ++end;
+      if (end + 1 < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+        ++end;
+        if (text[end] == '+' || text[end] == '-') ++end;
+        while (end < text.size() && is_digit(text[end])) ++end;
+      }
+      out += text.substr(i, end - i);
+    } else if (is_letter(text[i])) {
+      while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+      const std::string word = text.substr(i, end - i);
+      const auto variable = std::ranges::find(variables, word, &OsimVariable::name);
+      moves = true;
+      if (variable != variables.end())
+        out += variable->text;
+      else if (std::ranges::find(kFunctions, word) != std::end(kFunctions))
+        out += word;
+      else
+        throw InputError(xml.where(found), fmt::format("'{}' in the <{}> of {} cannot be expressed",
+                                                       printable(word), property, OsimXml::title(element)));
+    } else if (std::string_view("+-*/^(), \t\n\r").find(text[i]) == std::string_view::npos) {
+      throw InputError(xml.where(found),
+                       fmt::format("'{}' in the <{}> of {} is no operation", printable(text.substr(i, 1)),
+                                   property, OsimXml::title(element)));
+    } else if (std::string_view(" \t\n\r").find(text[i]) == std::string_view::npos) {
+      out += text[i];
+    }
+    i = end;
+  }
+  if (out.empty() || (!moves && out.find_first_not_of("0.+-") == std::string::npos)) return "0";
+  return out;
+}
+
 }  // namespace alembert

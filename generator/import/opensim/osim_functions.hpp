@@ -28,6 +28,20 @@ OsimFunction read_osim_function(const OsimXml& xml, pugi::xml_node element,
 /// name="function"/> among the children. Null if there is none.
 pugi::xml_node find_osim_function(pugi::xml_node owner, const char* property);
 
+/// What a variable of an expression in a model stands for.
+struct OsimVariable {
+  std::string_view name;
+  std::string text;  ///< which needs no parentheses
+};
+
+/// A property that is an expression of variables; 0 if there is none. Throws InputError at words that are neither
+/// variables nor functions that the language has.
+std::string read_osim_expression(const OsimXml& xml, pugi::xml_node element, const char* property,
+                                 const std::vector<OsimVariable>& variables);
+
+/// factor * text, of which the text is a factor itself.
+std::string times_text(double factor, const std::string& of);
+
 /// factor * (text) as a term of a product or sum.
 std::string scaled_text(double factor, const OsimFunction& function);
 

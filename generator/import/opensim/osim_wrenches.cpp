@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "import/common/snapped_angle.hpp"
 #include "import/opensim/osim_forces.hpp"
@@ -38,9 +39,52 @@ void put_wrench(OsimDescription& out, const std::string& name, const std::string
   out.nodes.put(force, what, out.nodes.list({value[0], value[1], value[2]}, at));
 }
 
-std::string control_of(OsimDescription& out, pugi::xml_node element) {
-  return out.add_input(OsimXml::name_of(element), 0, osim_control_limits(out.xml, element),
-                       out.xml.where(element));
+using Text3 = std::array<std::string, 3>;
+
+Text3 cross_text(const Text3& a, const Text3& b) {
+  const auto term = [&](std::size_t i, std::size_t k) {
+    return a[i] == "0" || b[k] == "0" ? std::string() : fmt::format("{}*{}", a[i], b[k]);
+  };
+  Text3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    std::vector<std::string> terms;
+    if (const std::string first = term(j, k); !first.empty()) terms.push_back(first);
+    if (const std::string second = term(k, j); !second.empty()) terms.push_back("-" + second);
+    out[i] = terms.empty() ? "0" : "(" + sum_text(terms) + ")";
+  }
+  return out;
+}
+
+/// A vector in the axes of a frame as one in the world's, or the other way.
+Text3 turned_text(const std::string& frame, const Text3& of, bool to_world) {
+  Text3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<std::string> terms;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (of[k] != "0")
+        terms.push_back(fmt::format("{}*rotation({}).{}{}", of[k], frame, "xyz"[to_world ? i : k],
+                                    "xyz"[to_world ? k : i]));
+    out[i] = terms.empty() ? "0" : "(" + sum_text(terms) + ")";
+  }
+  return out;
+}
+
+/// Three functions of time; none if the set is empty.
+std::optional<Text3> functions_of_time(const OsimXml& xml, pugi::xml_node element, const char* set) {
+  pugi::xml_node found = element.child(set);
+  if (!found) found = element.find_child_by_attribute("FunctionSet", "name", set);
+  const std::vector<pugi::xml_node> functions = OsimXml::elements(found.child("objects"));
+  if (functions.empty()) return {};
+  if (functions.size() != 3)
+    throw InputError(xml.where(found), fmt::format("expected three functions as {} of {}, found {}", set,
+                                                   OsimXml::title(element), functions.size()));
+  Text3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const OsimFunction function = read_osim_function(xml, functions[i], {"t"});
+    out[i] = function.constant ? number_text(*function.constant) : "(" + function.text + ")";
+  }
+  return out;
 }
 
 }  // namespace
@@ -53,7 +97,7 @@ bool add_torque_actuator(OsimDescription& out, pugi::xml_node element) {
   const std::size_t b = OsimXml::text(element, "bodyB").empty() ? 0 : body_of(out, element, "bodyB");
   const bool world = out.xml.flag(element, "torque_is_global", true);
   std::array<std::string, 3> torque =
-      along_direction(out.xml, element, "axis", {0, 0, 1}, control_of(out, element));
+      along_direction(out.xml, element, "axis", {0, 0, 1}, osim_control(out, element));
   if (!world) {
     const std::string frame = out.add_frame(name + "_a", a, {"0", "0", "0"}, at);
     std::array<std::string, 3> turned;
@@ -86,7 +130,41 @@ bool add_point_actuator(OsimDescription& out, pugi::xml_node element) {
   const std::string frame =
       out.add_frame(name + "_point", body, {number_text(x), number_text(y), number_text(z)}, at);
   put_wrench(out, name, frame, out.xml.flag(element, "force_is_global", false), "force",
-             along_direction(out.xml, element, "direction", {1, 0, 0}, control_of(out, element)), at);
+             along_direction(out.xml, element, "direction", {1, 0, 0}, osim_control(out, element)), at);
+  return true;
+}
+
+bool add_prescribed_force(OsimDescription& out, pugi::xml_node element) {
+  const SourceLocation at = out.xml.where(element);
+  const std::string body = OsimXml::text(element, {"socket_frame", "body"});
+  const std::size_t on = resolve_osim_frame(out.model, body, "/forceset", at, OsimXml::title(element));
+  const std::optional<Text3> force = functions_of_time(out.xml, element, "forceFunctions"),
+                             point = functions_of_time(out.xml, element, "pointFunctions"),
+                             torque = functions_of_time(out.xml, element, "torqueFunctions");
+  if (out.model.frames[on].body == 0) return true;  // nothing moves the ground
+  const std::string name = OsimXml::name_of(element),
+                    frame = out.add_frame(name + "_frame", on, {"0", "0", "0"}, at);
+  const bool world = out.xml.flag(element, "forceIsGlobal", true);
+  Text3 sum = torque.value_or(Text3{"0", "0", "0"});
+  if (force && point) {
+    Text3 arm = *point;
+    const bool from_world = out.xml.flag(element, "pointIsGlobal", false);
+    if (from_world)
+      for (std::size_t i = 0; i < 3; ++i)
+        arm[i] = fmt::format("({})", sum_text({arm[i], fmt::format("-position({}).{}", frame, "xyz"[i])}));
+    if (from_world != world) arm = turned_text(frame, arm, world);
+    const Text3 turn = cross_text(arm, *force);
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[i] = sum[i] == "0" ? turn[i] : (turn[i] == "0" ? sum[i] : sum_text({sum[i], turn[i]}));
+  }
+  const auto acts = [](const Text3& of) { return of != Text3{"0", "0", "0"}; };
+  YamlNode& node = out.add_force(name, at);
+  out.put(node, "at", frame, at);
+  out.put(node, "axes", world ? "world" : "frame", at);
+  const Text3 pushes = force.value_or(Text3{"0", "0", "0"});
+  if (acts(pushes) || !acts(sum))
+    out.nodes.put(node, "force", out.nodes.list({pushes[0], pushes[1], pushes[2]}, at));
+  if (acts(sum)) out.nodes.put(node, "torque", out.nodes.list({sum[0], sum[1], sum[2]}, at));
   return true;
 }
 
