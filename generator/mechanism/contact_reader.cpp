@@ -130,8 +130,9 @@ class ContactReader {
     const Expr deep = if_positive(contact_.depth, contact_.depth);
     const Expr loss = graph.rational(Rational(3, 2)) * (or_zero("dissipation") * speed);
     const Expr damped = graph.one() - loss;
-    return coefficient(section_.require("stiffness"), of("the stiffness"), false) * (deep * sqrt(deep)) *
-           if_positive(damped, damped);
+    const Expr stiffness = coefficient(section_.require("stiffness"), of("the stiffness"), false);
+    const Expr spring = stiffness * (deep * sqrt(deep));
+    return spring * if_positive(damped, damped);
   }
 
   Vec3 force(const Vec3& velocity) {

@@ -89,8 +89,11 @@ double mean(double a, double b) {
 std::string friction_text(double still, double sliding, double viscous, double transition) {
   std::string coefficient = number_text(sliding);
   if (still != sliding)
-    coefficient = fmt::format("({} + {}/(1 + (slip/{})^2))", number_text(sliding),
-                              number_text(2 * (still - sliding)), number_text(transition));
+    coefficient =
+        "(" +
+        sum_text({coefficient, fmt::format("{}/(1 + (slip/{})^2)", number_text(2 * (still - sliding)),
+                                           number_text(transition))}) +
+        ")";
   std::vector<std::string> terms;
   if (still != 0 || sliding != 0)
     terms.push_back(fmt::format("{}*min(slip/{}, 1)", coefficient, number_text(transition)));
@@ -132,7 +135,7 @@ std::vector<Surface> read_surfaces(OsimDescription& out, pugi::xml_node element)
     for (const std::string& name : OsimXml::words(group, "geometry")) {
       std::optional<Surface> surface = read_surface(out, element, name);
       if (!surface) continue;
-      surface->modulus = out.xml.number(group, "stiffness", 0);
+      surface->modulus = out.xml.positive_number(group, "stiffness", 0, true);
       surface->dissipation = out.xml.number(group, "dissipation", 0);
       surface->still = out.xml.number(group, "static_friction", 0);
       surface->sliding = out.xml.number(group, "dynamic_friction", 0);
@@ -193,12 +196,15 @@ bool add_smooth_contact(OsimDescription& out, pugi::xml_node element) {
                                plane =
                                    read_surface(out, element, OsimXml::text(element, "socket_half_space"));
   if (!sphere || !plane || !sphere->sphere || plane->sphere) return false;
+  if (out.model.frames[sphere->frame].body == out.model.frames[plane->frame].body)
+    return true;  // moves nothing
   const auto number = [&](const char* property, double otherwise) {
     return out.xml.number(element, property, otherwise);
   };
   // OpenSim called it by the second name once.
   const double blur = number("constant_contact_force", number("derivative_smoothing", 1e-5)),
-               c = number("dissipation", 0), k = std::pow(number("stiffness", 1), 2.0 / 3) / 2;
+               c = number("dissipation", 0),
+               k = std::pow(out.xml.positive_number(element, "stiffness", 1, true), 2.0 / 3) / 2;
   if (blur < 0)
     throw InputError(
         at, fmt::format("expected no negative <constant_contact_force> of {}", OsimXml::title(element)));
