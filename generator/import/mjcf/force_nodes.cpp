@@ -516,19 +516,23 @@ void MjcfForceNodes::add_borne_weight(YamlNode& list) {
 }
 
 void MjcfForceNodes::add_fluid(YamlNode& list) {
-  if (model_.density <= 0 && model_.viscosity <= 0) return;
+  if (!model_.has_fluid()) return;
   for (std::size_t b = 1; b < model_.bodies.size(); ++b) {
     const MjcfBody& body = model_.bodies[b];
     if (body.mass.mass == 0 || !moves(b)) continue;
-    if (body.fluid_shapes)
-      throw InputError(body.where, "the fluidshape of a geom cannot be expressed",
-                       "without it the fluid acts on a box of the body's inertia, which can");
-    add_fluid_on(list, b);
+    for (const MjcfFluidShape& shape : body.fluid_shapes) {
+      if (!(shape.semiaxes[0] > 0))
+        throw InputError(shape.where, "the fluidshape of a mesh cannot be expressed: its sizes are MuJoCo's",
+                         "without it the fluid acts on a box of the body's inertia, which can");
+      add_fluid_at(list, b, shape.pose,
+                   [&](const FluidMotion& motion) { return fluid_on_ellipsoid(model_, shape, motion); });
+    }
+    if (body.fluid_shapes.empty()) add_fluid_on_inertia(list, b);
   }
 }
 
-/// On a box of the body's inertia, as MuJoCo has it.
-void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
+/// On a box of the body's inertia.
+void MjcfForceNodes::add_fluid_on_inertia(YamlNode& list, std::size_t b) {
   const MjcfBody& body = model_.bodies[b];
   const Eigen::Matrix3d axes = body.inertial_turn->toRotationMatrix();
   const Eigen::Vector3d i = (axes.transpose() * body.mass.inertia * axes).diagonal();
@@ -536,12 +540,18 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
   std::array<double, 3> box;
   for (int k = 0; k < 3; ++k)
     box[static_cast<std::size_t>(k)] = std::sqrt(std::max(kLeast, i.sum() - 2 * i[k]) / body.mass.mass * 6);
+  add_fluid_at(list, b, body.mass.frame(Eigen::Quaterniond(axes)),
+               [&](const FluidMotion& motion) { return fluid_on_box(model_, box, motion); });
+}
+
+/// At a frame of the body, whose axes the loads are in.
+void MjcfForceNodes::add_fluid_at(YamlNode& list, std::size_t b, const RigidPose& pose,
+                                  const std::function<FluidLoads(const FluidMotion&)>& law) {
+  const MjcfBody& body = model_.bodies[b];
   const std::string frame = naming_.new_frame(naming_.body(b) + "_fluid");
-  bodies_.add_frame(frames_, frame, b, body.mass.frame(Eigen::Quaterniond(axes)), body.where);
+  bodies_.add_frame(frames_, frame, b, pose, body.where);
   YamlNode& node = nodes_.add_named(list, naming_.new_force(naming_.body(b) + "_fluid"), body.where);
   nodes_.put(node, "at", nodes_.text(frame, body.where));
-  const double diameter = (box[0] + box[1] + box[2]) / 3, pi = std::numbers::pi;
-  std::array<std::string, 3> force, torque;
   std::string v[3], w[3];
   for (int m = 0; m < 3; ++m) {
     v[m] = sum_text({{1, fmt::format("velocity({}).{}", frame, kAxes[m])}, {-model_.wind[m], ""}});
@@ -549,16 +559,12 @@ void MjcfForceNodes::add_fluid_on(YamlNode& list, std::size_t b) {
   }
   turn_into(frame, v);
   turn_into(frame, w);
+  FluidMotion motion;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double a = box[(k + 1) % 3], c = box[(k + 2) % 3];
-    const auto drag = [&](const std::string& along, double linear, double square) {
-      const std::string speed = "(" + along + ")";
-      return sum_text({{-linear, speed}, {-square, "abs" + speed + "*" + speed}});
-    };
-    force[k] = drag(v[k], 3 * pi * diameter * model_.viscosity, 0.5 * model_.density * a * c);
-    torque[k] = drag(w[k], pi * std::pow(diameter, 3) * model_.viscosity,
-                     model_.density * box[k] * (std::pow(a, 4) + std::pow(c, 4)) / 64);
+    motion.velocity[k] = factor_text(v[k]);
+    motion.angular_velocity[k] = factor_text(w[k]);
   }
+  const auto [force, torque] = law(motion);
   nodes_.put(node, "force", nodes_.list({force[0], force[1], force[2]}, body.where));
   nodes_.put(node, "torque", nodes_.list({torque[0], torque[1], torque[2]}, body.where));
 }

@@ -2,9 +2,11 @@
 // what is around.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "import/mjcf/body_nodes.hpp"
+#include "import/mjcf/fluid.hpp"
 
 namespace alembert {
 
@@ -36,7 +38,9 @@ class MjcfForceNodes {
                           const Eigen::Vector3d& torque);
   void add_borne_weight(YamlNode& list);
   void add_fluid(YamlNode& list);
-  void add_fluid_on(YamlNode& list, std::size_t body);
+  void add_fluid_on_inertia(YamlNode& list, std::size_t body);
+  void add_fluid_at(YamlNode& list, std::size_t body, const RigidPose& pose,
+                    const std::function<FluidLoads(const FluidMotion&)>& law);
   void add_on(YamlNode& list, const std::string& name, std::size_t joint, const std::string& value,
               const SourceLocation& where);
   static std::string muscle_force(const MjcfMuscle& muscle, const std::string& length,

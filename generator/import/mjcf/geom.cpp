@@ -80,6 +80,17 @@ void MjcfGeom::read_sizes(std::size_t count) {
   }
 }
 
+std::optional<MjcfFluidShape> MjcfGeom::fluid_shape() const {
+  if (element_.word("fluidshape", {"none", "ellipsoid"}, 0) == 0) return {};
+  MjcfFluidShape out{shape_.pose, half_, {0.5, 0.25, 1.5, 1, 1}, element_.where()};
+  auto& d = out.semiaxes;
+  if (primitive_ == SolidKind::sphere) d = {d[0], d[0], d[0]};
+  if (primitive_ == SolidKind::capsule) d = {d[0], d[0], d[1] + d[0]};
+  if (primitive_ == SolidKind::cylinder) d = {d[0], d[0], d[1]};
+  std::ranges::copy(element_.overlaid("fluidcoef", out.coefficients.size()), out.coefficients.begin());
+  return out;
+}
+
 BodyMass MjcfGeom::fitted_of_unit_density(bool shell) const {
   const MeshBox box = assets_.box(element_, fit_bounds_);
   const auto alike = [&](std::size_t i) {

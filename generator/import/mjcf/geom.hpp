@@ -10,6 +10,14 @@
 
 namespace alembert {
 
+/// An ellipsoid that the fluid flows around.
+struct MjcfFluidShape {
+  RigidPose pose;                      ///< in the body's frame
+  std::array<double, 3> semiaxes;      ///< m; 0 where a mesh tells them
+  std::array<double, 5> coefficients;  ///< blunt, slender and angular drag, Kutta's and Magnus' lift
+  SourceLocation where;
+};
+
 class MjcfGeom {
  public:
   /// `frame`: where the element stands in its body.
@@ -18,7 +26,8 @@ class MjcfGeom {
 
   const PlacedShape& shape() const { return shape_; }
   const MjcfElement& element() const { return element_; }
-  bool has_fluid_shape() const { return element_.string("fluidshape", "none") == "ellipsoid"; }
+  /// The ellipsoid that a fluid flows around, if it has one.
+  std::optional<MjcfFluidShape> fluid_shape() const;
   bool is_mesh() const { return mesh_; }
   int group() const { return group_; }
   /// In the body's frame. Throws InputError where they cannot be found.

@@ -38,7 +38,7 @@ struct MjcfBody {
       inertial_turn;  ///< axes of its inertia before it was corrected, MuJoCo's up to order and signs; none of the world
   bool turn_is_exact = false;  ///< in order and signs too
   double weightless = 0;       ///< gravcomp: the part of its weight that is borne
-  bool fluid_shapes = false;
+  std::vector<MjcfFluidShape> fluid_shapes;
   std::vector<std::size_t> joints;
   std::vector<PlacedShape> shapes;
   SourceLocation where;
@@ -142,6 +142,7 @@ struct MjcfModel {
   std::string name;
   Eigen::Vector3d gravity{0, 0, -9.81}, wind = Eigen::Vector3d::Zero();
   double density = 0, viscosity = 0;  ///< of what is around
+  bool has_fluid() const { return density > 0 || viscosity > 0; }
   double time_step = 0.002;
   std::vector<MjcfBody> bodies;   ///< the first is the world
   std::vector<MjcfJoint> joints;  ///< in the order of their coordinates

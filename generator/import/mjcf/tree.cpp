@@ -279,7 +279,7 @@ void MjcfTree::finish_body(std::size_t index, const MjcfElement& element, const 
   const std::vector<MjcfGeom>& own = geoms_[index];
   for (const MjcfGeom& geom : own) {
     if (geom.shape().kind != SolidKind::none) body.shapes.push_back(geom.shape());
-    body.fluid_shapes = body.fluid_shapes || geom.has_fluid_shape();
+    if (const std::optional<MjcfFluidShape> shape = geom.fluid_shape()) body.fluid_shapes.push_back(*shape);
   }
   const FromGeoms from = compiler.inertia_from_geoms;
   const auto given = inertials_.find(index);
