@@ -106,8 +106,10 @@ std::string OsimDescription::add_state(const std::string& name, double initial,
                                        const std::array<double, 2>& limits, const std::string& rate,
                                        const SourceLocation& at) {
   YamlNode& node = nodes.add_named(*sections["states"], name, at);
-  put(node, "initial", number_text(std::clamp(initial, limits[0], limits[1])), at);
-  nodes.put(node, "limits", nodes.list({number_text(limits[0]), number_text(limits[1])}, at));
+  const bool ordered = limits[0] < limits[1];
+  put(node, "initial", number_text(ordered ? std::clamp(initial, limits[0], limits[1]) : initial), at);
+  if (ordered && std::isfinite(limits[0]) && std::isfinite(limits[1]))
+    nodes.put(node, "limits", nodes.list({number_text(limits[0]), number_text(limits[1])}, at));
   put(node, "rate", rate, at);
   return name;
 }

@@ -40,6 +40,7 @@ struct OsimDescription {
   /// An input, and the name that it gets.
   std::string add_input(const std::string& name, double initial, const std::array<double, 2>& limits,
                         const SourceLocation& at);
+  /// A state of a name that is taken already. Limits may be infinite.
   std::string add_state(const std::string& name, double initial, const std::array<double, 2>& limits,
                         const std::string& rate, const SourceLocation& at);
   /// A force of this name; what it does is to be put into it.

@@ -275,10 +275,8 @@ bool add_activation_actuator(OsimDescription& out, pugi::xml_node element) {
   const SourceLocation at = out.xml.where(element);
   const std::string control = osim_control(out, element);
   const std::string activation = out.names.add(OsimXml::name_of(element) + "_activation", at);
-  const std::array<double, 2> limits = osim_control_limits(out.xml, element);
-  const bool limited = std::isfinite(limits[0]) && std::isfinite(limits[1]) && limits[0] < limits[1];
   out.add_state(activation, out.xml.number(element, "default_activation", 0.5),
-                limited ? limits : std::array<double, 2>{-1, 1},
+                osim_control_limits(out.xml, element),
                 fmt::format("({} - {})/{}", control, activation,
                             number_text(out.xml.positive_number(element, "activation_time_constant", 0.01))),
                 at);
