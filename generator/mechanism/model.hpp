@@ -261,6 +261,7 @@ struct Output {
   Expr value;
   bool of_speeds = false;  ///< depends on speeds: it has no Jacobian along them
   SourceLocation where;
+  std::optional<std::pair<double, double>> limits = {};  ///< which nothing enforces
 };
 
 struct Mechanism {

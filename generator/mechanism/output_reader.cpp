@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanism/coordinates.hpp"
 #include "mechanism/names.hpp"
 #include "mechanism/section.hpp"
 
@@ -29,13 +30,16 @@ void check_name(Loading& loading, const YamlNode& node) {
 std::vector<ExpressionReader::LocalName> read_outputs(Loading& loading, const YamlNode& list) {
   std::vector<ExpressionReader::LocalName> before;
   for (const YamlNode* item : expect_list(loading.document, list, "the outputs")) {
-    const Section section(loading.document, *item, "an output", {"name", "value"});
+    const Section section(loading.document, *item, "an output", {"name", "value", "limits"});
     const YamlNode& name = section.require("name");
     check_name(loading, name);
     const Quantity value = loading.reader.read_with(section.require("value"), before, Allowed::force,
                                                     fmt::format("output '{}'", name.text));
     loading.mechanism.outputs.push_back(
         {name.text, value.expr, includes(value.dependence, Dependence::speed), loading.document.where(name)});
+    if (const YamlNode* limits = section.find("limits"))
+      loading.mechanism.outputs.back().limits =
+          read_limits(loading, *limits, fmt::format("output '{}'", name.text));
     before.push_back({name.text, value.expr, value.dependence});
   }
   return before;

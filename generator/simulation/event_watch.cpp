@@ -28,6 +28,16 @@ EventWatch::EventWatch(const CompiledMechanism& compiled) {
           });
     wanted.push_back(contact.depth);
   }
+  for (const Output& output : mechanism.outputs) {
+    if (!output.limits) continue;
+    const auto [lower, upper] = *output.limits;
+    const std::string name = fmt::format("output '{}'", output.name);
+    watch_limits(name, lower, upper,
+                 [place = wanted.size()](const EvaluationState&, std::span<const double> computed) {
+                   return computed[place];
+                 });
+    wanted.push_back(output.value);
+  }
   if (wanted.empty()) return;
   ExprGraph& graph = *compiled.graph;
   const SpeedDerivatives derivatives(mechanism, graph);
@@ -40,19 +50,26 @@ void EventWatch::watch(std::string what, std::string most, Value value) {
   values_of_.push_back(std::move(value));
 }
 
+void EventWatch::watch_limits(const std::string& what, double lower, double upper, const Value& value) {
+  watch(fmt::format("{} passes its lower limit {:.6g}", what, lower), "by up to {:.6g}",
+        [=](const EvaluationState& state, std::span<const double> computed) {
+          return lower - value(state, computed);
+        });
+  watch(fmt::format("{} passes its upper limit {:.6g}", what, upper), "by up to {:.6g}",
+        [=](const EvaluationState& state, std::span<const double> computed) {
+          return value(state, computed) - upper;
+        });
+}
+
 void EventWatch::watch_coordinate(const Coordinate& coordinate, const CompiledMechanism& compiled,
                                   std::vector<Expr>& wanted) {
   const auto q = static_cast<std::size_t>(coordinate.first_q);
   const auto u = static_cast<std::size_t>(coordinate.first_speed),
              speeds = static_cast<std::size_t>(coordinate.nv());
   if (coordinate.limits) {
-    const double lower = coordinate.limits->first, upper = coordinate.limits->second;
-    watch(fmt::format("coordinate '{}' passes its lower limit {:.6g}", coordinate.name, lower),
-          "by up to {:.6g}",
-          [q, lower](const EvaluationState& state, std::span<const double>) { return lower - state.q[q]; });
-    watch(fmt::format("coordinate '{}' passes its upper limit {:.6g}", coordinate.name, upper),
-          "by up to {:.6g}",
-          [q, upper](const EvaluationState& state, std::span<const double>) { return state.q[q] - upper; });
+    watch_limits(fmt::format("coordinate '{}'", coordinate.name), coordinate.limits->first,
+                 coordinate.limits->second,
+                 [q](const EvaluationState& state, std::span<const double>) { return state.q[q]; });
   }
   const auto largest = [](std::span<const double> of, std::size_t first, std::size_t count) {
     double most = 0;

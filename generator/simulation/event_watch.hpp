@@ -1,4 +1,4 @@
-// What happens along a motion: coordinates pass their limits, bodies touch, drives are asked for more than they
+// What happens along a motion: coordinates and outputs pass their limits, bodies touch, drives are asked for more than they
 // can. In: the states at the ends of steps, and within one where it is asked for. Out: lines for a summary.
 #pragma once
 
@@ -22,8 +22,8 @@ struct WatchedEvent {
   double largest_time = 0;
 };
 
-/// Watches, in this order: the limits, `speed` and `effort` of each coordinate (the sum of the forces `on` it), and
-/// contacts. What begins and ends within one step is not seen.
+/// Watches, in this order: the limits, `speed` and `effort` of each coordinate (the sum of the forces `on` it),
+/// contacts, and the limits of outputs. What begins and ends within one step is not seen.
 class EventWatch {
  public:
   explicit EventWatch(const CompiledMechanism& compiled);
@@ -43,6 +43,7 @@ class EventWatch {
   using Value = std::function<double(const EvaluationState& state, std::span<const double> computed)>;
 
   void watch(std::string what, std::string most, Value value);
+  void watch_limits(const std::string& what, double lower, double upper, const Value& value);
   void watch_coordinate(const Coordinate& coordinate, const CompiledMechanism& compiled,
                         std::vector<Expr>& wanted);
   const std::vector<double>& values(const EvaluationState& state);

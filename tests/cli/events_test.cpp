@@ -109,6 +109,33 @@ bodies: [{name: bob, transform: [{rotate: {axis: y, angle: q}}], mass: 1, com: [
   EXPECT_EQ(lower.count, std::floor((6 - lower.begin) / period) + 1);
 }
 
+TEST(Events, OutputsPassTheirLimits) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("ball.yaml", R"(alembert: 1
+name: ball
+gravity: [0, 0, -10]
+coordinates: [{name: z, initial_speed: 6}]
+bodies: [{name: ball, transform: [{translate: [0, 0, z]}], mass: 2}]
+frames: [{name: center, body: ball}]
+outputs:
+  - {name: height, value: position(center).z, limits: [-1, 1]}
+  - {name: way, value: 2*height, limits: [-100, 100]}
+  - {name: fall, value: -velocity(center).z, limits: [-6.5, 5]}
+)");
+  const CommandResult result = alembert(folder, "simulate " + file + " --duration 1.5");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  constexpr double kPrinted = 5e-9;  // nine digits
+  // z = 6 t - 5 t^2
+  const EventLine upper = event_of(result.err, "output 'height' passes its upper limit 1");
+  EXPECT_NEAR(upper.begin, 0.2, kPrinted);
+  EXPECT_NEAR(upper.end, 1, kPrinted);
+  EXPECT_NEAR(upper.largest, 0.8, 1e-5);
+  EXPECT_NEAR(event_of(result.err, "output 'height' passes its lower limit -1").begin,
+              (6 + std::sqrt(56)) / 10, kPrinted);
+  EXPECT_NEAR(event_of(result.err, "output 'fall' passes its upper limit 5").begin, 1.1, kPrinted);
+  EXPECT_EQ(result.err.find("way"), std::string::npos);
+}
+
 TEST(Events, DrivesAreAskedForMoreThanTheyCan) {
   const TemporaryFolder folder;
   const std::string file = folder.write("cart.yaml", R"(alembert: 1

@@ -298,8 +298,7 @@ void read_tendons(MjcfContext& context) {
       throw of.error(
           "armature",
           fmt::format("the armature of {}, which is no fixed tendon, cannot be expressed", of.what()));
-    if (context.range(of, "range", "limited"))
-      context.text().warn({of.where("range"), "limits of tendons are left out", {}, "range of a tendon"});
+    tendon.limits = context.range(of, "range", "limited");
     const std::vector<double> rest = of.list("springlength", 1, 2);
     tendon.rest = rest.empty() ? std::array{-1.0, -1.0} : std::array{rest.front(), rest.back()};
     if (tendon.rest[0] == -1 && tendon.rest[1] == -1) tendon.rest.fill(length_at_rest(context.model, tendon));

@@ -84,8 +84,9 @@ struct MjcfTendon {
   std::vector<MjcfTerm> terms;       ///< if fixed
   std::vector<MjcfBranch> branches;  ///< if not
   double stiffness = 0, damping = 0, armature = 0, friction = 0;
-  std::array<double, 2> rest{};                ///< between these lengths no spring acts
-  std::optional<std::array<double, 2>> drive;  ///< of what all actuators pull together
+  std::array<double, 2> rest{};                 ///< between these lengths no spring acts
+  std::optional<std::array<double, 2>> drive;   ///< of what all actuators pull together
+  std::optional<std::array<double, 2>> limits;  ///< of its length
   SourceLocation where;
 };
 

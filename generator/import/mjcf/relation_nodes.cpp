@@ -82,7 +82,14 @@ void MjcfRelationNodes::add_constraints(YamlNode& list) {
 
 void MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
                                    const SourceLocation& where) {
-  nodes_.put(nodes_.add_named(list, naming_.new_output(name), where), "value", nodes_.text(value, where));
+  put_output(list, name, value, where);
+}
+
+YamlNode& MjcfRelationNodes::put_output(YamlNode& list, const std::string& name, const std::string& value,
+                                        const SourceLocation& where) {
+  YamlNode& output = nodes_.add_named(list, naming_.new_output(name), where);
+  nodes_.put(output, "value", nodes_.text(value, where));
+  return output;
 }
 
 void MjcfRelationNodes::add_vector(YamlNode& list, const std::string& name, const std::string (&values)[3],
@@ -144,8 +151,26 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
   add_vector(list, name, v, sensor.where);
 }
 
+/// The length of a tendon that has limits, as an output.
+void MjcfRelationNodes::add_limits(YamlNode& list, std::size_t tendon) {
+  const MjcfTendon& of = model_.tendons[tendon];
+  if (!of.limits) return;
+  const std::string length = forces_.length(tendon);
+  if (length.empty() || length == "0" || !((*of.limits)[0] < (*of.limits)[1])) {
+    warnings_.push_back(
+        {of.where, fmt::format("the limits of tendon '{}' are left out: its length, or the room that "
+                               "they leave, is none",
+                               printable(naming_.tendon(tendon)))});
+    return;
+  }
+  YamlNode& output = put_output(list, naming_.tendon(tendon) + "_length", length, of.where);
+  nodes_.put(output, "limits",
+             nodes_.list({number_text((*of.limits)[0]), number_text((*of.limits)[1])}, of.where));
+}
+
 void MjcfRelationNodes::add_outputs(YamlNode& list) {
   for (const MjcfSensor& sensor : model_.sensors) add_sensor(list, sensor);
+  for (std::size_t t = 0; t < model_.tendons.size(); ++t) add_limits(list, t);
 }
 
 }  // namespace alembert

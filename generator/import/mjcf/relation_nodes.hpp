@@ -31,7 +31,10 @@ class MjcfRelationNodes {
                   const SourceLocation& where);
   void add_output(YamlNode& list, const std::string& name, const std::string& value,
                   const SourceLocation& where);
+  YamlNode& put_output(YamlNode& list, const std::string& name, const std::string& value,
+                       const SourceLocation& where);
   void add_sensor(YamlNode& list, const MjcfSensor& sensor);
+  void add_limits(YamlNode& list, std::size_t tendon);
   std::size_t rigid_root(std::size_t body) const;
 
   DescriptionNodes& nodes_;
