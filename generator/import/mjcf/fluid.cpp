@@ -82,8 +82,8 @@ FluidLoads fluid_on_box(const MjcfModel& fluid, const std::array<double, 3>& edg
   FluidLoads out;
   for (std::size_t k = 0; k < 3; ++k) {
     const double a = edges[(k + 1) % 3], c = edges[(k + 2) % 3];
-    const auto drag = [&](const std::string& speed, double linear, double square) {
-      return sum_text({{-linear, speed}, {-square, "abs" + speed + "*" + speed}});
+    const auto drag = [&](const std::string& speed, double linear, double quadratic) {
+      return sum_text({{-linear, speed}, {-quadratic, "abs" + speed + "*" + speed}});
     };
     out.force[k] = drag(motion.velocity[k], 3 * std::numbers::pi * diameter * fluid.viscosity,
                         0.5 * fluid.density * a * c);

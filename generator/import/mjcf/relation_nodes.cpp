@@ -80,12 +80,7 @@ void MjcfRelationNodes::add_constraints(YamlNode& list) {
   }
 }
 
-void MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
-                                   const SourceLocation& where) {
-  put_output(list, name, value, where);
-}
-
-YamlNode& MjcfRelationNodes::put_output(YamlNode& list, const std::string& name, const std::string& value,
+YamlNode& MjcfRelationNodes::add_output(YamlNode& list, const std::string& name, const std::string& value,
                                         const SourceLocation& where) {
   YamlNode& output = nodes_.add_named(list, naming_.new_output(name), where);
   nodes_.put(output, "value", nodes_.text(value, where));
@@ -124,7 +119,8 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
   } else if (kind.starts_with("frame")) {  // framexaxis and so on
     for (int k = 0; k < 3; ++k) v[k] = fmt::format("rotation({}).{}{}", subject, kAxes[k], kind[5]);
   } else if (kind == "clock") {
-    return add_output(list, name, "t", sensor.where);
+    add_output(list, name, "t", sensor.where);
+    return;
   } else {
     const bool rate = kind.ends_with("vel");
     std::string value;
@@ -144,7 +140,8 @@ void MjcfRelationNodes::add_sensor(YamlNode& list, const MjcfSensor& sensor) {
                            "sensor without value"});
       return;
     }
-    return add_output(list, name, value, sensor.where);
+    add_output(list, name, value, sensor.where);
+    return;
   }
   if (sensor.reference) turn_into(naming_.frame(*sensor.reference), v);
   if (kind == "gyro" || kind == "velocimeter") turn_into(subject, v);
@@ -163,7 +160,7 @@ void MjcfRelationNodes::add_limits(YamlNode& list, std::size_t tendon) {
                                printable(naming_.tendon(tendon)))});
     return;
   }
-  YamlNode& output = put_output(list, naming_.tendon(tendon) + "_length", length, of.where);
+  YamlNode& output = add_output(list, naming_.tendon(tendon) + "_length", length, of.where);
   nodes_.put(output, "limits",
              nodes_.list({number_text((*of.limits)[0]), number_text((*of.limits)[1])}, of.where));
 }

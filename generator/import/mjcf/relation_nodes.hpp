@@ -29,9 +29,7 @@ class MjcfRelationNodes {
   void add_tendons(std::vector<std::string>& equations, const MjcfEquality& equality) const;
   void add_vector(YamlNode& list, const std::string& name, const std::string (&values)[3],
                   const SourceLocation& where);
-  void add_output(YamlNode& list, const std::string& name, const std::string& value,
-                  const SourceLocation& where);
-  YamlNode& put_output(YamlNode& list, const std::string& name, const std::string& value,
+  YamlNode& add_output(YamlNode& list, const std::string& name, const std::string& value,
                        const SourceLocation& where);
   void add_sensor(YamlNode& list, const MjcfSensor& sensor);
   void add_limits(YamlNode& list, std::size_t tendon);

@@ -171,16 +171,13 @@ class Muscle {
     return {length, fmt::format("({}/{})", along, length)};
   }
   /// The state of an elastic tendon that is told by what it bears, of the largest isometric force.
-  std::string add_tendon_force() {
-    tendon_force_ = out_.names.add(name_ + "_tendon_force", at_);
-    return tendon_force_;
-  }
+  std::string name_tendon_force() { return out_.names.add(name_ + "_tendon_force", at_); }
   /// Its rate, by the slope of what a tendon bears over its length in slack lengths, and the speed of the fibres along it,
   /// in largest ones.
-  void put_tendon_rate(const std::string& slope, const std::string& speed) {
+  void add_tendon_force(const std::string& name, const std::string& slope, const std::string& speed) {
     constexpr double kMost = 5;
     out_.add_state(
-        tendon_force_, number("default_normalized_tendon_force", 0.5), {0, kMost},
+        name, number("default_normalized_tendon_force", 0.5), {0, kMost},
         fmt::format("{}*(rate({}) - {}*{})/{}", slope, name_, n(speed_ * fibre_), speed, n(slack_)), at_);
   }
 
@@ -189,7 +186,7 @@ class Muscle {
   SourceLocation at_;
   double force_, fibre_, slack_, speed_, pennation_ = 0, least_cosine_ = kLeastCosine;
   ActivationLaw law_;
-  std::string name_, activation_, tendon_force_;
+  std::string name_, activation_;
   YamlNode* node_ = nullptr;
 
  private:
@@ -394,7 +391,7 @@ bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element) {
     out.approximated(element,
                      "has damped fibres on an elastic tendon: their damping is left out, as in OpenSim's "
                      "explicit mode");
-  const std::string force = muscle.add_tendon_force();
+  const std::string force = muscle.name_tendon_force();
   muscle.finish(fmt::format("{}*{}", n(muscle.force_), force));
   const std::string tendon = curves.tendon_length(force);
   const Muscle::Fibre fibre = muscle.add_fibre_on(tendon);
@@ -405,8 +402,8 @@ bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element) {
   if (curves.has_passive) load = fmt::format("({} - {})", load, curves.passive(fibre.length));
   const std::string active =
       muscle.add_output("_active", fmt::format("{}*{}", muscle.activation_, curves.active(fibre.length)));
-  muscle.put_tendon_rate(curves.tendon_slope(force),
-                         over_cosine(DeGroote::speed(fmt::format("{}/{}", load, active))));
+  muscle.add_tendon_force(force, curves.tendon_slope(force),
+                          over_cosine(DeGroote::speed(fmt::format("{}/{}", load, active))));
   return true;
 }
 

@@ -12,15 +12,17 @@
 namespace alembert {
 namespace {
 
+using Text3 = std::array<std::string, 3>;
+
 /// Components of size times a direction, which is divided by its length.
-std::array<std::string, 3> along_direction(const OsimXml& xml, pugi::xml_node element, const char* property,
-                                           const std::array<double, 3>& otherwise, const std::string& of) {
+Text3 along_direction(const OsimXml& xml, pugi::xml_node element, const char* property,
+                      const std::array<double, 3>& otherwise, const std::string& of) {
   const std::array<double, 3> v = xml.vector<3>(element, property, otherwise);
   const double length = std::hypot(v[0], v[1], v[2]);
   if (length == 0)
     throw InputError(xml.where(element), fmt::format("<{}> of {} is 0", property, OsimXml::title(element)));
   const double size = xml.number(element, "optimal_force", 1) / length;
-  std::array<std::string, 3> out;
+  Text3 out;
   for (std::size_t i = 0; i < 3; ++i)
     out[i] = v[i] == 0 ? "0" : fmt::format("{}*{}", number_text(size * v[i]), of);
   return out;
@@ -31,15 +33,23 @@ std::size_t body_of(OsimDescription& out, pugi::xml_node element, const char* pr
                             OsimXml::title(element));
 }
 
-void put_wrench(OsimDescription& out, const std::string& name, const std::string& frame, bool world,
-                const char* what, const std::array<std::string, 3>& value, const SourceLocation& at) {
+YamlNode& begin_wrench(OsimDescription& out, const std::string& name, const std::string& frame, bool world,
+                       const SourceLocation& at) {
   YamlNode& force = out.add_force(name, at);
   out.put(force, "at", frame, at);
   out.put(force, "axes", world ? "world" : "frame", at);
+  return force;
+}
+
+void put_vector(OsimDescription& out, YamlNode& force, const char* what, const Text3& value,
+                const SourceLocation& at) {
   out.nodes.put(force, what, out.nodes.list({value[0], value[1], value[2]}, at));
 }
 
-using Text3 = std::array<std::string, 3>;
+void put_wrench(OsimDescription& out, const std::string& name, const std::string& frame, bool world,
+                const char* what, const Text3& value, const SourceLocation& at) {
+  put_vector(out, begin_wrench(out, name, frame, world, at), what, value, at);
+}
 
 Text3 cross_text(const Text3& a, const Text3& b) {
   const auto term = [&](std::size_t i, std::size_t k) {
@@ -65,7 +75,7 @@ Text3 turned_text(const std::string& frame, const Text3& of, bool to_world) {
       if (of[k] != "0")
         terms.push_back(fmt::format("{}*rotation({}).{}{}", of[k], frame, "xyz"[to_world ? i : k],
                                     "xyz"[to_world ? k : i]));
-    out[i] = terms.empty() ? "0" : "(" + sum_text(terms) + ")";
+    out[i] = sum_text(terms);
   }
   return out;
 }
@@ -96,19 +106,10 @@ bool add_torque_actuator(OsimDescription& out, pugi::xml_node element) {
   const std::size_t a = body_of(out, element, "bodyA");
   const std::size_t b = OsimXml::text(element, "bodyB").empty() ? 0 : body_of(out, element, "bodyB");
   const bool world = out.xml.flag(element, "torque_is_global", true);
-  std::array<std::string, 3> torque =
-      along_direction(out.xml, element, "axis", {0, 0, 1}, osim_control(out, element));
+  Text3 torque = along_direction(out.xml, element, "axis", {0, 0, 1}, osim_control(out, element));
   if (!world) {
     const std::string frame = out.add_frame(name + "_a", a, {"0", "0", "0"}, at);
-    std::array<std::string, 3> turned;
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::vector<std::string> terms;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (torque[k] != "0")
-          terms.push_back(fmt::format("{}*rotation({}).{}{}", torque[k], frame, "xyz"[i], "xyz"[k]));
-      turned[i] = sum_text(terms);
-    }
-    torque = turned;
+    torque = turned_text(frame, torque, true);
   }
   // Nothing turns the ground.
   if (out.model.frames[a].body != 0)
@@ -152,19 +153,20 @@ bool add_prescribed_force(OsimDescription& out, pugi::xml_node element) {
     if (from_world)
       for (std::size_t i = 0; i < 3; ++i)
         arm[i] = fmt::format("({})", sum_text({arm[i], fmt::format("-position({}).{}", frame, "xyz"[i])}));
-    if (from_world != world) arm = turned_text(frame, arm, world);
+    if (from_world != world) {
+      arm = turned_text(frame, arm, world);
+      for (std::string& entry : arm)
+        if (entry != "0") entry = "(" + entry + ")";
+    }
     const Text3 turn = cross_text(arm, *force);
     for (std::size_t i = 0; i < 3; ++i)
       sum[i] = sum[i] == "0" ? turn[i] : (turn[i] == "0" ? sum[i] : sum_text({sum[i], turn[i]}));
   }
   const auto acts = [](const Text3& of) { return of != Text3{"0", "0", "0"}; };
-  YamlNode& node = out.add_force(name, at);
-  out.put(node, "at", frame, at);
-  out.put(node, "axes", world ? "world" : "frame", at);
+  YamlNode& node = begin_wrench(out, name, frame, world, at);
   const Text3 pushes = force.value_or(Text3{"0", "0", "0"});
-  if (acts(pushes) || !acts(sum))
-    out.nodes.put(node, "force", out.nodes.list({pushes[0], pushes[1], pushes[2]}, at));
-  if (acts(sum)) out.nodes.put(node, "torque", out.nodes.list({sum[0], sum[1], sum[2]}, at));
+  if (acts(pushes) || !acts(sum)) put_vector(out, node, "force", pushes, at);
+  if (acts(sum)) put_vector(out, node, "torque", sum, at);
   return true;
 }
 
