@@ -13,15 +13,19 @@ from conftest import ROOT
 
 distributed = pytest.importorskip("distributed", reason="python3-distributed is missing")
 
-COUNT, SHARD = 600, 10
+COUNT, SHARD, WORKERS = 600, 10, 3
 
 
-def make_policy(log):
-    def policy(t, q, qd):  # slow, so that there is a middle of the run; and it says which shard it is of
+def make_policy(log, gate):
+    """It says which shard it is of, and lets as many shards go on as the file `gate` tells: so there is a middle of the run, whatever the machine does."""
+
+    def policy(t, q, qd):
         if t == 0:
             with open(log, "a") as file:
                 file.write(f"{q[0, 0]!r} {os.getpid()}\n")
-        time.sleep(0.01)
+            number = len(log.read_text().splitlines())
+            while number > int(gate.read_text() or 0):
+                time.sleep(0.01)
         return -0.2 * qd
 
     return policy
@@ -41,7 +45,7 @@ def cluster(tmp_path_factory):
     try:
         import dask
 
-        with dask.config.set(config), distributed.LocalCluster(n_workers=3, threads_per_worker=1, processes=True,
+        with dask.config.set(config), distributed.LocalCluster(n_workers=WORKERS, threads_per_worker=1, processes=True,
                                                                dashboard_address=None, local_directory=str(work)) as made:
             yield made
     finally:
@@ -49,24 +53,35 @@ def cluster(tmp_path_factory):
         os.environ.update(before)
 
 
-def wait_for(condition, seconds=30):
+def wait_for(condition, seconds=300):
     end = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < end, "nothing happened"
         time.sleep(0.01)
 
 
+def pids(client):
+    return set(client.run(os.getpid, on_error="ignore").values())
+
+
+def is_idle(client):
+    return not any(client.run(lambda dask_worker: len(dask_worker.state.executing)).values())
+
+
 def test_nothing_is_lost_and_nothing_is_done_twice(load, cluster, tmp_path):
     m = load("double_pendulum")
     rng = np.random.default_rng(5)
     q, qd = rng.uniform(-1, 1, (COUNT, 2)), rng.normal(size=(COUNT, 2))
-    log = tmp_path / "log"
+    log, gate = tmp_path / "log", tmp_path / "gate"
+    log.touch()
+    gate.write_text("6")
     task = dict(steps=60, step=0.01, every=20, hold=10, shard=SHARD)
     shards = COUNT // SHARD
     alone = alembert.rollout(m, q, qd, lambda t, q, qd: -0.2 * qd, **task, out=tmp_path / "alone")
     assert len(alone) == shards
     many = tmp_path / "many"
     done = lambda: len(list(many.glob("[0-9]*")))  # noqa: E731
+    begun = lambda: [line.split() for line in log.read_text().splitlines()]  # noqa: E731
 
     # A first client: two of three workers are killed, then it is cut off.
     first = distributed.Client(cluster)
@@ -74,22 +89,26 @@ def test_nothing_is_lost_and_nothing_is_done_twice(load, cluster, tmp_path):
 
     def run():
         try:
-            alembert.rollout(m, q, qd, make_policy(log), **task, out=many, client=first)
+            alembert.rollout(m, q, qd, make_policy(log, gate), **task, out=many, client=first)
         except BaseException as error:  # noqa: B902
             failed.append(error)
 
     running = threading.Thread(target=run)
     running.start()
-    wait_for(lambda: done() >= 6)
-    pids = list(first.run(os.getpid).values())
-    for pid in pids[:2]:
+    wait_for(lambda: done() >= 6 and len(begun()) == 6 + WORKERS)  # each worker stands in a shard
+    killed = set(sorted(pids(first))[:2])
+    for pid in killed:
         os.kill(pid, signal.SIGKILL)
+    gate.write_text("30")
     wait_for(lambda: done() >= 20)
     first.close()
-    running.join(10)
+    running.join(300)
     assert not running.is_alive() and failed, "a client that is cut off says so"
     # What is under way comes to an end; half is missing.
-    time.sleep(0.3)
+    gate.write_text("1000")
+    with distributed.Client(cluster) as between:
+        wait_for(lambda: len(pids(between) - killed) == WORKERS)
+        wait_for(lambda: is_idle(between))
     kept = files(many)
     left = alembert.open_rollouts(many).missing
     assert 0 < len(left) < shards and len(kept) + len(left) == shards
@@ -97,16 +116,15 @@ def test_nothing_is_lost_and_nothing_is_done_twice(load, cluster, tmp_path):
 
     # A second one goes on where that was.
     with distributed.Client(cluster) as second:
-        folder = alembert.rollout(m, q, qd, make_policy(log), **task, out=many, client=second)
+        folder = alembert.rollout(m, q, qd, make_policy(log, gate), **task, out=many, client=second)
     assert folder.missing == [] and files(many) == files(tmp_path / "alone")
     assert all((many / name).stat().st_mtime_ns == when for name, when in written.items())
     assert not [path for path in many.glob(".*") if path.stat().st_mtime_ns > max(written.values())]
     # A shard was begun again only where a worker had died with it, or the client was cut off with it.
-    begun = [line.split() for line in log.read_text().splitlines()]
     firsts = {repr(x) for x in q[::SHARD, 0]}
-    assert {start for start, _ in begun} == firsts
-    assert len(begun) - shards <= 2 + 3
-    assert len({pid for _, pid in begun}) >= 4, "workers were replaced"
+    assert {start for start, _ in begun()} == firsts
+    assert len(begun()) - shards <= len(killed) + WORKERS
+    assert len({pid for _, pid in begun()}) == WORKERS + len(killed), "workers were replaced"
     built = os.listdir(pathlib.Path(os.environ["XDG_CACHE_HOME"]) / "alembert")
     assert len(built) == 1, "one worker builds, the others wait"
     for name, x in zip(("q", "qd"), (folder.read().q, folder.read().qd)):
