@@ -356,15 +356,25 @@ class SkeletonReader {
     return model_.frames.size() - 1;
   }
 
-  /// Each body is moved by one joint, in the direction away from the ground.
+  /// Each body is moved by one joint, in the direction away from the ground. Where none leads to a body from there, a
+  /// FreeJoint does, as in OpenSim.
   void check_tree() {
-    const std::size_t none = model_.joints.size();
-    model_.joint_of.assign(model_.bodies.size(), none);
-    std::vector<bool> placed(model_.bodies.size(), false), used(none, false);
+    const std::size_t given = model_.joints.size();
+    model_.joint_of.assign(model_.bodies.size(), static_cast<std::size_t>(-1));
+    std::vector<bool> placed(model_.bodies.size(), false), used(given, false);
     placed[0] = true;
+    do {
+      grow_tree(placed, used);
+    } while (add_free_joint(placed));
+    for (std::size_t j = 0; j < given; ++j)
+      if (!used[j]) close_chain(j);
+    for (const auto& [body, copies] : copies_) share_mass(body, copies);
+  }
+
+  void grow_tree(std::vector<bool>& placed, std::vector<bool>& used) {
     for (bool more = true; more;) {
       more = false;
-      for (std::size_t j = 0; j < none; ++j) {
+      for (std::size_t j = 0; j < used.size(); ++j) {
         OsimJoint& joint = model_.joints[j];
         const std::size_t parent = model_.frames[joint.parent].body, child = model_.frames[joint.child].body;
         if (used[j] || placed[parent] == placed[child]) continue;
@@ -374,15 +384,41 @@ class SkeletonReader {
         placed[parent] = placed[child] = used[j] = more = true;
       }
     }
-    for (std::size_t b = 0; b < model_.bodies.size(); ++b)
-      if (!placed[b])
-        throw InputError(
-            model_.bodies[b].where,
-            fmt::format("no joint joins body '{}' to the ground", printable(model_.bodies[b].name)),
-            "a FreeJoint lets it move freely");
-    for (std::size_t j = 0; j < none; ++j)
-      if (!used[j]) close_chain(j);
-    for (const auto& [body, copies] : copies_) share_mass(body, copies);
+  }
+
+  /// For the first of the bodies without a place that are no joint's child or, if there are none, of all of them, that
+  /// carry the most joints. False where each body has its place.
+  bool add_free_joint(std::vector<bool>& placed) {
+    std::vector<std::size_t> as_parent(placed.size(), 0), as_child(placed.size(), 0);
+    for (const OsimJoint& joint : model_.joints) {
+      ++as_parent[model_.frames[joint.parent].body];
+      ++as_child[model_.frames[joint.child].body];
+    }
+    std::size_t best = 0;
+    const auto is_better = [&](std::size_t b) {
+      if (best == 0) return true;
+      if ((as_child[b] == 0) != (as_child[best] == 0)) return as_child[b] == 0;
+      return as_parent[b] > as_parent[best];
+    };
+    for (std::size_t b = 1; b < placed.size(); ++b)
+      if (!placed[b] && is_better(b)) best = b;
+    if (best == 0) return false;
+    const OsimBody& body = model_.bodies[best];
+    xml_.warn({body.where,
+               fmt::format("no joint joins body '{}' to the ground: a FreeJoint lets it move, as in OpenSim",
+                           printable(body.name)),
+               {},
+               "body without joint"});
+    OsimJoint joint;
+    joint.name = "free_" + body.name;
+    joint.type = "FreeJoint";
+    joint.child = best;
+    joint.where = body.where;
+    read_osim_coordinates(xml_, joint, model_.joints.size(), model_.coordinates);
+    model_.joint_of[best] = model_.joints.size();
+    model_.joints.push_back(joint);
+    placed[best] = true;
+    return true;
   }
 
   void close_chain(std::size_t j) {

@@ -90,7 +90,14 @@ OsimSkeleton::OsimSkeleton(const std::string& file) {
   for (const pugi::xml_node joint : model_.child("JointSet").child("objects").children())
     if (joint.type() == pugi::node_element) joints.push_back(joint);
   read_frames();
-  const std::vector<pugi::xml_node> closing = take_closing(joints);
+  const std::vector<std::string> free = without_joint(joints);
+  const std::vector<pugi::xml_node> closing = take_closing(joints, free);
+  for (const std::string& body : free) {
+    const MobilizedBody moved =
+        MobilizedBody::Free(matter_.updGround(), Transform(), rigid_.at(body), Transform());
+    bodies_[body] = moved;
+    for (int i = 0; i < 6; ++i) slots_["free_" + body + "_coord_" + std::to_string(i)] = {moved, i};
+  }
   for (std::size_t added = 1; added > 0 && !joints.empty();) {
     const std::size_t before = joints.size();
     std::vector<pugi::xml_node> left;
@@ -184,8 +191,29 @@ std::pair<OsimSkeleton::Place, OsimSkeleton::Place> OsimSkeleton::ends(pugi::xml
   return {parent, child};
 }
 
-std::vector<pugi::xml_node> OsimSkeleton::take_closing(std::vector<pugi::xml_node>& joints) {
-  std::set<std::string> reached{"ground"};
+std::vector<std::string> OsimSkeleton::without_joint(const std::vector<pugi::xml_node>& joints) const {
+  SimTK::MultibodyGraphMaker graph;
+  graph.addJointType("joint", 1, false);
+  graph.addBody("ground", 0, false);
+  for (const pugi::xml_node body : model_.child("BodySet").child("objects").children("Body"))
+    if (const std::string name = body.attribute("name").value(); name != "ground")
+      graph.addBody(name, 1, false);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto [parent, child] = ends(joints[i]);
+    graph.addJoint(std::to_string(i), "joint", parent.body, child.body, false);
+  }
+  graph.generateGraph();
+  std::vector<std::string> out;
+  for (int i = 0; i < graph.getNumJoints(); ++i)
+    if (const auto& joint = graph.getJoint(i); joint.isAddedBaseJoint)
+      out.push_back(graph.getBody(joint.childBodyNum).name);
+  return out;
+}
+
+std::vector<pugi::xml_node> OsimSkeleton::take_closing(std::vector<pugi::xml_node>& joints,
+                                                       const std::vector<std::string>& free) {
+  std::set<std::string> reached(free.begin(), free.end());
+  reached.insert("ground");
   std::vector<pugi::xml_node> tree;
   for (std::size_t before = 0; before != reached.size();) {
     before = reached.size();

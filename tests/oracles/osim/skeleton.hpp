@@ -63,8 +63,11 @@ class OsimSkeleton {
   /// Where a joint stands on two bodies.
   std::pair<Place, Place> ends(pugi::xml_node joint) const;
   bool add_joint(pugi::xml_node joint);
+  /// The bodies that Simbody's own maker of graphs lets move freely, since no joint leads to them from the ground.
+  std::vector<std::string> without_joint(const std::vector<pugi::xml_node>& joints) const;
   /// Takes the joints that close chains out of `joints`, and shares out the masses of the bodies that they move.
-  std::vector<pugi::xml_node> take_closing(std::vector<pugi::xml_node>& joints);
+  std::vector<pugi::xml_node> take_closing(std::vector<pugi::xml_node>& joints,
+                                           const std::vector<std::string>& free);
   void add_closing(pugi::xml_node joint);
   /// Of a frame that three stations and an origin tell.
   Place find_by_stations(pugi::xml_node frame) const;
