@@ -73,6 +73,13 @@ std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
                          count_operations(equations.Q).total(), count_operations(equations.M).total(),
                          count_operations(equations.c).total()));
   };
+  // Programs of several are compared, unless one's equations are all so much longer that nothing can change it.
+  const auto is_much_longer = [](const EquationsOfMotion& x, const EquationsOfMotion& y) {
+    const auto by = [](std::span<const Expr> a, std::span<const Expr> b) {
+      return 4 * count_operations(a).total() > 5 * count_operations(b).total();
+    };
+    return by(x.Q, y.Q) && by(x.M, y.M) && by(x.c, y.c);
+  };
   if (options.formulation == Formulation::factored) {
     add(Formulation::factored, options.passes);
     return candidates;
@@ -83,19 +90,16 @@ std::vector<EquationsOfMotion> candidate_equations(const Kinematics& kinematics,
     others.peeling = false;
     others.effort = 0;
     add(Formulation::reduced, others);
-    // Programs of both are compared, unless one is so much shorter that nothing can change it.
-    const auto much_longer = [](std::span<const Expr> x, std::span<const Expr> y) {
-      return 4 * count_operations(x).total() > 5 * count_operations(y).total();
-    };
-    const EquationsOfMotion &with = candidates[0], &without = candidates[1];
-    if (much_longer(without.Q, with.Q) && much_longer(without.M, with.M) && much_longer(without.c, with.c))
-      candidates.pop_back();
+    if (is_much_longer(candidates[1], candidates[0])) candidates.pop_back();
   }
   if (options.formulation) return candidates;
   // The literal form repeats every product of 4x4 matrices. It can only win where there is next to nothing to
   // multiply, so it is tried only there.
   constexpr std::size_t kSmall = 3;
-  if (kinematics.mechanism.bodies.size() <= kSmall) add(Formulation::factored, options.passes);
+  if (kinematics.mechanism.bodies.size() <= kSmall) {
+    add(Formulation::factored, options.passes);
+    if (is_much_longer(candidates.back(), candidates.front())) candidates.pop_back();
+  }
   return candidates;
 }
 
