@@ -129,10 +129,11 @@ void OsimDescription::left(pugi::xml_node element, const std::string& why, const
                       note, fmt::format("left {} {}", element.name(), why)});
 }
 
-void OsimDescription::approximated(pugi::xml_node element, const std::string& how, const std::string& note) {
+void OsimDescription::approximated(pugi::xml_node element, const std::string& how, const std::string& note,
+                                   const std::string& kind) {
   ++nearly[element.name()];
   warnings.push_back({xml.where(element), fmt::format("{} {}", OsimXml::title(element), how), note,
-                      fmt::format("approximated {}", element.name())});
+                      fmt::format("approximated {} {}", element.name(), kind)});
 }
 
 /// Parameters and definitions that nothing needs, such as the position of a locked coordinate that turns nothing.

@@ -254,16 +254,6 @@ class SkeletonReader {
                        std::atan2(-axes(0, 1), axes(0, 0))};
     return out;
   }
-  static Eigen::Isometry3d pose_of(const std::vector<OsimOffset>& offsets) {
-    Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
-    for (const OsimOffset& offset : offsets) {
-      out.translate(Eigen::Vector3d(offset.translation.data()));
-      for (int i = 0; i < 3; ++i)
-        out.rotate(
-            Eigen::AngleAxisd(offset.orientation[static_cast<std::size_t>(i)], Eigen::Vector3d::Unit(i)));
-    }
-    return out;
-  }
   /// Number and sign of an axis, as in "-x".
   std::pair<int, int> direction(pugi::xml_node element, const char* property, const char* otherwise) const {
     const std::string said = OsimXml::text(element, property);
@@ -472,6 +462,17 @@ class SkeletonReader {
 };
 
 }  // namespace
+
+Eigen::Isometry3d pose_of(const std::vector<OsimOffset>& offsets) {
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  for (const OsimOffset& offset : offsets) {
+    out.translate(Eigen::Vector3d(offset.translation.data()));
+    for (int i = 0; i < 3; ++i)
+      out.rotate(
+          Eigen::AngleAxisd(offset.orientation[static_cast<std::size_t>(i)], Eigen::Vector3d::Unit(i)));
+  }
+  return out;
+}
 
 void OsimModel::add_frame(OsimFrame frame) {
   // A joint's own place on a body has no name.

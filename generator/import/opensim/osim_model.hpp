@@ -2,6 +2,7 @@
 // places. Forces, constraints and markers stay elements. SI units; angles in radians.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <map>
 #include <memory>
@@ -21,6 +22,9 @@ struct OsimOffset {
     return translation == std::array<double, 3>{} && orientation == std::array<double, 3>{};
   }
 };
+
+/// Of a frame that is so far off another one, in its axes.
+Eigen::Isometry3d pose_of(const std::vector<OsimOffset>& offsets);
 
 /// A frame that is fixed to a body: bodies themselves have one without offsets.
 struct OsimFrame {

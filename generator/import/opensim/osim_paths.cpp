@@ -1,10 +1,10 @@
 #include "import/opensim/osim_paths.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "import/common/snapped_angle.hpp"
 #include "import/opensim/osim_sockets.hpp"
+#include "import/opensim/osim_wraps.hpp"
 
 namespace alembert {
 namespace {
@@ -14,39 +14,53 @@ constexpr double kRangeTolerance = 1e-5;
 
 class PathReader {
  public:
-  PathReader(OsimDescription& out, pugi::xml_node path, std::string owner)
-      : out_(out), path_(path), owner_(std::move(owner)) {}
+  PathReader(OsimDescription& out, pugi::xml_node force)
+      : out_(out), force_(force), path_(force.child("GeometryPath")), owner_(OsimXml::name_of(force)) {}
 
-  /// Names of frames, or {frame, when}.
+  /// Names of frames, {frame, when}, or what the path leads around.
   const YamlNode& read() {
-    const std::vector<pugi::xml_node> points = out_.xml.objects(path_, "PathPointSet");
+    for (const pugi::xml_node element : out_.xml.objects(path_, "PathPointSet")) read_point(element);
+    for (const std::size_t end : {std::size_t{0}, points_.size() - 1}) {
+      if (points_.empty() || !points_[end].conditional) continue;
+      out_.approximated(points_[end].element, "ends a path and is taken for one that is always there");
+      points_[end].conditional = false;
+    }
     YamlNode& list = out_.nodes.sequence(out_.xml.where(path_));
-    for (std::size_t i = 0; i < points.size(); ++i) add(list, points[i], i == 0 || i + 1 == points.size());
+    if (points_.size() < 2) return list;
+    const OsimWraps wraps(out_, force_, points_);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      add(list, points_[i], i > 0 ? wraps.after(i - 1) : nullptr);
     return list;
   }
 
  private:
-  void add(YamlNode& list, pugi::xml_node point, bool end) {
-    const SourceLocation at = out_.xml.where(point);
-    const std::string what = OsimXml::title(point), type = point.name();
-    const std::size_t on =
-        resolve_osim_frame(out_.model, OsimXml::text(point, {"socket_parent_frame", "socket_body", "body"}),
+  void read_point(pugi::xml_node element) {
+    const SourceLocation at = out_.xml.where(element);
+    const std::string what = OsimXml::title(element);
+    const std::string_view type = element.name();
+    OsimPathPoint point{element, 0, {}, type == "ConditionalPathPoint"};
+    point.on =
+        resolve_osim_frame(out_.model, OsimXml::text(element, {"socket_parent_frame", "socket_body", "body"}),
                            "/forceset/" + owner_, at, what);
+    if (type != "MovingPathPoint") point.location = out_.xml.vector<3>(element, "location", {});
+    if (!point.conditional && type != "PathPoint" && type != "MovingPathPoint")
+      out_.approximated(element, "is of an unknown type; its <location> is taken");
+    points_.push_back(point);
+  }
+
+  /// \param around  what stands between the point before and this one, or null
+  void add(YamlNode& list, const OsimPathPoint& of, YamlNode* around) {
+    const pugi::xml_node point = of.element;
+    const SourceLocation at = out_.xml.where(point);
+    const std::string what = OsimXml::title(point);
     std::array<std::string, 3> location;
-    if (type == "MovingPathPoint") {
-      for (std::size_t i = 0; i < 3; ++i) location[i] = moving(point, i, at);
-    } else {
-      const std::array<double, 3> fixed = out_.xml.vector<3>(point, "location", {});
-      for (std::size_t i = 0; i < 3; ++i) location[i] = number_text(fixed[i]);
-    }
-    const std::string frame = out_.add_frame(OsimXml::name_of(point), on, location, at);
-    const bool conditional = type == "ConditionalPathPoint";
-    if (!conditional && type != "PathPoint" && type != "MovingPathPoint")
-      out_.approximated(point, "is of an unknown type; its <location> is taken");
+    for (std::size_t i = 0; i < 3; ++i)
+      location[i] = of.location ? number_text((*of.location)[i]) : moving(point, i, at);
+    const std::string frame = out_.add_frame(OsimXml::name_of(point), of.on, location, at);
     // The same point again has no direction.
-    if (!list.items.empty() && list.items.back()->text == frame && !conditional) return;
-    if (conditional && end) out_.approximated(point, "ends a path and is taken for one that is always there");
-    if (!conditional || end) {
+    if (!list.items.empty() && list.items.back()->text == frame && !of.conditional) return;
+    if (around != nullptr) list.items.push_back(around);
+    if (!of.conditional) {
       list.items.push_back(&out_.nodes.text(frame, at));
       return;
     }
@@ -83,27 +97,17 @@ class PathReader {
   }
 
   OsimDescription& out_;
-  pugi::xml_node path_;
+  pugi::xml_node force_, path_;
   std::string owner_;
+  std::vector<OsimPathPoint> points_;
 };
 
 }  // namespace
 
 bool add_osim_path(OsimDescription& out, YamlNode& force, pugi::xml_node element) {
-  const pugi::xml_node path = element.child("GeometryPath");
-  const std::string name = OsimXml::name_of(element);
-  if (!path) return false;
-  const YamlNode& points = PathReader(out, path, name).read();
+  if (!element.child("GeometryPath")) return false;
+  const YamlNode& points = PathReader(out, element).read();
   if (points.items.size() < 2) return false;
-  std::vector<std::string> wraps;
-  for (const pugi::xml_node wrap : out.xml.objects(path, "PathWrapSet")) {
-    const std::string object = OsimXml::text(wrap, "wrap_object");
-    wraps.push_back(printable(object.empty() ? OsimXml::name_of(wrap) : object));
-  }
-  if (!wraps.empty())
-    out.approximated(element,
-                     fmt::format("wraps over {}; its path is drawn straight", fmt::join(wraps, ", ")),
-                     "points of the path that are there under a condition (`when`) can lead it round");
   out.nodes.put(force, "path", points);
   return true;
 }

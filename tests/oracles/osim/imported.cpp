@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "oracles/alembert_process.hpp"
+#include "oracles/osim/wraps.hpp"
 
 namespace alembert::oracles {
 
@@ -67,10 +68,12 @@ double path_length(const OsimSkeleton& skeleton, pugi::xml_node path) {
   const auto coordinate = [&](const std::string& path_to) {
     return skeleton.coordinate(path_to.substr(path_to.find_last_of('/') + 1));
   };
-  std::vector<SimTK::Vec3> points;
+  std::vector<PathStop> points;
+  std::size_t number = 0;
   for (const pugi::xml_node point : path.child("PathPointSet").child("objects").children()) {
     if (point.type() != pugi::node_element) continue;
     const std::string type = point.name();
+    const std::size_t here = number++;
     SimTK::Vec3 location(0);
     if (type == "MovingPathPoint") {
       for (int i = 0; i < 3; ++i) {
@@ -89,11 +92,13 @@ double path_length(const OsimSkeleton& skeleton, pugi::xml_node path) {
       const double q = coordinate(text(point, {"socket_coordinate", "coordinate"}));
       if (q < range[0] || q > range[1]) continue;
     }
-    points.push_back(skeleton.point(text(point, {"socket_parent_frame", "body"}), location));
+    const auto has_condition = [](pugi::xml_node of) {
+      return of.name() == std::string("ConditionalPathPoint");
+    };
+    points.push_back({skeleton.point(text(point, {"socket_parent_frame", "body"}), location), here,
+                      has_condition(point) || has_condition(point.next_sibling())});
   }
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-  return length;
+  return wrapped_length(skeleton, path, points);
 }
 
 std::vector<pugi::xml_node> acting_forces(pugi::xml_node model) {

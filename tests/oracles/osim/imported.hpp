@@ -52,7 +52,7 @@ struct NamedMotion {
 Eigen::VectorXd numeric_gradient(OsimSkeleton& skeleton, const NamedMotion& motion,
                                  const std::function<double(const OsimSkeleton&)>& of);
 
-/// Length of the straight lines through the points of a <GeometryPath>.
+/// Length of the lines through the points of a <GeometryPath>, and around what they wrap over (wraps.hpp).
 double path_length(const OsimSkeleton& skeleton, pugi::xml_node path);
 
 /// Forces of the model that act.
