@@ -169,7 +169,7 @@ class ForceReader {
   }
   PathObstacle obstacle(const YamlNode& node, const std::string& what) {
     const Section section(document_, node, "what " + what + " leads around",
-                          {"sphere", "cylinder", "radius", "side"});
+                          {"sphere", "cylinder", "radius", "length", "side"});
     PathObstacle out{{}, 0};
     out.shape.cylinder = section.find("cylinder") != nullptr;
     if (out.shape.cylinder && section.find("sphere") != nullptr)
@@ -178,6 +178,12 @@ class ForceReader {
         loading_.reader.expect_frame(section.require(out.shape.cylinder ? "cylinder" : "sphere"), what);
     out.shape.radius = loading_.reader.coefficient(section.require("radius"),
                                                    "the radius of what " + what + " leads around", true);
+    if (const YamlNode* length = section.find("length")) {
+      if (!out.shape.cylinder)
+        throw InputError(document_.where(*length), "a sphere has no length; that is a cylinder's");
+      out.shape.length = loading_.reader.coefficient(
+          *length, "the length of the cylinder that " + what + " leads around", true);
+    }
     if (const YamlNode* side = section.find("side")) out.side = loading_.reader.expect_frame(*side, what);
     return out;
   }

@@ -39,6 +39,13 @@ class Wrapping {
     near_arc_ = arc_ = touches_ = between - (reach_a_ + reach_b);
     if (side) choose_side(*side, between, reach_b);
     in_plane_length_ = tangent_a_ + tangent_b_ + r * arc_;
+    if (obstacle.cylinder && obstacle.length) {
+      // How far the ends of the arc are within the cylinder's, times in_plane_length_.
+      const Expr rise = to[2] - from[2], half = *obstacle.length / graph_.integer(2);
+      const auto within = [&](const Expr& z) { return half * in_plane_length_ - abs(z); };
+      touches_ = lower(touches_, higher(within(from[2] * in_plane_length_ + rise * tangent_a_),
+                                        within(to[2] * in_plane_length_ - rise * tangent_b_)));
+    }
   }
 
   Expr leads_around() const { return lower(outside_, touches_); }

@@ -33,6 +33,27 @@ TEST(WrappedPath, IsStraightWhereNothingIsInTheWay) {
   EXPECT_EQ(length_around(false, 1, Vector3d(-2, 0, 1.1), Vector3d(2, 0, 1.1), {}), 4);
 }
 
+TEST(WrappedPath, PassesCylindersThatItWouldTouchBeyondTheirEnds) {
+  ExprGraph graph;
+  const auto vector = [&](const Vector3d& x) {
+    return Vec3{{graph.real(x[0]), graph.real(x[1]), graph.real(x[2])}};
+  };
+  const auto length = [&](const Vector3d& a, const Vector3d& b, double size) {
+    return value_of(length_around({true, graph.one(), graph.real(size)}, vector(a), vector(b), std::nullopt,
+                                  graph.real((b - a).norm())));
+  };
+  // It climbs by 2 over 2 sqrt(3) + pi/3, and touches first and last sqrt(3) from the ends.
+  const Vector3d a(-2, 0, -1), b(2, 0, 1);
+  const double flat = 2 * std::sqrt(3) + kPi / 3, touch = 1 - 2 * std::sqrt(3) / flat;
+  const double around = std::hypot(flat, 2), straight = (b - a).norm();
+  EXPECT_NEAR(length(a, b, 2 * std::abs(touch) + 1e-6), around, 1e-14);
+  EXPECT_EQ(length(a, b, 2 * std::abs(touch) - 1e-6), straight);
+  // One end is enough.
+  const Vector3d up(0, 0, touch);
+  EXPECT_NEAR(length(a + up, b + up, 1e-6), around, 1e-14);
+  EXPECT_EQ(length(a + 1.01 * up, b + 1.01 * up, 1e-6), straight);
+}
+
 TEST(WrappedPath, LeadsAroundOnItsSide) {
   const double near = 2 * std::sqrt(3) - 2 * kPi / 3, far = near + 1.5 * kPi;
   for (const bool cylinder : {false, true}) {

@@ -193,8 +193,10 @@ class ForceWriter : private RandomQuantities {
     const auto frame = [&] {
       return frames_[static_cast<std::size_t>(draw.below(static_cast<int>(frames_.size())))];
     };
-    const std::string round = (draw.chance(0.5) ? "{sphere: " : "{cylinder: ") + frame() +
-                              ", radius: " + decimal(units_.length * draw.between(0.05, 0.4));
+    const bool sphere = draw.chance(0.5);
+    std::string round = (sphere ? "{sphere: " : "{cylinder: ") + frame() +
+                        ", radius: " + decimal(units_.length * draw.between(0.05, 0.4));
+    if (!sphere && draw.chance(0.5)) round += ", length: " + decimal(units_.length * draw.between(0.2, 2));
     return round + (draw.chance(0.5) ? ", side: " + frame() : "") + "}";
   }
 

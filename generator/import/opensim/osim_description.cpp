@@ -129,11 +129,10 @@ void OsimDescription::left(pugi::xml_node element, const std::string& why, const
                       note, fmt::format("left {} {}", element.name(), why)});
 }
 
-void OsimDescription::approximated(pugi::xml_node element, const std::string& how, const std::string& note,
-                                   const std::string& kind) {
+void OsimDescription::approximated(pugi::xml_node element, const std::string& how, const std::string& note) {
   ++nearly[element.name()];
   warnings.push_back({xml.where(element), fmt::format("{} {}", OsimXml::title(element), how), note,
-                      fmt::format("approximated {} {}", element.name(), kind)});
+                      fmt::format("approximated {}", element.name())});
 }
 
 /// Parameters and definitions that nothing needs, such as the position of a locked coordinate that turns nothing.

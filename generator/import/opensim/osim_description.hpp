@@ -51,9 +51,7 @@ struct OsimDescription {
   void took(const std::string& what) { ++taken[what]; }
   /// Left out, with a warning.
   void left(pugi::xml_node element, const std::string& why, const std::string& note = {});
-  /// \param kind  those of one kind and element are told once
-  void approximated(pugi::xml_node element, const std::string& how, const std::string& note = {},
-                    const std::string& kind = {});
+  void approximated(pugi::xml_node element, const std::string& how, const std::string& note = {});
 
   /// The whole description.
   YamlNode& finish();

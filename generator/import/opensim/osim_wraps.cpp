@@ -31,26 +31,18 @@ Eigen::Vector3d vector_of(const std::array<double, 3>& entries) {
 
 OsimWraps::OsimWraps(OsimDescription& out, pugi::xml_node force, std::span<const OsimPathPoint> points)
     : out_(out), points_(points) {
-  std::vector<std::string> straight, endless;
+  std::vector<std::string> straight;
   for (const pugi::xml_node wrap : out.xml.objects(force.child("GeometryPath"), "PathWrapSet")) {
     const std::string object = OsimXml::text(wrap, "wrap_object");
     const std::string name = object.empty() ? OsimXml::name_of(wrap) : object;
     const std::optional<Surface> surface = find(name);
     if (surface && !out.xml.flag(surface->element, "active", true)) continue;
-    if (!surface || !add(wrap, *surface))
-      straight.push_back(printable(name));
-    else if (surface->cylinder)
-      endless.push_back(printable(name));
+    if (!surface || !add(wrap, *surface)) straight.push_back(printable(name));
   }
   if (!straight.empty())
     out.approximated(
         force, fmt::format("wraps over {}; its path is drawn straight there", fmt::join(straight, ", ")),
-        "points of the path that are there under a condition (`when`) can lead it round", "straight");
-  if (!endless.empty())
-    out.approximated(
-        force,
-        fmt::format("wraps over {}: without ends here, and along the exact helix", fmt::join(endless, ", ")),
-        {}, "endless");
+        "points of the path that are there under a condition (`when`) can lead it round");
 }
 
 YamlNode* OsimWraps::after(std::size_t point) const {
@@ -68,10 +60,11 @@ std::optional<OsimWraps::Surface> OsimWraps::find(const std::string& name) const
 
 std::optional<OsimWraps::Surface> OsimWraps::read(pugi::xml_node element, std::size_t body) const {
   const std::string_view type = element.name();
-  Surface out{element, body, type == "WrapCylinder", 0, {}, {}};
+  Surface out{element, body, type == "WrapCylinder", 0, 0, {}, {}};
   if (!out.cylinder && type != "WrapSphere") return std::nullopt;
   out.radius = out_.xml.number(element, "radius", 0);
   if (!(out.radius > 0)) return std::nullopt;
+  if (out.cylinder) out.length = out_.xml.number(element, "length", 0);
   out.offset = {out_.xml.vector<3>(element, "translation", {}),
                 out_.xml.vector<3>(element, "xyz_body_rotation", {})};
   const std::string quadrant = OsimXml::text(element, "quadrant");
@@ -124,6 +117,7 @@ YamlNode& OsimWraps::node_of(const Surface& surface) const {
       out_.add_frame(name, surface.body, text(surface.offset.translation), at, surface.offset.orientation),
       at);
   out_.put(out, "radius", number_text(surface.radius), at);
+  if (surface.length > 0) out_.put(out, "length", number_text(surface.length), at);
   if (!surface.side) return out;
   const Eigen::Vector3d beyond = pose_of({surface.offset}) * vector_of(*surface.side);
   out_.put(out, "side", out_.add_frame(name + "_side", surface.body, text(beyond), at), at);

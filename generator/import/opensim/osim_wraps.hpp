@@ -22,7 +22,7 @@ struct OsimPathPoint {
 
 /// Spheres, and cylinders, of which a quadrant may be the only side. Each stands between all points in its range, but where
 /// the stretch never touches it. What else there is (ellipsoids, tori, spheres with a quadrant), what is beside points that
-/// have conditions, and a second one on the same stretch are left out with a warning, as are the ends of cylinders.
+/// have conditions, and a second one on the same stretch are left out with a warning.
 class OsimWraps {
  public:
   /// \param force   element with a <GeometryPath>
@@ -36,7 +36,7 @@ class OsimWraps {
     pugi::xml_node element;
     std::size_t body = 0;
     bool cylinder = false;
-    double radius = 0;
+    double radius = 0, length = 0;  ///< endless: 0
     OsimOffset offset;
     std::optional<std::array<double, 3>> side;  ///< a point outside, in the surface's axes
   };

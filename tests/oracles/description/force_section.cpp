@@ -69,6 +69,7 @@ FramePath read_path(const YAML::Node& points, const YAML::Node& root, const Name
       around.frame = frame_index(root, point[cylinder ? "cylinder" : "sphere"].as<std::string>());
       around.cylinder = cylinder;
       around.radius = expression_of(point["radius"], names);
+      if (point["length"]) around.length = expression_of(point["length"], names);
       if (point["side"]) around.side = frame_index(root, point["side"].as<std::string>());
     } else if (point.IsScalar())
       path.points.push_back({frame_index(root, point.as<std::string>()), nullptr});

@@ -40,6 +40,7 @@ struct PathObstacle {
   std::size_t frame = 0;
   bool cylinder = false;
   Expression radius;
+  Expression length;  ///< of a cylinder; null: endless
   std::optional<std::size_t> side;
 };
 /// From one point to the next; or, without points, something that has a value as a path has a length.

@@ -12,7 +12,7 @@ using SimTK::Vec3;
 
 struct WrapSurface {
   bool cylinder = false;
-  double radius = 0;
+  double radius = 0, length = 0;
   int axis = -1;  // of the quadrant; none: -1
   double sign = 0;
   SimTK::Transform pose;  // in the ground
@@ -48,7 +48,10 @@ double around_cylinder(const Vec3& a, const Vec3& b, const WrapSurface& of) {
   const double reach_a = std::acos(r / la), reach_b = std::acos(r / lb);
   const auto length = [&](double way) {
     const double arc = turn(angle_a + way * reach_a, angle_b - way * reach_b, way);
-    const double flat = std::sqrt(la * la - r * r) + r * arc + std::sqrt(lb * lb - r * r);
+    const double to_arc = std::sqrt(la * la - r * r), off_it = std::sqrt(lb * lb - r * r);
+    const double flat = to_arc + r * arc + off_it, slope = (b[2] - a[2]) / flat;
+    if (std::min(std::abs(a[2] + slope * to_arc), std::abs(b[2] - slope * off_it)) > of.length / 2)
+      return straight;
     return std::hypot(flat, b[2] - a[2]);
   };
   const bool in_the_way = crosses<2>(pa, pb, r);
@@ -81,6 +84,7 @@ std::optional<WrapSurface> find(const OsimSkeleton& skeleton, const std::string&
       WrapSurface out;
       out.cylinder = type == std::string("WrapCylinder");
       out.radius = element.child("radius").text().as_double();
+      out.length = element.child("length").text().as_double();
       const std::string quadrant = element.child("quadrant").child_value();
       if (!quadrant.empty() && quadrant != "all") {
         out.axis = quadrant.back() - 'x';

@@ -16,7 +16,7 @@ struct PathStop {
   bool beside_conditional = false;  ///< it or the next one of the file has a condition
 };
 
-/// Length of a path through these points, around what its <PathWrapSet> names: cylinders without ends, and spheres without a
+/// Length of a path through these points, around what its <PathWrapSet> names: cylinders, and spheres without a
 /// quadrant, in their order, each once on a stretch. The path is straight past the rest, and past what is beside conditional
 /// points.
 double wrapped_length(const OsimSkeleton& skeleton, pugi::xml_node path, const std::vector<PathStop>& stops);

@@ -25,9 +25,10 @@ struct Bend {
 
 /// The two points where a line leaves something round, and the arc between them; nothing where it passes it by. The tangent
 /// points are worked out as vectors, as MuJoCo does it (see generator/mechanism/wrapped_path.hpp for the laws).
+/// \param half  of a cylinder's length
 template <class R>
 std::vector<Bend<R>> bends_around(const std::vector<RigidMotion<Jet<R>>>& frames, const PathObstacle& around,
-                                  const Jet<R>& r, std::size_t from, std::size_t to) {
+                                  const Jet<R>& r, double half, std::size_t from, std::size_t to) {
   using J = Jet<R>;
   using V = Vector3<J>;
   using std::acos;
@@ -80,6 +81,8 @@ std::vector<Bend<R>> bends_around(const std::vector<RigidMotion<Jet<R>>>& frames
     const J straight_a = sqrt(aa - r * r), all = straight_a + length + sqrt(bb - r * r);
     first[2] = begin + rise * straight_a / all;
     second[2] = begin + rise * (straight_a + length) / all;
+    const auto beyond = [&](const V& point) { return std::abs(leading(point[2])) > half; };
+    if (beyond(first) && beyond(second)) return {};
     const J climb = rise * length / all;
     length = sqrt(length * length + climb * climb);
   }
@@ -114,9 +117,12 @@ struct Layout {
         const auto found = path.obstacles.find(i);
         if (found == path.obstacles.end()) continue;
         const PathObstacle& around = found->second;
-        const Jet<R> radius = evaluate(around.radius, variables_along(description, state, q, *this), t);
+        const std::vector<Jet<R>> values = variables_along(description, state, q, *this);
+        const Jet<R> radius = evaluate(around.radius, values, t);
+        const double half = around.length ? leading(evaluate(around.length, values, t)) / 2
+                                          : std::numeric_limits<double>::infinity();
         for (const Bend<R>& bend :
-             bends_around(frames, around, radius, point.frame, path.points[i + 1].frame))
+             bends_around(frames, around, radius, half, point.frame, path.points[i + 1].frame))
           on_it.push_back(bend);
       }
       lengths.push_back(length_over(on_it));
