@@ -574,6 +574,110 @@ TEST(OsimForces, MusclesOfDeGrooteFollowTheirLaws) {
   EXPECT_GE(balanced, kMany / 4);
 }
 
+/// Curves of Schutte and others; those that a file does not give as OpenSim has them.
+struct SchutteMuscle {
+  double force, fibre, slack, pennation, scale, rise, fall, damping;
+  std::function<double(double)> active, passive, tendon;
+
+  SchutteMuscle(pugi::xml_node element, double time_scale, double activation1, double activation2,
+                double damped)
+      : scale(time_scale), rise(activation1 / time_scale), fall(activation2 / time_scale), damping(damped) {
+    const auto number = [&](const char* name) { return element.child(name).text().as_double(); };
+    force = number("max_isometric_force");
+    fibre = number("optimal_fiber_length");
+    slack = number("tendon_slack_length");
+    pennation = number("pennation_angle_at_optimal");
+    usual_.load_string(
+        "<Usual><SimmSpline name='active_force_length_curve'>"
+        "<x>-5.307692 -4.307692 -1.923077 -0.884615 -0.269231 0.230769 0.461538 0.52725 0.62875 0.71875 "
+        "0.86125 "
+        "1.045 1.2175 1.43875 1.5 1.615385 2 2.961538 3.692308 5.461538 9.901902</x>"
+        "<y>0.012188 0.021899 0.036466 0.052493 0.075312 0.114158 0.157859 0.226667 0.636667 0.856667 0.95 "
+        "0.993333 0.77 0.246667 0.193821 0.133252 0.072683 0.044417 0.036341 0.021899 "
+        "0.007332</y></SimmSpline>"
+        "<SimmSpline name='tendon_force_length_curve'>"
+        "<x>-10 -0.002 -0.001 0 0.00131 0.00281 0.00431 0.00581 0.00731 0.00881 0.0103 0.0118 0.0123 9.2 "
+        "9.201 "
+        "9.202 20</x>"
+        "<y>0 0 0 0 0.0108 0.0257 0.0435 0.0652 0.0915 0.123 0.161 0.208 0.227 345 345 345 "
+        "345</y></SimmSpline>"
+        "</Usual>");
+    const auto curve = [&](const char* name) -> std::function<double(double)> {
+      pugi::xml_node given = law_element(element, name);
+      if (!given) given = law_element(usual_.document_element(), name);
+      if (!given) return [](double x) { return std::exp(8 * (x - 1)) / std::exp(4.0); };
+      return [law = read_law(given, 1)](double x) { return law.value({x}); };
+    };
+    active = [read = curve("active_force_length_curve")](double x) { return std::max(0.0, read(x)); };
+    passive = curve("passive_force_length_curve");
+    tendon = [read = curve("tendon_force_length_curve")](double x) { return x < 0 ? 0 : read(x); };
+  }
+  /// Of the fibres, at a speed in optimal lengths in the scale of time.
+  double pull(double a, double x, double v) const {
+    const double s = 0.13 * 0.15 / 1.15;
+    return a * active(x) * (v > 0 ? (1.4 * v + s) / (v + s) : std::max(0.0, 1 + v) / (1 - v / 0.15)) +
+           damping * v;
+  }
+
+ private:
+  pugi::xml_document usual_;
+};
+
+TEST(OsimForces, MusclesOfSchutteFollowTheirLaws) {
+  constexpr int kMany = 150;
+  Rig rig("schutte_muscles.osim", kMany);
+  const SchutteMuscle flexor(rig.force("flexor"), 0.12, 6, 1.5, 0.05),
+      extensor(rig.force("extensor"), 0.1, 7.667, 1.459854, 0.1),
+      tendonless(rig.force("tendonless"), 0.1, 7.667, 1.459854, 0.1);
+  int shortening = 0, lengthening = 0, pulling = 0;
+  for (std::size_t i = 0; i < rig.states.size(); ++i) {
+    SCOPED_TRACE("state " + std::to_string(i));
+    const NamedMotion motion = rig.motion(i);
+    const auto& states = rig.states[i].states;
+    const auto activation = [&](const char* name, const SchutteMuscle& muscle) {
+      const double a = states.at(std::string(name) + "_activation"), e = rig.states[i].inputs.at(name);
+      EXPECT_NEAR(rig.rate_of(i, std::string(name) + "_activation"),
+                  (e - a) * (e > a ? muscle.rise * e + muscle.fall : muscle.fall), 1e-9);
+      return a;
+    };
+    for (const auto& [name, muscle] :
+         {std::pair<const char*, const SchutteMuscle&>("flexor", flexor), {"extensor", extensor}}) {
+      SCOPED_TRACE(name);
+      const double a = activation(name, muscle), x = states.at(std::string(name) + "_fibre"),
+                   sine = std::sin(muscle.pennation) / x, cosine = std::sqrt(1 - sine * sine);
+      double bears = 0;
+      expect_near("tension", rig.contribution(i, name),
+                  rig.of_tension(motion, name,
+                                 [&, &of = muscle](double length, double) {
+                                   bears = of.tendon((length - of.fibre * x * cosine) / of.slack - 1);
+                                   return of.force * bears;
+                                 }),
+                  kDifferences);
+      // At the speed of the fibres they pull as much as the tendon does; or nothing, as fast as they can.
+      const double load = std::max(0.0, bears / cosine - muscle.passive(x)),
+                   v = rig.rate_of(i, std::string(name) + "_fibre") * muscle.scale;
+      EXPECT_NEAR(muscle.pull(a, x, v), load, 1e-9 * std::max(1.0, load));
+      (v > 0 ? lengthening : shortening) += load > 0.01 ? 1 : 0;
+    }
+    const double a = activation("tendonless", tendonless);
+    expect_near("tendonless", rig.contribution(i, "tendonless"),
+                rig.of_tension(
+                    motion, "tendonless",
+                    [&](double length, double rate) {
+                      const double l = std::hypot(length, tendonless.fibre * std::sin(tendonless.pennation)),
+                                   x = l / tendonless.fibre, cosine = length / l,
+                                   v = rate * cosine / tendonless.fibre * tendonless.scale;
+                      const double pull = std::max(0.0, tendonless.pull(a, x, v) + tendonless.passive(x));
+                      pulling += pull > 0.05 ? 1 : 0;
+                      return tendonless.force * cosine * pull;
+                    }),
+                kDifferences);
+  }
+  EXPECT_GE(shortening, 3);
+  EXPECT_GE(lengthening, 10);
+  EXPECT_GE(pulling, kMany / 4);
+}
+
 // With a slack tendon, and with fibres shorter than their curves allow, OpenSim's muscles do not pull, however they move. Beyond
 // the longest active fibres only what is passive does.
 TEST(OsimForces, SlackMusclesDoNotPull) {

@@ -229,6 +229,7 @@ void XmlText::check_spelling(pugi::xml_node element, std::string_view what,
   };
   for (const pugi::xml_node child : element.children()) {
     std::string_view name = child.name();
+    if (format_.called_by_name && is_among(child.attribute("name").value(), children)) continue;
     if (!format_.older_end.empty() && name.ends_with(format_.older_end))
       name.remove_suffix(format_.older_end.size());
     if (child.type() != pugi::node_element || is_among(name, children) || passed_over(name, where(child)))

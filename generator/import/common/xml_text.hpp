@@ -27,6 +27,7 @@ struct XmlFormat {
   std::string_view root;
   std::span<const std::string_view> vital;
   std::string_view older_end = {};  ///< what names of elements may end in besides
+  bool called_by_name = false;      ///< an element may be called what its attribute `name` says
 };
 
 /// The text of an element, which comments may split; without white space around it.

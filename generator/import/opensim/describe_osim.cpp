@@ -41,7 +41,7 @@ constexpr std::string_view kVitalOsim[] = {"mass",
                                            "max_isometric_force",
                                            "optimal_fiber_length",
                                            "tendon_slack_length"};
-constexpr XmlFormat kOsim{"OpenSimDocument", kVitalOsim, kOlderSocketEnd};
+constexpr XmlFormat kOsim{"OpenSimDocument", kVitalOsim, kOlderSocketEnd, true};
 
 void add_body(OsimDescription& out, std::size_t index) {
   const OsimBody& body = out.model.bodies[index];

@@ -307,6 +307,8 @@ constexpr ForceType kForceTypes[] = {{"CoordinateActuator", add_coordinate_actua
                                      {"Thelen2003Muscle", add_thelen_muscle},
                                      {"Millard2012EquilibriumMuscle", add_millard_muscle},
                                      {"DeGrooteFregly2016Muscle", add_degroote_muscle},
+                                     {"Schutte1993Muscle", add_schutte_muscle},
+                                     {"Schutte1993Muscle_Deprecated", add_schutte_muscle},
                                      {"HuntCrossleyForce", add_hunt_crossley},
                                      {"SmoothSphereHalfSpaceForce", add_smooth_contact}};
 

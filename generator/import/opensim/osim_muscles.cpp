@@ -2,7 +2,8 @@
 // Adults, Journal of Biomechanical Engineering 125 (2003), 70-77; Millard, Uchida, Seth and Delp, Flexing Computational
 // Muscle, Journal of Biomechanical Engineering 135 (2013), 021005; De Groote, Kinney, Rao and Fregly, Evaluation of
 // Direct Collocation Optimal Control Problem Formulations for Solving the Muscle Redundancy Problem, Annals of
-// Biomedical Engineering 44 (2016), 2922-2936.
+// Biomedical Engineering 44 (2016), 2922-2936; Schutte, Rodgers, Zajac and Glaser, Improving the Efficacy of Electrical
+// Stimulation-Induced Leg Cycle Ergometry, IEEE Transactions on Rehabilitation Engineering 1 (1993), 109-125.
 #include "import/opensim/osim_muscles.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,8 @@ struct ActivationLaw {
   double rise, fall;     ///< time constants, in seconds
   double initial;        ///< activation
   double steepness = 0;  ///< of the tanh between rise and fall; 0 for a jump
+  double least = 0.01;
+  bool by_excitation = false;  ///< how quickly it rises depends on the excitation, and not on itself
 };
 
 /// One muscle while it is described.
@@ -197,7 +200,7 @@ class Muscle {
 
   /// The input is the excitation, and the activation a state; or the input is the activation.
   void add_activation() {
-    const double least = number("minimum_activation", 0.01),
+    const double least = number("minimum_activation", law_.least),
                  initial = number("default_activation", law_.initial);
     std::array<double, 2> limits = osim_control_limits(out_.xml, element_);
     limits = {std::max(limits[0], least), std::min(limits[1], 1.0)};
@@ -215,6 +218,8 @@ class Muscle {
       const std::string turn = fmt::format("0.5*tanh({}*({}))", n(law_.steepness), change);
       quickness = fmt::format("((0.5 + {0})*{1} + (0.5 - {0})*{2})", turn, rising, falling);
     }
+    if (law_.by_excitation)
+      quickness = fmt::format("({} + select({}, {}, 0)/{})", n(1 / law_.fall), change, input, n(law_.rise));
     out_.add_state(activation_, initial, {least, 1}, fmt::format("({})*{}", change, quickness), at_);
   }
 };
@@ -314,6 +319,68 @@ struct DeGroote {
   }
 };
 
+/// The curves of Schutte and others for one muscle; speeds in optimal lengths in its scale of time.
+struct Schutte {
+  static constexpr double kStretched = 1.4,
+                          kBent = 0.15;  // of force over speed: where it ends, how it is bent
+  static constexpr double kSlope = 0.13 * kBent / (kBent + 1);  // lengthening
+  OsimDescription& out;
+  pugi::xml_node element;
+  double damping;
+
+  Schutte(OsimDescription& description, pugi::xml_node muscle)
+      : out(description), element(muscle), damping(out.xml.positive_number(muscle, "damping", 0.1)) {}
+
+  std::string curve(const char* property, const std::string& x, const std::string& otherwise) const {
+    const pugi::xml_node given = find_osim_function(element, property);
+    return given ? read_osim_function(out.xml, given, {x}).text : otherwise;
+  }
+  std::string active(const std::string& length) const {
+    return fmt::format(
+        "max(0, {})",
+        curve(
+            "active_force_length_curve", length,
+            fmt::format(
+                "simm_spline({}; [-5.307692, -4.307692, -1.923077, -0.884615, -0.269231, 0.230769, 0.461538, "
+                "0.52725, 0.62875, 0.71875, 0.86125, 1.045, 1.2175, 1.43875, 1.5, 1.615385, 2, 2.961538, "
+                "3.692308, 5.461538, 9.901902]; [0.012188, 0.021899, 0.036466, 0.052493, 0.075312, 0.114158, "
+                "0.157859, 0.226667, 0.636667, 0.856667, 0.95, 0.993333, 0.77, 0.246667, 0.193821, 0.133252, "
+                "0.072683, 0.044417, 0.036341, 0.021899, 0.007332])",
+                length)));
+  }
+  std::string passive(const std::string& length) const {
+    return curve("passive_force_length_curve", length, fmt::format("exp(8*({} - 1) - 4)", length));
+  }
+  std::string tendon(const std::string& strain) const {
+    const std::string otherwise = fmt::format(
+        "simm_spline({}; [-10, -0.002, -0.001, 0, 0.00131, 0.00281, 0.00431, 0.00581, 0.00731, 0.00881, "
+        "0.0103, "
+        "0.0118, 0.0123, 9.2, 9.201, 9.202, 20]; [0, 0, 0, 0, 0.0108, 0.0257, 0.0435, 0.0652, 0.0915, 0.123, "
+        "0.161, 0.208, 0.227, 345, 345, 345, 345])",
+        strain);
+    return fmt::format("select({}, {}, 0)", strain, curve("tendon_force_length_curve", strain, otherwise));
+  }
+  std::string over_speed(const std::string& v) const {
+    return fmt::format(
+        "select({0}, ({1}*max({0}, 0) + {2})/(max({0}, 0) + {2}), max(0, 1 + {0})/(1 - min({0}, 0)/{3}))", v,
+        n(kStretched), n(kSlope), n(kBent));
+  }
+  /// The speed at which active*over_speed + damping*speed is the load: a root of a quadratic where the fibres shorten, and of
+  /// another one where they lengthen, each in the form that does not cancel.
+  std::string speed(const std::string& load, const std::string& active) const {
+    const std::string h = fmt::format("({} + {}*{} + {})", load, n(kBent), active, n(kBent * damping)),
+                      missing = fmt::format("max(0, {} - {})", active, load);
+    const std::string shortening = fmt::format("-{0}*{1}/({2} + sqrt({2}^2 + {3}*{1}))", n(2 * kBent),
+                                               missing, h, n(4 * kBent * damping));
+    const std::string g = fmt::format("({} - {}*{} - {})", load, n(kStretched), active, n(kSlope * damping)),
+                      beyond = fmt::format("max(0, {} - {})", load, active);
+    const std::string root = fmt::format("sqrt({}^2 + {}*{})", g, n(4 * kSlope * damping), beyond);
+    const std::string lengthening = fmt::format("select({0}, ({0} + {1})/{2}, {3}*{4}/({1} - {0}))", g, root,
+                                                n(2 * damping), n(2 * kSlope), beyond);
+    return fmt::format("select({} - {}, {}, {})", load, active, lengthening, shortening);
+  }
+};
+
 }  // namespace
 
 bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
@@ -404,6 +471,32 @@ bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element) {
       muscle.add_output("_active", fmt::format("{}*{}", muscle.activation_, curves.active(fibre.length)));
   muscle.add_tendon_force(force, curves.tendon_slope(force),
                           over_cosine(DeGroote::speed(fmt::format("{}/{}", load, active))));
+  return true;
+}
+
+bool add_schutte_muscle(OsimDescription& out, pugi::xml_node element) {
+  const double scale = out.xml.positive_number(element, "time_scale", 0.1);
+  Muscle muscle(out, element,
+                {scale / out.xml.positive_number(element, "activation1", 7.667),
+                 scale / out.xml.positive_number(element, "activation2", 1.459854), 0.05, 0, 0, true});
+  if (!muscle.begin()) return false;
+  muscle.speed_ = 1 / scale;
+  const Schutte curves(out, element);
+  const std::string& a = muscle.activation_;
+  if (muscle.has_rigid_tendon()) {
+    const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
+    muscle.finish(muscle.rigid_tension(
+        fmt::format("{}*{}*{} + {} + {}*{}", a, curves.active(length), curves.over_speed(speed),
+                    curves.passive(length), n(curves.damping), speed),
+        0));
+    return true;
+  }
+  const ElasticTendon tendon = muscle.add_elastic_tendon(0);
+  muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
+  const std::string active =
+      out.define(muscle.name_ + "_active", fmt::format("{}*{}", a, curves.active(tendon.fibre)), muscle.at_);
+  muscle.add_fibre(tendon, fmt::format("{}*{}", n(muscle.speed_),
+                                       curves.speed(fmt::format("max(0, {})", tendon.load), active)));
   return true;
 }
 

@@ -14,4 +14,7 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element);
 /// That of De Groote and others, likewise.
 bool add_degroote_muscle(OsimDescription& out, pugi::xml_node element);
 
+/// That of Schutte and others, likewise.
+bool add_schutte_muscle(OsimDescription& out, pugi::xml_node element);
+
 }  // namespace alembert

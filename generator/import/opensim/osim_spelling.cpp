@@ -145,6 +145,12 @@ const PropertyNames kForceProperties = {"appliesForce",
                                         "KshapePassive",
                                         "Af",
                                         "Flen",
+                                        "time_scale",
+                                        "activation1",
+                                        "activation2",
+                                        "tendon_force_length_curve",
+                                        "active_force_length_curve",
+                                        "passive_force_length_curve",
                                         "fv_linear_extrap_threshold",
                                         "maximum_pennation_angle",
                                         "activation_time_constant",
@@ -209,7 +215,6 @@ const PropertyNames kForceProperties = {"appliesForce",
 void check_osim_spelling(const XmlText& xml, const OsimModel& model,
                          const std::vector<pugi::xml_node>& forces) {
   const auto check = [&](pugi::xml_node element, PropertyNames known) {
-    // Anything may be the function of an axis, and any function names itself.
     if (element) xml.check_spelling(element, OsimXml::title(element), known, {"name", "file", "Version"});
   };
   check(model.element, kModelProperties);
@@ -222,13 +227,7 @@ void check_osim_spelling(const XmlText& xml, const OsimModel& model,
          joint.element.child("CoordinateSet").child("objects").children("Coordinate"))
       check(coordinate, kCoordinateProperties);
     for (const pugi::xml_node axis : joint.element.child("SpatialTransform").children("TransformAxis"))
-      for (const pugi::xml_node child : OsimXml::elements(axis))
-        if (child.attribute("name").value() != std::string_view("function") &&
-            std::ranges::find(kAxisProperties, std::string_view(child.name())) == kAxisProperties.end())
-          xml.warn({xml.where(child),
-                    "unknown element <" + printable(child.name()) + "> in a TransformAxis; it is passed over",
-                    {},
-                    std::string(child.name())});
+      check(axis, kAxisProperties);
   }
   for (const pugi::xml_node force : forces) check(force, kForceProperties);
 }
