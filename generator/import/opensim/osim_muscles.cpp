@@ -321,9 +321,8 @@ struct DeGroote {
 
 /// The curves of Schutte and others for one muscle; speeds in optimal lengths in its scale of time.
 struct Schutte {
-  static constexpr double kStretched = 1.4,
-                          kBent = 0.15;  // of force over speed: where it ends, how it is bent
-  static constexpr double kSlope = 0.13 * kBent / (kBent + 1);  // lengthening
+  // Of force over speed: where it ends, how it is bent, and how it begins to lengthen.
+  static constexpr double kStretched = 1.4, kBent = 0.15, kSlope = 0.13 * kBent / (kBent + 1);
   OsimDescription& out;
   pugi::xml_node element;
   double damping;
@@ -333,7 +332,7 @@ struct Schutte {
 
   std::string curve(const char* property, const std::string& x, const std::string& otherwise) const {
     const pugi::xml_node given = find_osim_function(element, property);
-    return given ? read_osim_function(out.xml, given, {x}).text : otherwise;
+    return given ? "(" + read_osim_function(out.xml, given, {x}).text + ")" : otherwise;
   }
   std::string active(const std::string& length) const {
     return fmt::format(
@@ -354,8 +353,8 @@ struct Schutte {
   std::string tendon(const std::string& strain) const {
     const std::string otherwise = fmt::format(
         "simm_spline({}; [-10, -0.002, -0.001, 0, 0.00131, 0.00281, 0.00431, 0.00581, 0.00731, 0.00881, "
-        "0.0103, "
-        "0.0118, 0.0123, 9.2, 9.201, 9.202, 20]; [0, 0, 0, 0, 0.0108, 0.0257, 0.0435, 0.0652, 0.0915, 0.123, "
+        "0.0103, 0.0118, 0.0123, 9.2, 9.201, 9.202, 20]; [0, 0, 0, 0, 0.0108, 0.0257, 0.0435, 0.0652, "
+        "0.0915, 0.123, "
         "0.161, 0.208, 0.227, 345, 345, 345, 345])",
         strain);
     return fmt::format("select({}, {}, 0)", strain, curve("tendon_force_length_curve", strain, otherwise));
