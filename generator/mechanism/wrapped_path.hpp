@@ -21,7 +21,8 @@ struct RoundObstacle {
 /// where a point is inside; else a tangent from each point and the arc (on a cylinder, the helix) between them. With a
 /// `side`, a point outside, the arc is the one on its side of the obstacle, and the line leads around also where it would
 /// pass on the other side. The laws are those of MuJoCo's tendons that wrap around a geom with a sidesite outside of it; a
-/// line that would touch a cylinder beyond its ends, with both ends of the arc, passes it by, as in OpenSim. Differentiable wherever the path does not jump.
+/// line that would touch a cylinder beyond its ends, with both ends of the arc, passes it by, as in OpenSim.
+/// Differentiable wherever the path does not jump.
 ///
 /// \param straight  the distance of the points, m
 Expr length_around(const RoundObstacle& obstacle, const Vec3& from, const Vec3& to,
