@@ -137,22 +137,26 @@ class Muscle {
     const std::string strain = fmt::format("((length - {}*{})/{} - 1)", n(fibre_), along, n(slack_));
     return {fibre, cosine, strain, out_.names.add(name_ + "_load", at_), shortest};
   }
-  /// The tension, by what the tendon bears, and what is left for the contractile elements, no less than `at_limit` where the fibres are shortest; of the largest
-  /// isometric force.
-  void finish_elastic(const ElasticTendon& tendon, const std::string& bears, const std::string& passive,
-                      const std::string& at_limit = {}) {
-    finish(fmt::format("{}*{}", n(force_), bears));
-    const std::string load = fmt::format("tension({})/{}{} - {}", name_, n(force_),
-                                         tendon.cosine == "1" ? "" : "/" + tendon.cosine, passive);
-    out_.put(out_.nodes.add_named(*out_.sections["outputs"], tendon.load, at_), "value",
-             at_limit.empty() ? load
-                              : fmt::format("select({} - {}, {}, max({}, {}))", tendon.fibre,
-                                            n(tendon.shortest), load, load, at_limit),
-             at_);
-  }
-  void add_fibre(const ElasticTendon& tendon, const std::string& rate) {
+  /// An elastic tendon, and fibres whose length is a state. What the tendon bears beside what is passive is left for the
+  /// contractile elements; `speed(load, active)` is how fast they move, in largest speeds, under this load where they pull
+  /// `active` at rest. Forces are of the largest isometric one. Where fibres are shortest, the load of those that are
+  /// `stopped` is no less than active: they get no shorter.
+  template <class Curves, class Speed>
+  void finish_elastic(const Curves& curves, double shortest, bool stopped, const Speed& speed) {
+    const ElasticTendon tendon = add_elastic_tendon(shortest);
+    const std::string active =
+        out_.define(name_ + "_active", fmt::format("{}*{}", activation_, curves.active(tendon.fibre)), at_);
+    finish(fmt::format("{}*{}", n(force_), curves.tendon(tendon.strain)));
+    std::string load =
+        fmt::format("tension({})/{}{} - {}", name_, n(force_),
+                    tendon.cosine == "1" ? "" : "/" + tendon.cosine, curves.passive(tendon.fibre));
+    if (stopped)
+      load = fmt::format("select({0} - {1}, {2}, max({2}, {3}))", tendon.fibre, n(tendon.shortest), load,
+                         active);
+    out_.put(out_.nodes.add_named(*out_.sections["outputs"], tendon.load, at_), "value", load, at_);
     out_.add_state(tendon.fibre, number("default_fiber_length", fibre_) / fibre_,
-                   {std::max(0.2, tendon.shortest), 2}, rate, at_);
+                   {std::max(0.2, tendon.shortest), 2},
+                   fmt::format("{}*{}", n(speed_), speed(tendon.load, active)), at_);
   }
 
   std::string add_output(const char* what, const std::string& value) {
@@ -397,11 +401,9 @@ bool add_thelen_muscle(OsimDescription& out, pugi::xml_node element) {
                              0));
     return true;
   }
-  const ElasticTendon tendon = muscle.add_elastic_tendon(0);
-  muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
-  const std::string active =
-      out.define(muscle.name_ + "_active", fmt::format("{}*{}", a, curves.active(tendon.fibre)), muscle.at_);
-  muscle.add_fibre(tendon, fmt::format("{}*{}", n(muscle.speed_), curves.speed(a, tendon.load, active)));
+  muscle.finish_elastic(curves, 0, false, [&](const std::string& load, const std::string& active) {
+    return curves.speed(a, load, active);
+  });
   return true;
 }
 
@@ -415,16 +417,11 @@ bool add_millard_muscle(OsimDescription& out, pugi::xml_node element) {
   const bool elastic = !muscle.has_rigid_tendon(), damped = damping >= kLeastDamping;
   const MillardCurves curves(out.xml, element, elastic && !damped);
   if (elastic) {
-    const ElasticTendon tendon = muscle.add_elastic_tendon(curves.shortest());
-    const std::string active =
-        out.define(muscle.name_ + "_active",
-                   fmt::format("{}*{}", muscle.activation_, curves.active(tendon.fibre)), muscle.at_);
-    // Fibres that are shortest carry what they do at rest, at least: they get no shorter.
-    muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre), active);
-    muscle.add_fibre(tendon,
-                     fmt::format("{}*{}", n(muscle.speed_),
-                                 damped ? curves.speed(tendon.load, active, damping)
-                                        : curves.over_load(fmt::format("{}/{}", tendon.load, active))));
+    muscle.finish_elastic(curves, curves.shortest(), true,
+                          [&](const std::string& load, const std::string& active) {
+                            return damped ? curves.speed(load, active, damping)
+                                          : curves.over_load(fmt::format("{}/{}", load, active));
+                          });
     return true;
   }
   const std::string length = muscle.rigid_length(), speed = muscle.rigid_speed();
@@ -490,12 +487,9 @@ bool add_schutte_muscle(OsimDescription& out, pugi::xml_node element) {
         0));
     return true;
   }
-  const ElasticTendon tendon = muscle.add_elastic_tendon(0);
-  muscle.finish_elastic(tendon, curves.tendon(tendon.strain), curves.passive(tendon.fibre));
-  const std::string active =
-      out.define(muscle.name_ + "_active", fmt::format("{}*{}", a, curves.active(tendon.fibre)), muscle.at_);
-  muscle.add_fibre(tendon, fmt::format("{}*{}", n(muscle.speed_),
-                                       curves.speed(fmt::format("max(0, {})", tendon.load), active)));
+  muscle.finish_elastic(curves, 0, false, [&](const std::string& load, const std::string& active) {
+    return curves.speed(fmt::format("max(0, {})", load), active);
+  });
   return true;
 }
 

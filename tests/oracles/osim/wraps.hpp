@@ -1,8 +1,6 @@
 // Paths of OpenSim over cylinders and spheres, by OpenSim's own rules of which way they go.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "oracles/osim/skeleton.hpp"
