@@ -2,9 +2,11 @@
 #include "dynamics/function_builders.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "differentiation/jacobian.hpp"
 #include "dynamics/choice/candidates.hpp"
+#include "dynamics/choice/conditioning.hpp"
 #include "dynamics/choice/constrained_dynamics.hpp"
 #include "dynamics/choice/coriolis_matrix.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
@@ -19,6 +21,7 @@
 #include "functions/array_shape.hpp"
 #include "mechanism/parameter_places.hpp"
 #include "support/error.hpp"
+#include "symbolic/count_operations.hpp"
 #include "symbolic/value_number.hpp"
 
 namespace alembert {
@@ -202,9 +205,24 @@ Results build_frame_jacobian_rates(const Ingredients& given) {
 }
 
 Results build_centroidal_momentum(const Ingredients& given) {
-  CentroidalMomentum found = centroidal_momentum(given.mechanism(), given.kinematics.tree,
-                                                 given.kinematics.derivatives, given.graph());
-  return {std::move(found.h), std::move(found.A), std::move(found.bias), std::move(found.com)};
+  const auto make = [&](MomentumFrom from) {
+    CentroidalMomentum found = centroidal_momentum(given.mechanism(), given.kinematics.tree,
+                                                   given.kinematics.derivatives, given.graph(), from);
+    return Results{std::move(found.h), std::move(found.A), std::move(found.bias), std::move(found.com)};
+  };
+  Results plain = make(MomentumFrom::heaviest_body);
+  if (!given.graph().simplifies()) return plain;
+  Results other = make(MomentumFrom::world);
+  const auto joined = [](const Results& all, std::initializer_list<std::size_t> which) {
+    std::vector<Expr> out;
+    for (const std::size_t i : which) out.insert(out.end(), all[i].begin(), all[i].end());
+    return out;
+  };
+  const Conditioning conditioning(given.kinematics, joined(plain, {0, 2}));
+  const auto operations = [&](const Results& all) {
+    return count_operations(value_number(joined(all, {0, 1, 2, 3}))).total();
+  };
+  return operations(other) < operations(plain) && conditioning.is_good(joined(other, {0, 2})) ? other : plain;
 }
 
 Results build_constraints(const Ingredients& given) {

@@ -88,6 +88,7 @@ double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 struct Judged {
   double error = 0, allowed = kAgreement;
+  std::string where = {};
 };
 void keep_worse(Judged& worst, const Judged& other) {
   if (other.error / other.allowed > worst.error / worst.allowed) worst = other;
@@ -182,6 +183,7 @@ Judged judge_array(const std::string& function, const std::string& name, const s
       if (by_plain > kPlainLimit) here.allowed = std::max(kAgreement, kPlainFactor * by_plain);
       if (name == "Minv" || name.rfind("qdd_", 0) == 0)
         here.allowed = std::max(here.allowed, stable_inverse(states[i].dynamics.mass_matrix));
+      here.where = name + " at state " + std::to_string(i + 1);
       keep_worse(worst, here);
     }
   }
@@ -221,9 +223,16 @@ Judged judge_rates(const Reference& state, const Eigen::VectorXd& found) {
   return result;
 }
 
-/// Accelerations and reactions under constraints at one state.
+/// Sizes of what sums to zero in each row of constraints.
+VectorOf<Wide> terms_of(const ConstraintRowsOf<Wide>& rows, const VectorOf<Wide>& qdd) {
+  return rows.P.cwiseAbs() * qdd.cwiseAbs() + rows.gamma.cwiseAbs();
+}
+
+/// Accelerations and reactions under constraints at one state. `largest_terms` are those of each row at any state: a
+/// step is flat at most of them, where its curvature is the rounding of what it is made of.
 Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& rows,
-                         const ConstraintRowsOf<double>& plain, const Answer& answer) {
+                         const ConstraintRowsOf<double>& plain, const Answer& answer,
+                         const VectorOf<Wide>& largest_terms) {
   const Eigen::Index n = state.dynamics.bias.size(), m = rows.gamma.size();
   if (answer.rates.size() != n || answer.multipliers.size() != m || !answer.rates.allFinite() ||
       !answer.multipliers.allFinite())
@@ -247,17 +256,32 @@ Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& r
   if (left > 0)
     worst = {static_cast<double>(left / largest), kAgreement + static_cast<double>(rounding / largest)};
   const VectorOf<Wide> slip = (rows.P * qdd + rows.gamma).cwiseAbs();
-  const VectorOf<Wide> terms = rows.P.cwiseAbs() * qdd.cwiseAbs() + rows.gamma.cwiseAbs();
+  const VectorOf<Wide> terms = terms_of(rows, qdd);
   // What cancels in a row weighs by the motion that it does not constrain.
   const VectorOf<Wide> by_plain = (plain.P.cast<Wide>() - rows.P).cwiseAbs() * qdd.cwiseAbs() +
                                   (plain.gamma.cast<Wide>() - rows.gamma).cwiseAbs();
   for (Eigen::Index i = 0; i < m; ++i) {
     if (!(slip[i] > 0)) continue;
-    const Wide rounded =
-        stable * row[i] * motion + (by_plain[i] > kPlainLimit * terms[i] ? kPlainFactor * by_plain[i] : 0);
+    const Wide rounded = stable * (row[i] * motion + largest_terms[i]) +
+                         (by_plain[i] > kPlainLimit * terms[i] ? kPlainFactor * by_plain[i] : 0);
     keep_worse(worst, {static_cast<double>(slip[i] / terms[i]),
                        kAgreement + static_cast<double>(rounded / terms[i])});
   }
+  return worst;
+}
+
+/// The same at all states.
+Judged judge_constrained(const std::vector<Reference>& states,
+                         const std::vector<ConstraintRowsOf<Wide>>& rows,
+                         const std::vector<ConstraintRowsOf<double>>& plain,
+                         const std::vector<Answer>& answers) {
+  VectorOf<Wide> largest = VectorOf<Wide>::Zero(rows.front().gamma.size());
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (answers[i].rates.size() == rows[i].P.cols() && answers[i].rates.allFinite())
+      largest = largest.cwiseMax(terms_of(rows[i], answers[i].rates.cast<Wide>()));
+  Judged worst;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    keep_worse(worst, judge_constrained(states[i], rows[i], plain[i], answers[i], largest));
   return worst;
 }
 
@@ -363,13 +387,16 @@ std::vector<Comparison> compare_functions(const std::string& executable, const s
       for (std::size_t i = 0; i < references.size(); ++i)
         keep_worse(worst, judge_rates(references[i], found[i].at(function).at("qdd")));
     } else if (function == "constrained_forward_dynamics") {
+      std::vector<ConstraintRowsOf<Wide>> rows;
+      std::vector<ConstraintRowsOf<double>> plain;
+      std::vector<Answer> answers(references.size());
       for (std::size_t i = 0; i < references.size(); ++i) {
-        Answer answer;
-        answer.rates = found[i].at(function).at("qdd");
-        answer.multipliers = found[i].at(function).at("lambda");
-        keep_worse(worst, judge_constrained(references[i], references[i].rows.value(),
-                                            references[i].plain_rows.value(), answer));
+        rows.push_back(references[i].rows.value());
+        plain.push_back(references[i].plain_rows.value());
+        answers[i].rates = found[i].at(function).at("qdd");
+        answers[i].multipliers = found[i].at(function).at("lambda");
       }
+      worst = judge_constrained(references, rows, plain, answers);
     } else {
       for (const auto& [name, values] : references[0].exact.at(function))
         keep_worse(worst, judge_array(function, name, references, found));
@@ -378,7 +405,10 @@ std::vector<Comparison> compare_functions(const std::string& executable, const s
     line.function = function;
     line.error = worst.error;
     line.tolerance = worst.allowed;
-    if (!(worst.error <= worst.allowed)) line.verdict = Comparison::Verdict::fail;
+    if (!(worst.error <= worst.allowed)) {
+      line.verdict = Comparison::Verdict::fail;
+      line.note = worst.where;
+    }
     lines.push_back(line);
   }
   return lines;
@@ -394,10 +424,13 @@ Comparison compare_constrained(const std::string& executable, const std::string&
   line.formulation = "auto";
   try {
     const std::vector<Answer> answers = ask_alembert(executable, file, states, "auto");
-    Judged worst;
-    for (std::size_t i = 0; i < states.size(); ++i)
-      keep_worse(worst, judge_constrained(references[i], numeric_constraints<Wide>(description, states[i]),
-                                          numeric_constraints<double>(description, states[i]), answers[i]));
+    std::vector<ConstraintRowsOf<Wide>> rows;
+    std::vector<ConstraintRowsOf<double>> plain;
+    for (const State& state : states) {
+      rows.push_back(numeric_constraints<Wide>(description, state));
+      plain.push_back(numeric_constraints<double>(description, state));
+    }
+    const Judged worst = judge_constrained(references, rows, plain, answers);
     line.error = worst.error;
     line.tolerance = worst.allowed;
   } catch (const std::runtime_error& failure) {

@@ -621,6 +621,75 @@ bodies:
     inertia: {xx: 2.6e-15, yy: 3.4e-15, zz: 4.1e-15, xy: 1.2e-15}
 )yaml");
 }
+// The centre of mass is that of the rotor but for rounding, and the angular momentum about it that of what is light.
+TEST(WrongNumbers, AngularMomentumOfAHeavyRotorOnALightStage) {
+  expect_right(R"yaml(
+coordinates:
+  - {name: x, limits: [-0.4, 0.4]}
+  - {name: y, limits: [-6.5e-06, 6.5e-06]}
+  - {name: turn, limits: [-3, 3]}
+  - {name: spin, limits: [-3, 3]}
+bodies:
+  - name: stage
+    transform: [{joint: {type: planar, coordinates: [x, y, turn]}}]
+    mass: 3.0e-06
+    com: [-0.0025, -0.006, 0.0005]
+    inertia: {xx: 1.9e-10, yy: 3.0e-10, zz: 3.6e-10}
+  - name: rotor
+    parent: stage
+    transform:
+      - {translate: [0, 0, -0.0015]}
+      - {rotate: {axis: x, angle: pi/4}}
+      - {joint: {type: revolute, axis: z, coordinates: [spin]}}
+    mass: 7.2
+    com: [1.4e-05, 0.001, -3.3e-06]
+  - name: pointer
+    parent: rotor
+    transform: [{rotate: {axis: y, angle: 0.48}}]
+    mass: 0.00034
+    com: [-0.0019, -0.0002, 0.0037]
+)yaml");
+}
+// At the initial state the row of the distance is nothing but rounding.
+TEST(WrongNumbers, DistanceAtItsExtremum) {
+  expect_right(R"yaml(
+coordinates:
+  - {name: base, limits: [-3, 3]}
+  - {name: slide, limits: [-3, 3]}
+  - {name: turn, limits: [-3, 3]}
+bodies:
+  - name: arm
+    transform: [{joint: {type: revolute, axis: [1.79, -1.38, 2], coordinates: [base]}}, {translate: [-0.672556, 0, -0.609213]}]
+    mass: 2.2
+    com: [-0.23, 0.23, 0.24]
+    inertia: {xx: 0.28, yy: 0.34, zz: 0.19, xy: 0.02}
+  - name: carriage
+    parent: arm
+    transform:
+      - {rotate: {axis: x, angle: 0.395638}}
+      - {joint: {type: helical, axis: [-1, 0, 0], pitch: 0.08, coordinates: [slide]}}
+    mass: 2.9
+    com: [0.19, -0.05, 0]
+    inertia: {xx: 0.28, yy: 0.34, zz: 0.19, xy: 0.02, xz: 0.12}
+  - name: flap
+    parent: carriage
+    transform: [{rotate: {axis: y, angle: -pi/2}}, {joint: {type: revolute, axis: z, coordinates: [turn]}}]
+    mass: 2
+    com: [-0.28, 0.29, 0.17]
+    inertia: {xx: 0.18, yy: 0.17, zz: 0.19}
+frames:
+  - {name: end, body: flap, transform: [{translate: [-0.646789, 0, 0.623064]}, {rotate: {axis: x, angle: 1.29007}}, {translate: [0.39975, 0, 0]}]}
+  - {name: anchor, body: carriage, transform: [{translate: [-0.407796, 0, 0.500134]}, {rotate: {axis: x, angle: pi/2}}, {translate: [0.737225, 0, 0]}]}
+  - {name: tip, body: flap, transform: [{translate: [-0.5, 0.5, -0.1]}]}
+  - {name: post, body: carriage, transform: [{translate: [0.7, 0.1, 0.3]}]}
+constraints:
+  - name: rod
+    type: holonomic
+    equations:
+      - "(position(end).x - position(anchor).x)^2 + (position(end).y - position(anchor).y)^2 + (position(end).z - position(anchor).z)^2 - 1"
+  - {name: plane, type: holonomic, equations: ["position(tip).x - position(post).x"]}
+)yaml");
+}
 TEST(WrongNumbers, NothingIsSingularThatIsOnlySmall) {
   expect_right(R"yaml(
 coordinates: [x, q]

@@ -55,7 +55,7 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
 std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M) {
   const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv), count = rows.position.size();
-  std::vector<double> exponents(count, 0.0), states(count, 0.0);
+  std::vector<std::vector<double>> exponents(count);  // of each row, at the states
   for (unsigned seed = 0; seed < kStates; ++seed) {
     const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, seed);
     const std::vector<double> inertia = evaluate(M, state), P = evaluate(rows.P, state);
@@ -67,14 +67,19 @@ std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEq
         fourth += square * square;
       }
       const double exponent = std::log2(fit / fourth);
-      if (!std::isfinite(exponent)) continue;
-      exponents[r] += exponent;
-      ++states[r];
+      if (std::isfinite(exponent)) exponents[r].push_back(exponent);
     }
   }
+  // Not their mean: where a row is nothing but rounding, as that of a distance at its extremum is, its weight is any
+  // number.
+  const auto median = [](std::vector<double> of) {
+    std::ranges::sort(of);
+    const std::size_t middle = of.size() / 2;
+    return of.size() % 2 == 1 ? of[middle] : 0.5 * (of[middle - 1] + of[middle]);
+  };
   std::vector<double> weights;
-  for (std::size_t r = 0; r < count; ++r)
-    weights.push_back(states[r] > 0 ? std::exp2(std::round(exponents[r] / states[r] + kOffCentre)) : 1);
+  for (const std::vector<double>& of : exponents)
+    weights.push_back(of.empty() ? 1 : std::exp2(std::round(median(of) + kOffCentre)));
   return weights;
 }
 

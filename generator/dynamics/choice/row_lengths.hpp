@@ -17,7 +17,7 @@ std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEq
                                 const std::vector<Expr>& M);
 
 /// A weight W_r for each row, with which the diagonal of P^T W P is about that of M where the row has entries: the fit of
-/// W_r P_rk^2 to M_kk by least squares, the mean at the same states, as a power of two. 1 for a row of zeros.
+/// W_r P_rk^2 to M_kk by least squares, the median at the same states, as a power of two. 1 for a row of zeros.
 std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M);
 

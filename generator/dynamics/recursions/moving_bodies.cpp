@@ -8,7 +8,11 @@
 // to (turn).
 #include "dynamics/recursions/moving_bodies.hpp"
 
+#include <algorithm>
+
 #include "differentiation/jacobian.hpp"
+#include "dynamics/tree/state_values.hpp"
+#include "symbolic/evaluate.hpp"
 
 namespace alembert {
 namespace {
@@ -135,8 +139,21 @@ std::vector<Expr> body_accelerations(const Mechanism& mechanism, const MotionTre
   return accelerations(Movements(mechanism, tree, derivatives, graph, rates).centers());
 }
 
+namespace {
+
+/// At the defaults of runtime parameters.
+std::size_t heaviest_body(const Mechanism& mechanism, ExprGraph& graph) {
+  std::vector<Expr> masses;
+  for (const Body& body : mechanism.bodies) masses.push_back(body.mass_properties.mass);
+  const std::vector<double> values = evaluate(masses, state_values(mechanism, graph, 0));
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+}  // namespace
+
 CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionTree& tree,
-                                       const SpeedDerivatives& derivatives, ExprGraph& graph) {
+                                       const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                       MomentumFrom from) {
   const std::vector<FrameMovement> bodies =
       Movements(mechanism, tree, derivatives, graph, SpeedRates::left_out).centers();
   const Vec3 none = zeros<3, 1>(graph);
@@ -151,17 +168,19 @@ CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionT
   CentroidalMomentum out;
   out.com.assign(com.entries.begin(), com.entries.end());
   Vec3 angular = none, linear = none, angular_rate = none, linear_rate = none;
+  FrameMovement base{identity_pose(graph), none, none, none, none};
+  if (from == MomentumFrom::heaviest_body) base = bodies[heaviest_body(mechanism, graph)];
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MassProperties& of = mechanism.bodies[b].mass_properties;
     const FrameMovement& at = bodies[b];
     const Mat3& R = at.pose.rotation;
-    const Vec3 arm = at.pose.origin - com, momentum = of.mass * at.v, force = of.mass * at.a;
+    const Vec3 first = of.mass * (at.pose.origin - com);
     const auto spin = [&](const Vec3& turn) { return R * (of.inertia * (transpose(R) * turn)); };
     const Vec3 own = spin(at.om);
-    linear = linear + momentum;
-    angular = angular + own + cross(arm, momentum);
-    linear_rate = linear_rate + force;
-    angular_rate = angular_rate + spin(at.al) + cross(at.om, own) + cross(arm, force);
+    linear = linear + of.mass * at.v;
+    angular = angular + own + cross(first, at.v - base.v);
+    linear_rate = linear_rate + of.mass * at.a;
+    angular_rate = angular_rate + spin(at.al) + cross(at.om, own) + cross(first, at.a - base.a);
   }
   append(out.h, angular, linear);
   append(out.bias, angular_rate, linear_rate);

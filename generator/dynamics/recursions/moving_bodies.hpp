@@ -34,7 +34,11 @@ struct CentroidalMomentum {
   std::vector<Expr> bias;  ///< 6: dh/dt = A du/dt + bias
   std::vector<Expr> com;   ///< 3: the centre of mass
 };
+/// What velocities and accelerations are counted from in moments about the centre of mass, where the sum of m r is zero.
+/// The lever arm of a heavy body may be the rounding of the centre of mass: from its own velocity that does no harm.
+enum class MomentumFrom { world, heaviest_body };
 CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionTree& tree,
-                                       const SpeedDerivatives& derivatives, ExprGraph& graph);
+                                       const SpeedDerivatives& derivatives, ExprGraph& graph,
+                                       MomentumFrom from);
 
 }  // namespace alembert

@@ -315,24 +315,40 @@ struct Centre {
     own << R(I[0]), R(I[3]), R(I[4]), R(I[3]), R(I[1]), R(I[5]), R(I[4]), R(I[5]), R(I[2]);
     return bodies[i].pose.template leftCols<3>() * own * bodies[i].pose.template leftCols<3>().transpose();
   }
+  /// Velocities or accelerations of bodies less that of their centre of mass: what lever arms are multiplied with.
+  std::vector<Vector> from_mean(const std::vector<Motion<R>>& moving, Six Motion<R>::*of) const {
+    R mass(0.0);
+    Vector mean = Vector::Zero();
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      mass += R(description.bodies[i].mass);
+      mean += R(description.bodies[i].mass) * (moving[i].*of).template tail<3>();
+    }
+    mean /= mass;
+    std::vector<Vector> all;
+    for (const Motion<R>& one : moving) all.push_back((one.*of).template tail<3>() - mean);
+    return all;
+  }
   Six momentum(const std::vector<Motion<R>>& moving) const {
+    const std::vector<Vector> velocity = from_mean(moving, &Motion<R>::velocity);
     Six sum = Six::Zero();
     for (std::size_t i = 0; i < moving.size(); ++i) {
-      const Vector linear = R(description.bodies[i].mass) * moving[i].velocity.template tail<3>();
+      const R mass(description.bodies[i].mass);
       sum.template head<3>() +=
-          inertia(i) * moving[i].velocity.template head<3>() + (center(i) - com).cross(linear);
-      sum.template tail<3>() += linear;
+          inertia(i) * moving[i].velocity.template head<3>() + mass * (center(i) - com).cross(velocity[i]);
+      sum.template tail<3>() += mass * moving[i].velocity.template tail<3>();
     }
     return sum;
   }
   Six rate(const std::vector<Motion<R>>& moving) const {
+    const std::vector<Vector> acceleration = from_mean(moving, &Motion<R>::acceleration);
     Six sum = Six::Zero();
     for (std::size_t i = 0; i < moving.size(); ++i) {
+      const R mass(description.bodies[i].mass);
       const Vector omega = moving[i].velocity.template head<3>();
-      const Vector force = R(description.bodies[i].mass) * moving[i].acceleration.template tail<3>();
       sum.template head<3>() += inertia(i) * moving[i].acceleration.template head<3>() +
-                                omega.cross(inertia(i) * omega) + (center(i) - com).cross(force);
-      sum.template tail<3>() += force;
+                                omega.cross(inertia(i) * omega) +
+                                mass * (center(i) - com).cross(acceleration[i]);
+      sum.template tail<3>() += mass * moving[i].acceleration.template tail<3>();
     }
     return sum;
   }
