@@ -30,7 +30,8 @@ namespace alembert {
 template <class M>
 class BoundMechanism {
  public:
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(is_mechanism_v<M>,
+                "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
   using Scalar = typename M::Scalar;
   static constexpr int kNq = M::kNq, kNv = M::kNv;
   static constexpr int kNc = has_constraints_v<M> ? detail::ConstraintCount<M>::value : 0;

@@ -46,7 +46,8 @@ template <class M>
 typename M::Scalar kinetic_energy(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                   const typename M::Inputs& in) {
   using S = typename M::Scalar;
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(is_mechanism_v<M>,
+                "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
   SpeedMatrix<M> mass;
   SpeedVector<M> c;
   M::mass_matrix_and_bias(q, qd, in, mass, c);

@@ -143,7 +143,8 @@ template <class M>
 [[nodiscard]] Status forward_dynamics(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                       const SpeedVector<M>& tau, const typename M::Inputs& in,
                                       SpeedVector<M>& qdd) {
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(is_mechanism_v<M>,
+                "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
   if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
   SpeedVector<M> x;
   if (detail::written_rates<M>(q, qd, tau, in, x)) {

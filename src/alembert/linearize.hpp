@@ -56,7 +56,8 @@ template <class M>
 [[nodiscard]] Status linearize(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                const SpeedVector<M>& tau, const typename M::Inputs& in,
                                Linearization<M>& out) {
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(is_mechanism_v<M>,
+                "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
   static_assert(has_derivatives_v<M> || detail::HasForwardDerivatives<M>::value,
                 "generate M with inverse_dynamics_derivatives or forward_dynamics_derivatives");
   if constexpr (detail::kLinearizesByWriting<M>) {

@@ -4,8 +4,8 @@
 // A mechanism M with n_q coordinates q and n_v speeds u has
 //   M::Scalar, M::Inputs                     scalar type; time `t`, runtime parameters and external wrenches
 //   M::kNq, M::kNv                           sizes of q and u
-//   M::kQuaternionOffsets                    std::array<int, k>: where the unit quaternions (x y z w) start
-//   in q M::mass_matrix_and_bias(q, u, in, M, c)  M(q) and c(q, u) of  tau = M(q) du/dt + c(q, u)
+//   M::kQuaternionOffsets                    std::array<int, k>: where in q unit quaternions (x y z w) start
+//   M::mass_matrix_and_bias(q, u, in, M, c)  M(q) and c(q, u) of  tau = M(q) du/dt + c(q, u)
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
 // and, optionally,
 //   M::energy(q, u, in)                      kinetic and potential energy

@@ -337,7 +337,8 @@ void step_motion(RolloutState<M>& all, std::size_t s, std::int64_t first, std::i
 template <class M, class Policy, class Run>
 std::size_t roll_out(const Rollout<typename M::Scalar>& way, const RolloutResults<typename M::Scalar>& out,
                      Policy& policy, std::size_t block, const Run& run) {
-  static_assert(is_mechanism_v<M>, "M lacks something that alembert/mechanism.hpp asks for");
+  static_assert(is_mechanism_v<M>,
+                "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
   using S = typename M::Scalar;
   const bool has_policy = is_given<std::decay_t<Policy>>(policy);
   RolloutState<M> all(way, out);
