@@ -228,8 +228,8 @@ VectorOf<Wide> terms_of(const ConstraintRowsOf<Wide>& rows, const VectorOf<Wide>
   return rows.P.cwiseAbs() * qdd.cwiseAbs() + rows.gamma.cwiseAbs();
 }
 
-/// Accelerations and reactions under constraints at one state. `largest_terms` are those of each row at any state: a
-/// step is flat at most of them, where its curvature is the rounding of what it is made of.
+/// Accelerations and reactions under constraints at one state. `largest_terms` are the largest of each row over all
+/// states: where a step is flat, its curvature is the rounding of terms as large as those on its slope.
 Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& rows,
                          const ConstraintRowsOf<double>& plain, const Answer& answer,
                          const VectorOf<Wide>& largest_terms) {

@@ -70,8 +70,8 @@ std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEq
       if (std::isfinite(exponent)) exponents[r].push_back(exponent);
     }
   }
-  // Not their mean: where a row is nothing but rounding, as that of a distance at its extremum is, its weight is any
-  // number.
+  // The median, not the mean: at a state where a row is only rounding, as the row of a distance is where the distance
+  // is largest or least, the fit says nothing.
   const auto median = [](std::vector<double> of) {
     std::ranges::sort(of);
     const std::size_t middle = of.size() / 2;

@@ -174,13 +174,13 @@ CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionT
     const MassProperties& of = mechanism.bodies[b].mass_properties;
     const FrameMovement& at = bodies[b];
     const Mat3& R = at.pose.rotation;
-    const Vec3 first = of.mass * (at.pose.origin - com);
+    const Vec3 weighted_arm = of.mass * (at.pose.origin - com);
     const auto spin = [&](const Vec3& turn) { return R * (of.inertia * (transpose(R) * turn)); };
     const Vec3 own = spin(at.om);
     linear = linear + of.mass * at.v;
-    angular = angular + own + cross(first, at.v - base.v);
+    angular = angular + own + cross(weighted_arm, at.v - base.v);
     linear_rate = linear_rate + of.mass * at.a;
-    angular_rate = angular_rate + spin(at.al) + cross(at.om, own) + cross(first, at.a - base.a);
+    angular_rate = angular_rate + spin(at.al) + cross(at.om, own) + cross(weighted_arm, at.a - base.a);
   }
   append(out.h, angular, linear);
   append(out.bias, angular_rate, linear_rate);

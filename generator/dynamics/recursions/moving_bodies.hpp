@@ -34,8 +34,9 @@ struct CentroidalMomentum {
   std::vector<Expr> bias;  ///< 6: dh/dt = A du/dt + bias
   std::vector<Expr> com;   ///< 3: the centre of mass
 };
-/// What velocities and accelerations are counted from in moments about the centre of mass, where the sum of m r is zero.
-/// The lever arm of a heavy body may be the rounding of the centre of mass: from its own velocity that does no harm.
+/// Which velocity (and acceleration) is subtracted from those of all bodies in moments about the centre of mass, sum m r x v.
+/// Since sum m r = 0, any one will do. The arm r of a body much heavier than the others is only rounding; with that body's
+/// velocity subtracted, this rounding is multiplied by zero.
 enum class MomentumFrom { world, heaviest_body };
 CentroidalMomentum centroidal_momentum(const Mechanism& mechanism, const MotionTree& tree,
                                        const SpeedDerivatives& derivatives, ExprGraph& graph,
