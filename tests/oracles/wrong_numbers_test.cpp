@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "oracles/alembert_process.hpp"
+#include "oracles/nasty_mechanism.hpp"
 #include "oracles/reference.hpp"
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
@@ -649,6 +650,47 @@ bodies:
     mass: 0.00034
     com: [-0.0019, -0.0002, 0.0037]
 )yaml");
+}
+// Two hinges on one line, to rounding: the plain equations of the constrained motion have values there, but no right
+// digit, and the shorter ones have none.
+TEST(WrongNumbers, ConstrainedMotionOfASingularMassMatrix) {
+  const NastyMechanism mechanism = nasty_mechanism(100156);
+  const TemporaryFile file(mechanism.text, ".yaml");
+  const oracles::Run run = run_alembert(
+      ALEMBERT_EXECUTABLE, {"evaluate", file.path(), "--functions", "constrained_forward_dynamics"}, "");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("double precision leaves few right digits"), std::string::npos) << run.err;
+}
+// A row of turns, which move 1e17 kg m^2, and of a slide, which moves 1e5 kg.
+TEST(WrongNumbers, RowOfTurnsAndASlide) {
+  const std::string text = R"yaml(
+coordinates:
+  - {name: swing, limits: [-3, 3]}
+  - {name: turn, type: quaternion}
+  - {name: slide, limits: [-5.0e+05, 5.0e+05]}
+bodies:
+  - name: boom
+    transform: [{joint: {type: revolute, axis: y, coordinates: [swing]}}, {translate: [0, 44432.4, -422122]}]
+    mass: 156238.9
+    com: [-281965, -45729.7, 296999]
+  - name: ball
+    parent: boom
+    transform: [{joint: {type: spherical, coordinates: [turn]}}, {translate: [0, -502266, 43286.2]}]
+    mass: 94841.1
+    com: [-126363, 290677, 249921]
+    inertia: {xx: 1.08e+16, yy: 8.45e+15, zz: 7.51e+15, xy: 5.79e+14, xz: -8.96e+13, yz: -2.16e+15}
+  - name: carriage
+    parent: ball
+    transform: [{rotate: {axis: y, angle: 0.0942985}}, {joint: {type: prismatic, axis: z, coordinates: [slide]}}]
+    mass: 126701.6
+    com: [-54026.1, 119547, -103955]
+    inertia: {xx: 1.59e+16, yy: 1.58e+16, zz: 1.62e+16, xy: -3.64e+15, xz: -4.04e+15, yz: -4.74e+15}
+constraints:
+  - {name: geared, type: pfaffian, rows: ["1.75129*d(turn).y - 0.98733*d(turn).x - cos(swing + pi/4)*d(slide)"]}
+)yaml";
+  std::vector<State> states = random_states(parse_description("name: small\n" + text));
+  for (State& state : states) state.speeds.back() *= 5e5;
+  expect_right(text, states);
 }
 // At the initial state the row of the distance is nothing but rounding.
 TEST(WrongNumbers, DistanceAtItsExtremum) {

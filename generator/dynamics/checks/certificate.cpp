@@ -365,13 +365,10 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
   const auto evaluated = [&](const OutputExpressions& output, std::size_t state) {
     return evaluate_bounded(output.values, values_at(state, inertia_of(output, state)));
   };
-  for (const std::size_t state : error.without_value) {
-    const bool has_value = std::ranges::all_of(plain, [&](const OutputExpressions& output) {
-      return std::ranges::all_of(evaluated(output, state),
-                                 [](const Approximate& x) { return std::isfinite(x.value); });
-    });
-    if (has_value) return false;
-  }
+  const auto scaled = [](const Scales& scales, std::size_t entry, std::size_t columns, double value) {
+    return Extended(scales.row(entry / columns) * scales.column(entry % columns)).convert_to<double>() *
+           value;
+  };
   const auto rounding = [&](const OutputExpressions& output, std::size_t first, std::size_t count,
                             std::size_t state) {
     const Scales scales = scales_of(output.name, inertia_of(output, state));
@@ -379,12 +376,25 @@ bool Certificate::explains(const MeasuredError& error, FunctionKind kind) const 
     double most = 0;
     for (std::size_t i = first; i < first + count; ++i) {
       const Approximate& x = values[i];
-      const double scale =
-          Extended(scales.row(i / output.columns) * scales.column(i % output.columns)).convert_to<double>();
-      most = std::isfinite(x.value) && std::isfinite(x.error) ? std::max(most, scale * x.error) : HUGE_VAL;
+      if (!std::isfinite(x.value) || !std::isfinite(x.error)) return HUGE_VAL;
+      most = std::max(most, scaled(scales, i, output.columns, x.error));
     }
     return most;
   };
+  // What the plain equations give there may have no digit right either: a pivot that is all rounding need not be 0.
+  const auto has_digits = [&](const OutputExpressions& output, std::size_t state) {
+    const Scales scales = scales_of(output.name, inertia_of(output, state));
+    const std::vector<Approximate> values = evaluated(output, state);
+    double largest = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      largest = std::max(largest, scaled(scales, i, output.columns, std::abs(values[i].value)));
+    const double lost = rounding(output, 0, values.size(), state);
+    return lost == 0 || lost < largest;
+  };
+  for (const std::size_t state : error.without_value)
+    if (std::ranges::all_of(plain,
+                            [&](const OutputExpressions& output) { return has_digits(output, state); }))
+      return false;
   return std::ranges::all_of(error.excesses, [&](const Excess& excess) {
     const auto& [array, first, count] = excess.part;
     double most = rounding(plain[array], first, count, excess.state);

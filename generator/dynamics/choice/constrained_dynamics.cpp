@@ -13,6 +13,11 @@
 // inertia, M^-1 (tau - c) is large and what the constraints leave of it is small. Then the rows are added to M, which
 // changes no solution: with M + P^T W P for M and tau - c - P^T W gamma for tau - c, X, S and v are of one size. W, a
 // weight for each row, makes the diagonal of P^T W P about that of M. (The augmented Lagrangian of Bayo and others, 1988.)
+// The reactions are then what cancels in G s, up to the weights. Where a row ties what is heavy to what is light they may be
+// as small as the forces on what is light: they are found from the rates, by the rows in the metric of D^-1, D about M's
+// diagonal:
+//
+//   P D^-1 P^T lambda = P D^-1 (M du/dt - (tau - c))
 //
 // Either R and Y are made, by modified Gram-Schmidt, or S is eliminated. What rounding leaves grows with the condition of
 // the rows, or with its square (Bjoerck, BIT 7, 1967). Elimination keeps rows short that concern few speeds, as those of
@@ -152,7 +157,8 @@ class ConstrainedSystem {
     for (auto row = rows_.P.begin(); row != rows_.P.end(); row += nv) P_.emplace_back(row, row + nv);
     if (equations.augmented) augment();
     for (const Expr& gamma : rows_.gamma) g_.push_back(-gamma);
-    Columns right{driving_forces(kinematics, equations)};
+    driving_ = driving_forces(kinematics, equations);
+    Columns right{driving_};
     add_rows(right.front(), g_);
     right.insert(right.end(), P_.begin(), P_.end());
     Columns X = inverse_times(right);
@@ -166,32 +172,41 @@ class ConstrainedSystem {
   }
 
   const ConstraintEquations& rows() const { return rows_; }
-  ConstrainedMotion motion() const { return motion(*independent_); }
+  ConstrainedMotion motion() const {
+    ConstrainedMotion out = motion(*independent_);
+    if (reactions_) out.lambdas = reactions(out.rates, driving_);
+    return out;
+  }
   /// x and y of M x = f + P^T y, P x = g, for each column of f and g.
-  std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> solved(Columns f, Columns g) const {
-    for (std::size_t k = 0; k < f.size(); ++k) add_rows(f[k], g[k]);
-    Columns free = inverse_times(f);
+  std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> solved(const Columns& f, Columns g) const {
+    Columns right = f;
+    for (std::size_t k = 0; k < f.size(); ++k) add_rows(right[k], g[k]);
+    Columns free = inverse_times(right);
     std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> out;
-    for (std::size_t k = 0; k < f.size(); ++k)
+    for (std::size_t k = 0; k < f.size(); ++k) {
       out.push_back(independent_->solved(std::move(free[k]), std::move(g[k])));
+      if (reactions_) out.back().second = reactions(out.back().first, f[k]);
+    }
     return out;
   }
   /// The same for g = 0 and f each column of the identity.
   std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> solved_for_forces() const {
     const std::size_t nv = static_cast<std::size_t>(kinematics_.mechanism.nv);
     Columns inverse;
+    Columns unit(nv, std::vector<Expr>(nv, kinematics_.graph.zero()));
+    for (std::size_t k = 0; k < nv; ++k) unit[k][k] = kinematics_.graph.one();
     if (augmented_.empty()) {
       const std::vector<Expr> entries = inverse_mass_matrix(kinematics_, equations_);
       for (auto column = entries.begin(); column != entries.end(); column += static_cast<std::ptrdiff_t>(nv))
         inverse.emplace_back(column, column + static_cast<std::ptrdiff_t>(nv));
     } else {
-      inverse.assign(nv, std::vector<Expr>(nv, kinematics_.graph.zero()));
-      for (std::size_t k = 0; k < nv; ++k) inverse[k][k] = kinematics_.graph.one();
-      inverse = inverse_times(inverse);
+      inverse = inverse_times(unit);
     }
     std::vector<std::pair<std::vector<Expr>, std::vector<Expr>>> out;
-    for (std::size_t k = 0; k < nv; ++k)
+    for (std::size_t k = 0; k < nv; ++k) {
       out.push_back(independent_->solved_for_force(k, std::move(inverse[k])));
+      if (reactions_) out.back().second = reactions(out.back().first, unit[k]);
+    }
     return out;
   }
 
@@ -199,8 +214,18 @@ class ConstrainedSystem {
   void augment() {
     const std::size_t nv = static_cast<std::size_t>(kinematics_.mechanism.nv);
     augmented_ = equations_.M;
-    for (const double weight : row_weights(kinematics_, rows_, equations_.M))
-      weights_.push_back(kinematics_.graph.real(weight));
+    const std::vector<double> weights = row_weights(kinematics_, rows_, equations_.M);
+    for (const double weight : weights) weights_.push_back(kinematics_.graph.real(weight));
+    std::vector<Expr> inertias(nv * nv, kinematics_.graph.zero());
+    const std::vector<double> typical = typical_inertias(kinematics_, rows_, equations_.M, weights);
+    for (std::size_t k = 0; k < nv; ++k) {
+      inertias[k * nv + k] = kinematics_.graph.real(typical[k]);
+      inverse_inertias_.push_back(kinematics_.graph.real(1 / typical[k]));
+    }
+    Columns X = P_;
+    for (std::vector<Expr>& column : X)
+      for (std::size_t k = 0; k < nv; ++k) column[k] *= inverse_inertias_[k];
+    reactions_.emplace(P_, std::move(X), row_lengths(kinematics_, rows_, inertias), RowMethod::gram_schmidt);
     for (std::size_t r = 0; r < P_.size(); ++r)
       for (std::size_t i = 0; i < nv; ++i)
         for (std::size_t j = 0; j <= i; ++j) augmented_[i * nv + j] += weights_[r] * (P_[r][i] * P_[r][j]);
@@ -213,6 +238,16 @@ class ConstrainedSystem {
       const Expr weighted = weights_[r] * g[r];
       for (std::size_t k = 0; k < f.size(); ++k) f[k] += P_[r][k] * weighted;
     }
+  }
+  /// y of M x = f + P^T y for x, where the rows are in M.
+  std::vector<Expr> reactions(const std::vector<Expr>& x, const std::vector<Expr>& f) const {
+    std::vector<Expr> lack;
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      Expr sum = f[k];
+      for (std::size_t j = 0; j < f.size(); ++j) sum -= equations_.M[k * f.size() + j] * x[j];
+      lack.push_back(inverse_inertias_[k] * sum);
+    }
+    return reactions_->solved(std::move(lack), std::vector<Expr>(P_.size(), kinematics_.graph.zero())).second;
   }
   /// Columns of M^-1 times these.
   Columns inverse_times(const Columns& columns) const {
@@ -236,8 +271,10 @@ class ConstrainedSystem {
   ConstraintEquations rows_;
   Columns P_;                              ///< rows
   std::vector<Expr> augmented_, weights_;  ///< M + P^T W P and W, or nothing
+  std::vector<Expr> inverse_inertias_;     ///< of D, where the rows are in M
   std::optional<IndependentRows> independent_;
-  std::vector<Expr> free_, g_;  ///< M^-1 (tau - c), -gamma
+  std::optional<IndependentRows> reactions_;  ///< in the metric of D^-1, where the rows are in M
+  std::vector<Expr> driving_, free_, g_;      ///< tau - c, M^-1 (tau - c), -gamma
 };
 
 /// What the changes of P^T lambda (forces) and of P du/dt + gamma (rows) are at constant du/dt and lambda, for which
@@ -317,7 +354,7 @@ ConstrainedDerivatives constrained_forward_dynamics_derivatives(const Kinematics
   }
 
   Columns rates, reactions;
-  for (auto& [x, y] : system.solved(std::move(changes.forces), std::move(changes.rows))) {
+  for (auto& [x, y] : system.solved(changes.forces, std::move(changes.rows))) {
     rates.push_back(std::move(x));
     reactions.push_back(std::move(y));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "dynamics/tree/state_values.hpp"
 #include "support/inverse_diagonal.hpp"
@@ -50,6 +51,17 @@ Eigen::VectorXd logarithms(const ConstraintEquations& rows, const std::vector<Ex
   return out;
 }
 
+/// 2 to the median of exponents, rounded; 1 of none. The median, not the mean: at a state where a row is only rounding, as
+/// the row of a distance is where the distance is largest or least, a fit says nothing.
+double median_power(std::vector<double> exponents) {
+  if (exponents.empty()) return 1;
+  std::ranges::sort(exponents);
+  const std::size_t middle = exponents.size() / 2;
+  const double median =
+      exponents.size() % 2 == 1 ? exponents[middle] : 0.5 * (exponents[middle - 1] + exponents[middle]);
+  return std::exp2(std::round(median + kOffCentre));
+}
+
 }  // namespace
 
 std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
@@ -70,17 +82,29 @@ std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEq
       if (std::isfinite(exponent)) exponents[r].push_back(exponent);
     }
   }
-  // The median, not the mean: at a state where a row is only rounding, as the row of a distance is where the distance
-  // is largest or least, the fit says nothing.
-  const auto median = [](std::vector<double> of) {
-    std::ranges::sort(of);
-    const std::size_t middle = of.size() / 2;
-    return of.size() % 2 == 1 ? of[middle] : 0.5 * (of[middle - 1] + of[middle]);
-  };
   std::vector<double> weights;
-  for (const std::vector<double>& of : exponents)
-    weights.push_back(of.empty() ? 1 : std::exp2(std::round(median(of) + kOffCentre)));
+  for (const std::vector<double>& of : exponents) weights.push_back(median_power(of));
   return weights;
+}
+
+std::vector<double> typical_inertias(const Kinematics& kinematics, const ConstraintEquations& rows,
+                                     const std::vector<Expr>& M, std::span<const double> weights) {
+  const double least = std::exp2(-40);
+  const std::size_t nv = static_cast<std::size_t>(kinematics.mechanism.nv);
+  std::vector<std::vector<double>> exponents(nv);  // of each speed, at the states
+  for (unsigned seed = 0; seed < kStates; ++seed) {
+    const std::vector<double> state = state_values(kinematics.mechanism, kinematics.graph, seed);
+    const std::vector<double> inertia = evaluate(M, state), P = evaluate(rows.P, state);
+    for (std::size_t k = 0; k < nv; ++k) {
+      double of_rows = 0;
+      for (std::size_t r = 0; r < weights.size(); ++r) of_rows += weights[r] * P[r * nv + k] * P[r * nv + k];
+      const double exponent = std::log2(std::max(inertia[k * nv + k], least * of_rows));
+      if (std::isfinite(exponent)) exponents[k].push_back(exponent);
+    }
+  }
+  std::vector<double> out;
+  for (const std::vector<double>& of : exponents) out.push_back(median_power(of));
+  return out;
 }
 
 std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEquations& rows,

@@ -1,7 +1,9 @@
 // Lengths of the rows of constraints. In: their equations and M. Out: for each row a power of two, by which those that
-// choose independent rows know what is rounding of a row whose units differ from the others'.
+// choose independent rows know what is rounding of a row whose units differ from the others'; and weights and inertias for
+// rows that are added to M.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "dynamics/choice/equations_of_motion.hpp"
@@ -20,5 +22,10 @@ std::vector<double> row_lengths(const Kinematics& kinematics, const ConstraintEq
 /// W_r P_rk^2 to M_kk by least squares, the median at the same states, as a power of two. 1 for a row of zeros.
 std::vector<double> row_weights(const Kinematics& kinematics, const ConstraintEquations& rows,
                                 const std::vector<Expr>& M);
+
+/// About M_kk, for each speed, the median at the same states, as a power of two: at least 2^-40 of the diagonal of
+/// P^T W P, for speeds of no inertia; 1 where that is 0 too.
+std::vector<double> typical_inertias(const Kinematics& kinematics, const ConstraintEquations& rows,
+                                     const std::vector<Expr>& M, std::span<const double> weights);
 
 }  // namespace alembert
