@@ -1,9 +1,9 @@
 // oracle_nasty EXECUTABLE [COUNT] [SEED]: mechanisms that are hard on numbers, every function of each at six
 // states against the Taylor oracle in long double. What disagrees is printed with its description, then one
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
-// random forces of every kind, with states and outputs, on such mechanisms and on random trees, and --in-turn asks
+// random forces of every kind, with states and outputs, on such mechanisms and on random trees, --in-turn asks
 // mechanisms of more than two speeds for functions besides the dynamics in turn only: they take nine tenths of the
-// time.
+// time; and --functions f,g asks for those alone, of the mechanisms that have them.
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -91,13 +92,21 @@ struct Summary {
 
 int main(int argc, char** argv) {
   bool quiet = false, forces = false, in_turn = false;
+  std::set<std::string> only;
   for (; argc > 1 && std::strncmp(argv[1], "--", 2) == 0; ++argv, --argc) {
     quiet = quiet || std::strcmp(argv[1], "--quiet") == 0;
     forces = forces || std::strcmp(argv[1], "--forces") == 0;
     in_turn = in_turn || std::strcmp(argv[1], "--in-turn") == 0;
+    if (std::strcmp(argv[1], "--functions") == 0 && argc > 2) {
+      std::istringstream names(argv[2]);
+      for (std::string name; std::getline(names, name, ',');) only.insert(name);
+      ++argv, --argc;
+    }
   }
   if (argc < 2) {
-    std::fprintf(stderr, "usage: oracle_nasty [--quiet] [--forces] [--in-turn] EXECUTABLE [COUNT] [SEED]\n");
+    std::fprintf(stderr,
+                 "usage: oracle_nasty [--quiet] [--forces] [--in-turn] [--functions f,g] EXECUTABLE [COUNT] "
+                 "[SEED]\n");
     return 2;
   }
   const std::string executable = argv[1];
@@ -110,14 +119,18 @@ int main(int argc, char** argv) {
   for (int i = 0; i < count; ++i) {
     const std::uint64_t here = seed + static_cast<std::uint64_t>(i);
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
-    std::ofstream(file) << mechanism.text;
     std::set<std::string> asked = comparable_functions(mechanism.description);
+    if (!only.empty()) {
+      std::erase_if(asked, [&](const std::string& name) { return only.count(name) == 0; });
+      if (asked.empty()) continue;
+    }
+    std::ofstream(file) << mechanism.text;
     if (in_turn && mechanism.description.nv > kSpeedsForEveryFunction) asked = functions_in_turn(asked, here);
     const std::vector<Reference> references =
         taylor_references(mechanism.description, mechanism.states, asked);
     std::vector<Comparison> lines = compare_functions(executable, file.string(), mechanism.description.name,
                                                       mechanism.states, references, asked);
-    if (!mechanism.description.constraints.empty())
+    if (asked.count("constrained_forward_dynamics") != 0)
       lines.push_back(compare_constrained(executable, file.string(), mechanism.description, mechanism.states,
                                           references));
     if (forces && here % kForcedKinds == 1) {

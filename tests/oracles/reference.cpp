@@ -257,12 +257,13 @@ Judged judge_constrained(const Reference& state, const ConstraintRowsOf<Wide>& r
     worst = {static_cast<double>(left / largest), kAgreement + static_cast<double>(rounding / largest)};
   const VectorOf<Wide> slip = (rows.P * qdd + rows.gamma).cwiseAbs();
   const VectorOf<Wide> terms = terms_of(rows, qdd);
-  // What cancels in a row weighs by the motion that it does not constrain.
+  // What cancels in a row weighs by the motion that it does not constrain, and by what reactions do alone: those of rows
+  // that nearly follow from each other are large, and hold against each other.
   const VectorOf<Wide> by_plain = (plain.P.cast<Wide>() - rows.P).cwiseAbs() * qdd.cwiseAbs() +
                                   (plain.gamma.cast<Wide>() - rows.gamma).cwiseAbs();
   for (Eigen::Index i = 0; i < m; ++i) {
     if (!(slip[i] > 0)) continue;
-    const Wide rounded = stable * (row[i] * motion + largest_terms[i]) +
+    const Wide rounded = stable * (row[i] * (motion + reaction) + largest_terms[i]) +
                          (by_plain[i] > kPlainLimit * terms[i] ? kPlainFactor * by_plain[i] : 0);
     keep_worse(worst, {static_cast<double>(slip[i] / terms[i]),
                        kAgreement + static_cast<double>(rounded / terms[i])});

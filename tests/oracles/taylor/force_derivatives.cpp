@@ -3,6 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "oracles/taylor/numeric_lagrangian.hpp"
 
@@ -57,6 +61,34 @@ class WeightedForces {
   StateOf<T> fixed_;
   std::vector<double> weights_;
 };
+
+/// A description with one runtime parameter changed. They are kept, since to read one takes longer than its forces do.
+class Variants {
+ public:
+  explicit Variants(const Description& of) : text(of.text), parameters(of.runtime_parameters) {}
+  const Description& with(const std::string& name, double value) {
+    const auto [found, is_new] = read_.try_emplace({name, value});
+    if (is_new) {
+      std::map<std::string, double> values = parameters;
+      values.at(name) = value;
+      found->second = parse_description(text, values);
+    }
+    return found->second;
+  }
+  const std::string text;
+  const std::map<std::string, double> parameters;
+
+ private:
+  std::map<std::pair<std::string, double>, Description> read_;
+};
+
+/// Those of the description that was asked for last: its states come one after another.
+Variants& variants_of(const Description& description) {
+  thread_local std::optional<Variants> last;
+  if (!last || last->text != description.text || last->parameters != description.runtime_parameters)
+    last.emplace(description);
+  return *last;
+}
 
 }  // namespace
 
@@ -132,19 +164,18 @@ std::map<std::string, Eigen::MatrixXd> second_derivatives_of_forces(const Descri
 
 Eigen::MatrixXd parameter_derivatives_of_forces(const Description& description, const State& state) {
   using R = long double;
+  Variants& variants = variants_of(description);
   Eigen::MatrixXd result(description.nv, static_cast<Eigen::Index>(description.runtime_parameters.size()));
   Eigen::Index column = 0;
   for (const auto& parameter : description.parameters) {
     const std::string& name = parameter.first;
-    const double value = parameter.second;
     if (description.runtime_parameters.count(name) == 0) continue;
+    const double value = description.runtime_parameters.at(name);
     const auto difference = [&](double step) -> VectorOf<R> {
-      std::map<std::string, double> there = description.runtime_parameters, back = there;
-      there.at(name) += step;
-      back.at(name) -= step;
-      const VectorOf<R> tau = numeric_lagrangian<R>(parse_description(description.text, there), state).tau -
-                              numeric_lagrangian<R>(parse_description(description.text, back), state).tau;
-      return tau / (R(there.at(name)) - R(back.at(name)));
+      const double there = value + step, back = value - step;
+      const VectorOf<R> tau = numeric_lagrangian<R>(variants.with(name, there), state).tau -
+                              numeric_lagrangian<R>(variants.with(name, back), state).tau;
+      return tau / (R(there) - R(back));
     };
     // Differences of steps h, h/2, h/4, h/8 are right to h^2; each round gains two orders. By how much the last one
     // changes what it began with tells rounding from them.
