@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -20,8 +21,9 @@ namespace detail {
 
 /// A = L^T D L for a symmetric positive definite A, from the last row up: where rows are speeds of a tree, each
 /// joint after those that carry it, L keeps the zeros of A between branches. After Featherstone, Rigid Body
-/// Dynamics Algorithms, 2008, section 6.5.
-template <class S, int N>
+/// Dynamics Algorithms, 2008, section 6.5. `in_pairs`: whether two rows are solved for at once where they take the same
+/// others, each of which is then loaded once; of fewer than 32 vector registers it takes too many.
+template <class S, int N, bool in_pairs = (EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32)>
 class BranchSolver {
   static_assert(N > 0, "the size must be positive");
 
@@ -34,22 +36,28 @@ class BranchSolver {
     rows_.template topRows<N>() = A;
     rows_.template bottomRows<kPadded - N>().setZero();
     carried_count_.fill(0);
+    for (std::bitset<N>& rows : carried_rows_) rows.reset();
     for (int k = N; k-- > 0;) {
+      const auto at = static_cast<std::size_t>(k);
       const S* const row = &rows_(0, k);
       const S pivot = row[k];
       if (!is_finite(pivot)) return Status::not_finite;
       if (!(pivot > S(0)) || !(pivot > rounding * A(k, k))) return Status::not_positive_definite;
-      const S inverse = inverse_pivot_[static_cast<std::size_t>(k)] = S(1) / pivot;
+      const S inverse = inverse_pivot_[at] = S(1) / pivot;
       int count = 0;
+      std::bitset<N> rows;
       for (int i = 0; i < k; ++i) {
         if (row[i] == S(0)) continue;
         const S l = -row[i] * inverse;
         carrying(k)[count++] = {l, i};
         carried(i)[carried_count_[static_cast<std::size_t>(i)]++] = {l, k};
+        if constexpr (in_pairs)
+          rows[static_cast<std::size_t>(i)] = carried_rows_[static_cast<std::size_t>(i)][at] = true;
         // What lies beyond the diagonal is not used.
         add_row(l, row, i / kLanes + 1, &rows_(0, i));
       }
-      carrying_count_[static_cast<std::size_t>(k)] = count;
+      carrying_count_[at] = count;
+      carrying_rows_[at] = rows;
     }
     return Status::ok;
   }
@@ -69,37 +77,57 @@ class BranchSolver {
     }
   }
 
-  /// An n x n matrix B, row by row, or the identity if null; and where the solution goes, column by column.
+  /// An n x n matrix B, row by row; and where -A^-1 B goes, column by column.
   struct Sides {
     const S* rows;
     S* columns;
   };
-  /// A^-1 for the identity, -A^-1 B for others.
-  /// \return not_finite, with all solutions left as they were, if a solution has such entries
+  /// \param inverse  where A^-1 goes, column by column
+  /// \return         not_finite, with all solutions left as they were, if a solution has such entries
   template <std::size_t count>
-  [[nodiscard]] Status solve(const Sides (&sides)[count]) const {
-    // Columns that are done together, in so many registers: sums that do not wait for each other.
-    constexpr int kMostPackets = 8;
+  [[nodiscard]] Status solve(const Sides (&sides)[count], S* inverse) const {
     constexpr int kColumns = static_cast<int>(count) * N, kPackets = (kColumns + kLanes - 1) / kLanes;
+    constexpr int kApart = kPackets * kLanes + kPadded;
     constexpr int kBlocks = (kPackets + kMostPackets - 1) / kMostPackets;
     constexpr int kInBlock = (kPackets + kBlocks - 1) / kBlocks,
                   kInLast = kPackets - (kBlocks - 1) * kInBlock;
-    Rows<kPackets * kLanes> all;
+    const Pairs pairs = found_pairs();
+    Rows<kApart> all;
     S* const rows = all.data();
     for (int side = 0; side < static_cast<int>(count); ++side)
-      load<kPackets * kLanes>(sides[side].rows, rows + side * N);
-    for (int i = 0; i < N; ++i)
-      std::fill(rows + i * kPackets * kLanes + kColumns, rows + (i + 1) * kPackets * kLanes, S(0));
+      load<kApart>(sides[side].rows, rows + side * N);
+    for (int i = 0; i < N; ++i) {
+      std::fill(rows + i * kApart + kColumns, rows + (i + 1) * kApart, S(0));
+      rows[i * kApart + kPackets * kLanes + i] = S(1);
+    }
     for (int block = 0; block < kBlocks - 1; ++block)
-      sweep<kPackets * kLanes>(rows + block * kInBlock * kLanes, std::make_index_sequence<kInBlock>());
-    sweep<kPackets * kLanes>(rows + (kBlocks - 1) * kInBlock * kLanes, std::make_index_sequence<kInLast>());
-    if (!all_finite(static_cast<std::size_t>(N) * kPackets * kLanes, static_cast<const S*>(rows)))
+      sweep<kApart>(pairs, rows + block * kInBlock * kLanes, N, std::make_index_sequence<kInBlock>());
+    sweep<kApart>(pairs, rows + (kBlocks - 1) * kInBlock * kLanes, N, std::make_index_sequence<kInLast>());
+    // Of the columns of the inverse to some row, only those above it: the inverse is symmetric.
+    S* const unit = rows + kPackets * kLanes;
+    for (int block = 0; block < kUnitBlocks - 1; ++block)
+      sweep<kApart>(pairs, unit + block * kInUnitBlock * kLanes, (block + 1) * kInUnitBlock * kLanes,
+                    std::make_index_sequence<kInUnitBlock>());
+    sweep<kApart>(pairs, unit + (kUnitBlocks - 1) * kInUnitBlock * kLanes, N,
+                  std::make_index_sequence<kUnitPackets - (kUnitBlocks - 1) * kInUnitBlock>());
+    if (!all_finite(static_cast<std::size_t>(N) * kApart, static_cast<const S*>(rows)))
       return Status::not_finite;
     for (int column = 0; column < kColumns; column += kLanes) {
       S* to[kLanes];
       const int width = std::min(kLanes, kColumns - column);
       for (int j = 0; j < width; ++j) to[j] = sides[(column + j) / N].columns + (column + j) % N * N;
-      store<kPackets * kLanes>(rows + column, width, to);
+      store<kApart>(rows + column, width, to);
+    }
+    for (int column = 0; column < N; column += kLanes) {
+      S* to[kLanes];
+      const int width = std::min(kLanes, N - column);
+      for (int j = 0; j < width; ++j) to[j] = inverse + (column + j) * N;
+      store<kApart>(unit + column, width, to);
+    }
+    for (int block = 0; block < kUnitBlocks - 1; ++block) {
+      const int first = block * kInUnitBlock * kLanes, end = first + kInUnitBlock * kLanes;
+      for (int column = first; column < end; ++column)
+        for (int i = end; i < N; ++i) inverse[column * N + i] = inverse[i * N + column];
     }
     return Status::ok;
   }
@@ -121,6 +149,12 @@ class BranchSolver {
 #pragma GCC diagnostic pop
 #endif
   static constexpr int kPadded = (N + kLanes - 1) / kLanes * kLanes;
+  // Columns that are done together, in so many registers: sums that do not wait for each other.
+  static constexpr int kMostPackets = 8, kFewPackets = 5;
+  static constexpr int kUnitPackets = kPadded / kLanes;
+  static constexpr int kUnitBlocks =
+      kUnitPackets < kFewPackets ? 1 : std::max(2, (kUnitPackets + kMostPackets - 1) / kMostPackets);
+  static constexpr int kInUnitBlock = (kUnitPackets + kUnitBlocks - 1) / kUnitBlocks;
   static constexpr std::size_t kMost = N > 1 ? static_cast<std::size_t>(N) * (N - 1) / 2 : 1;
 
   /// Row k of L: what carries k.
@@ -147,16 +181,11 @@ class BranchSolver {
   template <int columns>
   using Rows = std::conditional_t<fits_stack_v<S, N, N>, RowsOnStack<columns>, HeapMatrix<S, columns, N>>;
 
-  /// The negative of a matrix that stands row by row, or the identity if null, into rows so far apart.
+  /// The negative of a matrix that stands row by row, into rows so far apart.
   template <int apart>
   static void load(const S* from, S* rows) {
     using namespace Eigen::internal;
     for (int i = 0; i < N; ++i, rows += apart) {
-      if (!from) {
-        std::fill(rows, rows + N, S(0));
-        rows[i] = S(1);
-        continue;
-      }
       const S* const row = from + i * N;
       int j = 0;
       for (; j + kLanes <= N; j += kLanes) pstoreu(rows + j, pnegate(ploadu<Packet>(row + j)));
@@ -183,15 +212,52 @@ class BranchSolver {
     if (first < N) turn(N - kLanes);
   }
 
-  template <int apart, class Packets>
-  void sweep(S* rows, Packets packets) const {
-    for (int k = N; k-- > 0;) {
-      const int count = carried_count_[static_cast<std::size_t>(k)];
-      if (count > 0) add<apart>(packets, carried(k), count, S(1), rows, rows + k * apart);
+  /// Rows k that can be solved for together with the next one: k - 1 where they carry others, k + 1 where they are carried.
+  struct Pairs {
+    std::bitset<N> carried, carrying;
+  };
+  Pairs found_pairs() const {
+    Pairs pairs;
+    if constexpr (in_pairs) {
+      for (int k = 0; k < N; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const auto adds_row = [&](std::bitset<N> first, const std::bitset<N>& second) {
+          first[at] = true;
+          return first == second;
+        };
+        pairs.carried[at] = k > 0 && adds_row(carried_rows_[at], carried_rows_[at - 1]);
+        pairs.carrying[at] = k + 1 < N && adds_row(carrying_rows_[at], carrying_rows_[at + 1]);
+      }
     }
-    for (int k = 0; k < N; ++k)
-      add<apart>(packets, carrying(k), carrying_count_[static_cast<std::size_t>(k)],
-                 inverse_pivot_[static_cast<std::size_t>(k)], rows, rows + k * apart);
+    return pairs;
+  }
+  /// Some columns, the rows of which are zero from `end` on, and of the solution not wanted.
+  template <int apart, class Packets>
+  void sweep(const Pairs& pairs, S* rows, int end, Packets packets) const {
+    for (int k = end; k-- > 0;) {
+      const Entry* entries = carried(k);
+      int count = carried_count_[static_cast<std::size_t>(k)], gone = 0;
+      while (gone < count && entries[gone].row >= end) ++gone;
+      count -= gone;
+      if (k > 0 && pairs.carried[static_cast<std::size_t>(k)]) {
+        add_two<apart>(packets, entries + gone, carried(k - 1) + gone, count, S(1), S(1), rows,
+                       rows + k * apart, rows + (k - 1) * apart);
+        --k;
+      } else if (count > 0) {
+        add<apart>(packets, entries + gone, count, S(1), rows, rows + k * apart);
+      }
+    }
+    for (int k = 0; k < end; ++k) {
+      const int count = carrying_count_[static_cast<std::size_t>(k)];
+      const S* const inverse = &inverse_pivot_[static_cast<std::size_t>(k)];
+      if (k + 1 < end && pairs.carrying[static_cast<std::size_t>(k)]) {
+        add_two<apart>(packets, carrying(k), carrying(k + 1), count, inverse[0], inverse[1], rows,
+                       rows + k * apart, rows + (k + 1) * apart);
+        ++k;
+      } else {
+        add<apart>(packets, carrying(k), count, inverse[0], rows, rows + k * apart);
+      }
+    }
   }
 
   /// row = scale row + (entries times their rows), for some packets.
@@ -209,6 +275,27 @@ class BranchSolver {
     (pstore(row + p * kLanes, x[p]), ...);
   }
 
+  /// The same for two rows, where the entries of the second are at the rows of the first's, and one more at the first.
+  template <int apart, std::size_t... p>
+  static void add_two(std::index_sequence<p...>, const Entry* of_first, const Entry* of_second, int count,
+                      S scale_first, S scale_second, const S* rows, S* first, S* second) {
+    using namespace Eigen::internal;
+    const Packet factor_x = pset1<Packet>(scale_first), factor_y = pset1<Packet>(scale_second);
+    Packet x[] = {pmul(factor_x, pload<Packet>(first + p * kLanes))...};
+    Packet y[] = {pmul(factor_y, pload<Packet>(second + p * kLanes))...};
+    for (int e = 0; e < count; ++e) {
+      const Packet l = pset1<Packet>(of_first[e].value), m = pset1<Packet>(of_second[e].value);
+      const S* const from = rows + of_first[e].row * apart;
+      const Packet z[] = {pload<Packet>(from + p * kLanes)...};
+      ((x[p] = pmadd(l, z[p], x[p])), ...);
+      ((y[p] = pmadd(m, z[p], y[p])), ...);
+    }
+    const Packet m = pset1<Packet>(of_second[count].value);
+    ((y[p] = pmadd(m, x[p], y[p])), ...);
+    (pstore(first + p * kLanes, x[p]), ...);
+    (pstore(second + p * kLanes, y[p]), ...);
+  }
+
   /// row += l times another one, for some packets.
   static void add_row(S l, const S* from, int packets, S* row) {
     using namespace Eigen::internal;
@@ -221,6 +308,7 @@ class BranchSolver {
   std::array<S, static_cast<std::size_t>(N)> inverse_pivot_;
   std::array<Entry, kMost> carrying_, carried_;  // the latter from the last row up
   std::array<int, static_cast<std::size_t>(N)> carrying_count_, carried_count_;
+  std::array<std::bitset<N>, static_cast<std::size_t>(N)> carrying_rows_, carried_rows_;  // where in_pairs
 };
 
 }  // namespace detail

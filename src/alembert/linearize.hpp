@@ -81,9 +81,8 @@ template <class M>
     solver.solve(qdd);
     if (!detail::all_finite(qdd)) return Status::not_finite;
     detail::derivatives_by_rows<M>(q, qd, qdd, in, tau_q, tau_qd);
-    if (const Status status = solver.solve({{tau_q.data(), out.qdd_q.data()},
-                                            {tau_qd.data(), out.qdd_qd.data()},
-                                            {nullptr, out.qdd_tau.data()}});
+    if (const Status status = solver.solve(
+            {{tau_q.data(), out.qdd_q.data()}, {tau_qd.data(), out.qdd_qd.data()}}, out.qdd_tau.data());
         status != Status::ok)
       return status;
     out.qdd = qdd;

@@ -190,7 +190,7 @@ TEST(Linearize, IsTheGeneratedDerivativesOfFewSpeeds) {
 }
 
 /// A mass matrix of a random tree, for right-hand sides in several matrices.
-template <int N>
+template <int N, bool in_pairs>
 void expect_branches_solved() {
   std::mt19937 random(N);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -199,7 +199,8 @@ void expect_branches_solved() {
   for (int k = 0; k < N; ++k) {
     D(k, k) = 1.5 + uniform(random);
     for (int i = k; i > 0;) {
-      i = static_cast<int>(random() % static_cast<unsigned>(i));
+      // Half of the rows follow the one before them, as in a chain.
+      i = random() % 2 == 0 ? i - 1 : static_cast<int>(random() % static_cast<unsigned>(i));
       L(k, i) = uniform(random) / N;
     }
   }
@@ -207,9 +208,9 @@ void expect_branches_solved() {
   Matrix upper = A, B = Matrix::NullaryExpr([&] { return uniform(random); }), X, Y;
   upper.template triangularView<Eigen::StrictlyLower>().setConstant(kNan);  // only the upper is read
   Eigen::Matrix<double, N, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> rows = B;
-  alembert::detail::BranchSolver<double, N> solver;
+  alembert::detail::BranchSolver<double, N, in_pairs> solver;
   ASSERT_EQ(solver.factor(upper), Status::ok);
-  ASSERT_EQ(solver.solve({{rows.data(), X.data()}, {nullptr, Y.data()}}), Status::ok);
+  ASSERT_EQ(solver.solve({{rows.data(), X.data()}}, Y.data()), Status::ok);
   EXPECT_LT((A * X + B).norm(), 1e-12) << N;
   EXPECT_LT((A * Y - Matrix::Identity()).norm(), 1e-12) << N;
   Eigen::Matrix<double, N, 1> x = B.col(0);
@@ -217,7 +218,7 @@ void expect_branches_solved() {
   EXPECT_LT((A * x - B.col(0)).norm(), 1e-12) << N;
   rows(0, N - 1) = kInfinity;
   const Matrix kept = X;
-  EXPECT_EQ(solver.solve({{rows.data(), X.data()}}), Status::not_finite);
+  EXPECT_EQ(solver.solve({{rows.data(), X.data()}}, Y.data()), Status::not_finite);
   EXPECT_EQ(X, kept);
   upper = A;
   upper.row(N / 2).setZero();
@@ -229,11 +230,14 @@ void expect_branches_solved() {
 }
 
 TEST(Linearize, SolvesForAllColumnsOfATree) {
-  expect_branches_solved<1>();
-  expect_branches_solved<2>();
-  expect_branches_solved<7>();
-  expect_branches_solved<18>();
-  expect_branches_solved<43>();
+  expect_branches_solved<1, false>();
+  expect_branches_solved<1, true>();
+  expect_branches_solved<2, true>();
+  expect_branches_solved<7, true>();
+  expect_branches_solved<18, false>();
+  expect_branches_solved<18, true>();
+  expect_branches_solved<43, false>();
+  expect_branches_solved<43, true>();
 }
 
 TEST(ForwardDynamics, WhatIsNotFiniteIsReported) {
