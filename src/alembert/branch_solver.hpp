@@ -212,7 +212,8 @@ class BranchSolver {
     if (first < N) turn(N - kLanes);
   }
 
-  /// Rows k that can be solved for together with the next one: k - 1 where they carry others, k + 1 where they are carried.
+  /// Rows k whose entries another row has too, and one more, at row k: row k - 1 of `carried`, row k + 1 of
+  /// `carrying`. The two are solved for at once.
   struct Pairs {
     std::bitset<N> carried, carrying;
   };
@@ -231,6 +232,7 @@ class BranchSolver {
     }
     return pairs;
   }
+
   /// Some columns, the rows of which are zero from `end` on, and of the solution not wanted.
   template <int apart, class Packets>
   void sweep(const Pairs& pairs, S* rows, int end, Packets packets) const {
