@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 #include "oracles/engines/constrained_engine.hpp"
 #include "oracles/taylor/numeric_constraints.hpp"
@@ -302,6 +303,13 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
     lines.push_back(base);
   }
   return lines;
+}
+
+std::set<std::string> names_in(const std::string& list) {
+  std::set<std::string> names;
+  std::istringstream words(list);
+  for (std::string name; std::getline(words, name, ',');) names.insert(name);
+  return names;
 }
 
 void print_table(const std::vector<Comparison>& lines) {

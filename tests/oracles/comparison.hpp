@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ std::vector<Comparison> compare(const std::string& executable, const std::string
                                 std::uint64_t seed, const std::string& equivalent = "",
                                 const std::map<std::string, double>& values = {},
                                 std::optional<std::uint64_t> turn = {});
+
+/// Names between commas.
+std::set<std::string> names_in(const std::string& list);
 
 /// Prints lines as a table.
 void print_table(const std::vector<Comparison>& lines);

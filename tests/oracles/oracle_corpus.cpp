@@ -35,6 +35,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracles/comparison.hpp"
 #include "oracles/reference.hpp"
 #include "oracles/urdf/newton_euler.hpp"
 
@@ -287,8 +288,7 @@ Options read_options(int argc, char** argv) {
     const std::string word = argv[i];
     const auto value = [&]() -> std::string { return ++i < argc ? argv[i] : ""; };
     if (word == "--functions") {
-      std::istringstream names(value());
-      for (std::string name; std::getline(names, name, ',');) options.functions.insert(name);
+      options.functions = names_in(value());
     } else if (word == "--seconds") {
       options.seconds = std::atoi(value().c_str());
     } else if (word == "--jobs") {

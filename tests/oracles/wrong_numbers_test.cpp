@@ -651,8 +651,8 @@ bodies:
     com: [-0.0019, -0.0002, 0.0037]
 )yaml");
 }
-// Two hinges on one line, to rounding: the plain equations of the constrained motion have values there, but no right
-// digit, and the shorter ones have none.
+// Two hinges on one line, to rounding. The plain equations of the constrained motion have values, but no right digit; the
+// equations that are written have no value.
 TEST(WrongNumbers, ConstrainedMotionOfASingularMassMatrix) {
   const NastyMechanism mechanism = nasty_mechanism(100156);
   const TemporaryFile file(mechanism.text, ".yaml");
@@ -661,7 +661,7 @@ TEST(WrongNumbers, ConstrainedMotionOfASingularMassMatrix) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.err.find("double precision leaves few right digits"), std::string::npos) << run.err;
 }
-// A row of turns, which move 1e17 kg m^2, and of a slide, which moves 1e5 kg.
+// A row that ties turns, which move 1e16 kg m^2 and more, to a slide, which moves 1e5 kg.
 TEST(WrongNumbers, RowOfTurnsAndASlide) {
   const std::string text = R"yaml(
 coordinates:
