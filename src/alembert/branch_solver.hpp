@@ -36,7 +36,7 @@ class BranchSolver {
     rows_.template topRows<N>() = A;
     rows_.template bottomRows<kPadded - N>().setZero();
     carried_count_.fill(0);
-    for (std::bitset<N>& rows : carried_rows_) rows.reset();
+    std::array<std::bitset<N>, static_cast<std::size_t>(N)> carrying_rows, carried_rows;
     for (int k = N; k-- > 0;) {
       const auto at = static_cast<std::size_t>(k);
       const S* const row = &rows_(0, k);
@@ -45,19 +45,28 @@ class BranchSolver {
       if (!(pivot > S(0)) || !(pivot > rounding * A(k, k))) return Status::not_positive_definite;
       const S inverse = inverse_pivot_[at] = S(1) / pivot;
       int count = 0;
-      std::bitset<N> rows;
       for (int i = 0; i < k; ++i) {
         if (row[i] == S(0)) continue;
         const S l = -row[i] * inverse;
         carrying(k)[count++] = {l, i};
         carried(i)[carried_count_[static_cast<std::size_t>(i)]++] = {l, k};
         if constexpr (in_pairs)
-          rows[static_cast<std::size_t>(i)] = carried_rows_[static_cast<std::size_t>(i)][at] = true;
+          carrying_rows[at][static_cast<std::size_t>(i)] = carried_rows[static_cast<std::size_t>(i)][at] =
+              true;
         // What lies beyond the diagonal is not used.
         add_row(l, row, i / kLanes + 1, &rows_(0, i));
       }
       carrying_count_[at] = count;
-      carrying_rows_[at] = rows;
+    }
+    if constexpr (in_pairs) {
+      for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) {
+        const auto adds_row = [&](std::bitset<N> first, const std::bitset<N>& second) {
+          first[k] = true;
+          return first == second;
+        };
+        carried_pairs_[k] = k > 0 && adds_row(carried_rows[k], carried_rows[k - 1]);
+        carrying_pairs_[k] = k + 1 < N && adds_row(carrying_rows[k], carrying_rows[k + 1]);
+      }
     }
     return Status::ok;
   }
@@ -89,9 +98,6 @@ class BranchSolver {
     constexpr int kColumns = static_cast<int>(count) * N, kPackets = (kColumns + kLanes - 1) / kLanes;
     constexpr int kApart = kPackets * kLanes + kPadded;
     constexpr int kBlocks = (kPackets + kMostPackets - 1) / kMostPackets;
-    constexpr int kInBlock = (kPackets + kBlocks - 1) / kBlocks,
-                  kInLast = kPackets - (kBlocks - 1) * kInBlock;
-    const Pairs pairs = found_pairs();
     Rows<kApart> all;
     S* const rows = all.data();
     for (int side = 0; side < static_cast<int>(count); ++side)
@@ -100,32 +106,24 @@ class BranchSolver {
       std::fill(rows + i * kApart + kColumns, rows + (i + 1) * kApart, S(0));
       rows[i * kApart + kPackets * kLanes + i] = S(1);
     }
-    for (int block = 0; block < kBlocks - 1; ++block)
-      sweep<kApart>(pairs, rows + block * kInBlock * kLanes, N, std::make_index_sequence<kInBlock>());
-    sweep<kApart>(pairs, rows + (kBlocks - 1) * kInBlock * kLanes, N, std::make_index_sequence<kInLast>());
-    // Of the columns of the inverse to some row, only those above it: the inverse is symmetric.
+    sweep_blocks<kApart, kPackets, kBlocks>(rows, false);
     S* const unit = rows + kPackets * kLanes;
-    for (int block = 0; block < kUnitBlocks - 1; ++block)
-      sweep<kApart>(pairs, unit + block * kInUnitBlock * kLanes, (block + 1) * kInUnitBlock * kLanes,
-                    std::make_index_sequence<kInUnitBlock>());
-    sweep<kApart>(pairs, unit + (kUnitBlocks - 1) * kInUnitBlock * kLanes, N,
-                  std::make_index_sequence<kUnitPackets - (kUnitBlocks - 1) * kInUnitBlock>());
+    sweep_blocks<kApart, kUnitPackets, kUnitBlocks>(unit, true);
     if (!all_finite(static_cast<std::size_t>(N) * kApart, static_cast<const S*>(rows)))
       return Status::not_finite;
-    for (int column = 0; column < kColumns; column += kLanes) {
-      S* to[kLanes];
-      const int width = std::min(kLanes, kColumns - column);
-      for (int j = 0; j < width; ++j) to[j] = sides[(column + j) / N].columns + (column + j) % N * N;
-      store<kApart>(rows + column, width, to);
-    }
-    for (int column = 0; column < N; column += kLanes) {
-      S* to[kLanes];
-      const int width = std::min(kLanes, N - column);
-      for (int j = 0; j < width; ++j) to[j] = inverse + (column + j) * N;
-      store<kApart>(unit + column, width, to);
-    }
+    const auto store_columns = [](const S* from, int columns, auto&& target) {
+      for (int column = 0; column < columns; column += kLanes) {
+        S* to[kLanes];
+        const int width = std::min(kLanes, columns - column);
+        for (int j = 0; j < width; ++j) to[j] = target(column + j);
+        store<kApart>(from + column, width, to);
+      }
+    };
+    store_columns(rows, kColumns, [&](int column) { return sides[column / N].columns + column % N * N; });
+    store_columns(unit, N, [&](int column) { return inverse + column * N; });
     for (int block = 0; block < kUnitBlocks - 1; ++block) {
-      const int first = block * kInUnitBlock * kLanes, end = first + kInUnitBlock * kLanes;
+      constexpr int kInBlock = block_columns(kUnitPackets, kUnitBlocks);
+      const int first = block * kInBlock, end = first + kInBlock;
       for (int column = first; column < end; ++column)
         for (int i = end; i < N; ++i) inverse[column * N + i] = inverse[i * N + column];
     }
@@ -154,7 +152,10 @@ class BranchSolver {
   static constexpr int kUnitPackets = kPadded / kLanes;
   static constexpr int kUnitBlocks =
       kUnitPackets < kFewPackets ? 1 : std::max(2, (kUnitPackets + kMostPackets - 1) / kMostPackets);
-  static constexpr int kInUnitBlock = (kUnitPackets + kUnitBlocks - 1) / kUnitBlocks;
+  /// Columns of each block but the last.
+  static constexpr int block_columns(int packets, int blocks) {
+    return (packets + blocks - 1) / blocks * kLanes;
+  }
   static constexpr std::size_t kMost = N > 1 ? static_cast<std::size_t>(N) * (N - 1) / 2 : 1;
 
   /// Row k of L: what carries k.
@@ -212,36 +213,25 @@ class BranchSolver {
     if (first < N) turn(N - kLanes);
   }
 
-  /// Rows k whose entries another row has too, and one more, at row k: row k - 1 of `carried`, row k + 1 of
-  /// `carrying`. The two are solved for at once.
-  struct Pairs {
-    std::bitset<N> carried, carrying;
-  };
-  Pairs found_pairs() const {
-    Pairs pairs;
-    if constexpr (in_pairs) {
-      for (int k = 0; k < N; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        const auto adds_row = [&](std::bitset<N> first, const std::bitset<N>& second) {
-          first[at] = true;
-          return first == second;
-        };
-        pairs.carried[at] = k > 0 && adds_row(carried_rows_[at], carried_rows_[at - 1]);
-        pairs.carrying[at] = k + 1 < N && adds_row(carrying_rows_[at], carrying_rows_[at + 1]);
-      }
-    }
-    return pairs;
+  /// All columns, block by block. Of the `identity`, only what is above the end of a block: the inverse is symmetric.
+  template <int apart, int packets, int blocks>
+  void sweep_blocks(S* rows, bool identity) const {
+    constexpr int kColumns = block_columns(packets, blocks), kPackets = kColumns / kLanes;
+    for (int block = 0; block < blocks - 1; ++block)
+      sweep<apart>(rows + block * kColumns, identity ? (block + 1) * kColumns : N,
+                   std::make_index_sequence<kPackets>());
+    sweep<apart>(rows + (blocks - 1) * kColumns, N,
+                 std::make_index_sequence<packets - (blocks - 1) * kPackets>());
   }
-
   /// Some columns, the rows of which are zero from `end` on, and of the solution not wanted.
   template <int apart, class Packets>
-  void sweep(const Pairs& pairs, S* rows, int end, Packets packets) const {
+  void sweep(S* rows, int end, Packets packets) const {
     for (int k = end; k-- > 0;) {
       const Entry* entries = carried(k);
       int count = carried_count_[static_cast<std::size_t>(k)], gone = 0;
       while (gone < count && entries[gone].row >= end) ++gone;
       count -= gone;
-      if (k > 0 && pairs.carried[static_cast<std::size_t>(k)]) {
+      if (k > 0 && carried_pairs_[static_cast<std::size_t>(k)]) {
         add_two<apart>(packets, entries + gone, carried(k - 1) + gone, count, S(1), S(1), rows,
                        rows + k * apart, rows + (k - 1) * apart);
         --k;
@@ -252,7 +242,7 @@ class BranchSolver {
     for (int k = 0; k < end; ++k) {
       const int count = carrying_count_[static_cast<std::size_t>(k)];
       const S* const inverse = &inverse_pivot_[static_cast<std::size_t>(k)];
-      if (k + 1 < end && pairs.carrying[static_cast<std::size_t>(k)]) {
+      if (k + 1 < end && carrying_pairs_[static_cast<std::size_t>(k)]) {
         add_two<apart>(packets, carrying(k), carrying(k + 1), count, inverse[0], inverse[1], rows,
                        rows + k * apart, rows + (k + 1) * apart);
         ++k;
@@ -310,7 +300,9 @@ class BranchSolver {
   std::array<S, static_cast<std::size_t>(N)> inverse_pivot_;
   std::array<Entry, kMost> carrying_, carried_;  // the latter from the last row up
   std::array<int, static_cast<std::size_t>(N)> carrying_count_, carried_count_;
-  std::array<std::bitset<N>, static_cast<std::size_t>(N)> carrying_rows_, carried_rows_;  // where in_pairs
+  // Rows k whose entries another row has too, and one more, at row k: row k + 1 of those carrying, row k - 1 of those
+  // carried. The two are solved for at once. None unless in_pairs.
+  std::bitset<N> carrying_pairs_, carried_pairs_;
 };
 
 }  // namespace detail
