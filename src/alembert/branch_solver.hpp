@@ -83,7 +83,9 @@ class BranchSolver {
 
   /// x = A^-1 x.
   void solve(Eigen::Matrix<S, N, 1>& x) const {
-    alignas(64) S rows[static_cast<std::size_t>(N) * kLanes] = {};
+    Rows<kLanes> all;
+    S* const rows = all.data();
+    std::fill(rows, rows + N * kLanes, S(0));
     for (int i = 0; i < N; ++i) rows[place(i) * kLanes] = x(i);
     sweep<kLanes>(rows, N, std::make_index_sequence<1>());
     for (int i = 0; i < N; ++i) x(i) = rows[place(i) * kLanes];
@@ -124,13 +126,11 @@ class BranchSolver {
     };
     store_columns(rows, kColumns, [&](int column) { return sides[column / N].columns + column % N * N; });
     store_columns(unit, N, [&](int column) { return inverse + speed(column) * N; });
-    for (int block = 0; block < kUnitBlocks - 1; ++block) {
-      constexpr int kInBlock = block_columns(kUnitPackets, kUnitBlocks);
-      const int first = block * kInBlock, end = first + kInBlock;
-      for (int column = first; column < end; ++column)
-        for (int i = end; i < N; ++i)
-          inverse[speed(column) * N + speed(i)] = inverse[speed(i) * N + speed(column)];
-    }
+    // The inverse is symmetric: what is missing below a block of columns stands in its rows.
+    constexpr int kInBlock = block_columns(kUnitPackets, kUnitBlocks);
+    for (int i = 0; i < N; ++i)
+      for (int column = (i / kInBlock + 1) * kInBlock; column < N; ++column)
+        inverse[speed(i) * N + speed(column)] = unit[i * kApart + column];
     return Status::ok;
   }
 

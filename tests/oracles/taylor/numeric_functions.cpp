@@ -785,8 +785,15 @@ std::set<std::string> numeric_function_names(const Description& description) {
 }
 
 std::set<std::string> functions_in_turn(const std::set<std::string>& functions, std::uint64_t turn) {
-  static const std::set<std::string> always = {"inverse_dynamics",     "mass_matrix",      "bias",
-                                               "mass_matrix_and_bias", "forward_dynamics", "constraints"};
+  static const std::set<std::string> always = {"inverse_dynamics",
+                                               "mass_matrix",
+                                               "bias",
+                                               "mass_matrix_and_bias",
+                                               "forward_dynamics",
+                                               "constraints",
+                                               "inverse_dynamics_derivatives",
+                                               "body_jacobians",
+                                               "frame_jacobians"};
   static const std::set<std::string> long_ones = {
       "inverse_dynamics_second_derivatives", "forward_dynamics_derivatives", "constrained_forward_dynamics",
       "constrained_forward_dynamics_derivatives", "base_regressor"};
