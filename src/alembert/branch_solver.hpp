@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -201,11 +200,11 @@ class BranchSolver {
   S* row(int k) {
     return &rows_(0, k);
   }
-  int speed(int row) const {
-    return speeds_[static_cast<std::size_t>(row)];
+  int speed(int at) const {
+    return speeds_[static_cast<std::size_t>(at)];
   }
-  int place(int speed) const {
-    return places_[static_cast<std::size_t>(speed)];
+  int place(int of) const {
+    return places_[static_cast<std::size_t>(of)];
   }
   /// Whether columns of the inverse that are done together start here. No group has rows before and after.
   static bool starts_columns(int k) {
@@ -249,7 +248,9 @@ class BranchSolver {
     } else {
       for (int k = 0; k < N; ++k) {
         const S* const from = &A(0, speed(k));
-        for (int i = 0; i <= k; ++i) row(k)[i] = from[speed(i)];
+        S* const own = row(k);
+        for (int i = 0; i <= k; ++i) own[i] = from[speed(i)];
+        std::fill(own + k + 1, own + (k / kLanes + 1) * kLanes, S(0));
       }
     }
     rows_.template bottomRows<kPadded - N>().setZero();
@@ -373,10 +374,10 @@ class BranchSolver {
     using namespace Eigen::internal;
     for (int i = 0; i < N; ++i) {
       S* const rows = all + place(i) * apart;
-      const S* const row = from + i * N;
+      const S* const own = from + i * N;
       int j = 0;
-      for (; j + kLanes <= N; j += kLanes) pstoreu(rows + j, pnegate(ploadu<Packet>(row + j)));
-      for (; j < N; ++j) rows[j] = -row[j];
+      for (; j + kLanes <= N; j += kLanes) pstoreu(rows + j, pnegate(ploadu<Packet>(own + j)));
+      for (; j < N; ++j) rows[j] = -own[j];
     }
   }
   /// Up to kLanes columns.
