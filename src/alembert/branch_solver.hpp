@@ -28,7 +28,8 @@ class BranchSolver {
   static_assert(N > 0, "the size must be positive");
 
  public:
-  /// \param A  n x n, column by column
+  /// \param A  n x n, column by column, both triangles; where entries may be not finite, look first: -ffast-math takes
+  ///           NaN for zero
   /// \return   not_finite or not_positive_definite as of factor_ldlt
   template <class Square>
   [[nodiscard]] Status factor(const Square& A) {

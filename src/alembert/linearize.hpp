@@ -74,10 +74,9 @@ template <class M>
     SpeedMatrix<M>& mass = tau_q;
     SpeedVector<M> qdd;
     M::mass_matrix_and_bias(q, qd, in, mass, qdd);
+    if (!detail::all_finite(mass)) return Status::not_finite;
     detail::BranchSolver<typename M::Scalar, M::kNv> solver;
-    // An entry that is not finite makes a pivot that is not, unless another one ends the search before.
-    if (const Status status = solver.factor(mass); status != Status::ok)
-      return detail::all_finite(mass) ? status : Status::not_finite;
+    if (const Status status = solver.factor(mass); status != Status::ok) return status;
     qdd = tau - qdd;
     solver.solve(qdd);
     if (!detail::all_finite(qdd)) return Status::not_finite;

@@ -210,8 +210,9 @@ Eigen::Matrix<S, N, N> matrix_of_tree(int branches, double zeros, std::mt19937& 
 template <class S, int N>
 void expect_solved(const Eigen::Matrix<S, N, N>& A, std::mt19937& random) {
   using Matrix = Eigen::Matrix<S, N, N>;
-  const double allowed = 1e4 * static_cast<double>(std::numeric_limits<S>::epsilon());
-  const Matrix B = Matrix::Random();
+  const double allowed = 1e3 * static_cast<double>(std::numeric_limits<S>::epsilon());
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const Matrix B = Matrix::NullaryExpr([&] { return static_cast<S>(uniform(random)); });
   Matrix X, Y;
   Eigen::Matrix<S, N, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> rows = B;
   alembert::detail::BranchSolver<S, N> solver;

@@ -21,9 +21,9 @@ bool is_six_a_row(const std::string& function);
 /// All functions that have a reference; applied forces only where there are any.
 std::set<std::string> numeric_function_names(const Description& description);
 
-/// Of these functions the dynamics, the derivatives of inverse dynamics and Jacobians, and of the others each for every
-/// seventh of the mechanisms that are numbered by `turn`, of the longest every 13th. Seven and 13 share no factor with
-/// the ten kinds of mechanisms, so that each function meets each kind.
+/// Of these functions the dynamics, constraints, derivatives of inverse dynamics and Jacobians, and of the others each
+/// for every seventh of the mechanisms that are numbered by `turn`, of the longest every 13th. Seven and 13 share no
+/// factor with the ten kinds of mechanisms, so that each function meets each kind.
 std::set<std::string> functions_in_turn(const std::set<std::string>& functions, std::uint64_t turn);
 
 /// By function, all or those that are wanted. Forces of forward dynamics are those that give the state's
