@@ -282,6 +282,54 @@ void check_matrices() {
   }
 }
 
+/// One entry of its mass matrix, or of a derivative of inverse dynamics, can be spoilt. -ffast-math takes NaN for
+/// zero, and the solver leaves zeros out.
+struct Spoilt : models::Dense<12> {
+  using Matrix = Eigen::Matrix<double, kNv, kNv>;
+  struct Inputs : models::Inputs<double> {
+    int matrix = -1, row = 0, column = 0;
+    double entry = 0;
+    void spoil(int which, Matrix& X) const {
+      if (which == matrix) X(row, column) = entry;
+    }
+  };
+  static void mass_matrix_and_bias(const Vector&, const Vector& qd, const Inputs& in, Matrix& M, Vector& c) {
+    Dense::mass_matrix_and_bias(qd, qd, in, M, c);
+    in.spoil(0, M);
+  }
+  static void inverse_dynamics_derivatives(const Vector&, const Vector&, const Vector&, const Inputs& in,
+                                           Matrix& tau_q, Matrix& tau_qd) {
+    tau_q.setOnes();
+    tau_qd.setIdentity();
+    in.spoil(1, tau_q);
+    in.spoil(2, tau_qd);
+  }
+};
+
+void check_linearize_at_entries() {
+  constexpr int n = Spoilt::kNv;
+  const Spoilt::Vector zero = Spoilt::Vector::Zero();
+  Spoilt::Inputs in;
+  in.t = 1;
+  alembert::Linearization<Spoilt> out;
+  expect(alembert::linearize<Spoilt>(zero, zero, zero, in, out), Status::ok, "nothing spoilt");
+  out.qdd_q.setConstant(7);
+  out.qdd_qd = out.qdd_tau = out.qdd_q;
+  for (in.matrix = 0; in.matrix < 3; ++in.matrix)
+    for (in.row = 0; in.row < n; ++in.row)
+      for (in.column = 0; in.column < n; ++in.column)
+        for (const double bad : kBad) {
+          in.entry = bad;
+          const std::string what = "linearize, matrix " + std::to_string(in.matrix) + ", row " +
+                                   std::to_string(in.row) + ", column " + std::to_string(in.column);
+          expect(alembert::linearize<Spoilt>(zero, zero, zero, in, out), Status::not_finite, what);
+          bool stays = true;
+          for (const Spoilt::Matrix* X : {&out.qdd_q, &out.qdd_qd, &out.qdd_tau})
+            for (int i = 0; i < n * n; ++i) stays = stays && X->data()[i] == 7;
+          expect(stays, what + ": its result stays");
+        }
+}
+
 /// And where all is well, the numbers are right.
 void check_numbers() {
   using M = models::Pendulum<>;
@@ -320,6 +368,7 @@ int main() {
   check_steps("top", top);
   check_topology();
   check_matrices();
+  check_linearize_at_entries();
   check_numbers();
   return failures == 0 ? 0 : 1;
 }
