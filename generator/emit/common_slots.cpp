@@ -68,11 +68,6 @@ std::string wrapped(const std::vector<std::string>& items) {
   return list.size() < 60 ? list : "\n    " + wrap_list(list, 4, 4, kWidth);
 }
 
-/// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
-std::string cpp_array(const std::vector<std::string>& items) {
-  return items.empty() ? "{}" : fmt::format("{{{{{}}}}}", wrapped(items));
-}
-
 std::string c_array(std::vector<std::string> items, const std::string& last) {
   if (!last.empty()) items.push_back(last);
   return fmt::format("{{{}}}", wrapped(items));
@@ -395,6 +390,10 @@ Slots scripted_slots(const Mechanism& mechanism,
 }
 
 }  // namespace
+
+std::string cpp_array(const std::vector<std::string>& items) {
+  return items.empty() ? "{}" : fmt::format("{{{{{}}}}}", wrapped(items));
+}
 
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace) {
   const Names names = names_of(mechanism);

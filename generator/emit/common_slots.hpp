@@ -9,6 +9,9 @@
 
 namespace alembert {
 
+/// `{{a, b}}`, or `{}` if empty: initialiser of a std::array.
+std::string cpp_array(const std::vector<std::string>& items);
+
 /// Slots that are the same in every template: name, namespace, sizes and lists for comments.
 Slots common_slots(const Mechanism& mechanism, const std::string& full_namespace);
 

@@ -17,6 +17,7 @@
 #include "emit/function_docs.hpp"
 #include "emit/javascript.hpp"
 #include "emit/python.hpp"
+#include "emit/speed_parents.hpp"
 #include "emit/statements/batch.hpp"
 #include "emit/statements/literals.hpp"
 #include "emit/statements/statements.hpp"
@@ -265,13 +266,17 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
   return fill_template("mechanism_raw.hpp", slots, common);
 }
 
-std::string eigen_header(const std::vector<WrittenFunction>& functions, const Slots& common) {
+std::string eigen_header(const std::vector<WrittenFunction>& functions,
+                         const std::vector<std::string>& parents, const Slots& common) {
   std::string members;
   for (const WrittenFunction& function : functions)
     members += (members.empty() ? "" : "\n") + eigen_member(*function.signature, common.at("namespace"));
   const std::string_view version = generator_version();
   const std::string major(version.substr(0, version.find('.')));
-  return fill_template("mechanism.hpp", {{"members", prefix_lines(members, "  ")}, {"version_major", major}},
+  return fill_template("mechanism.hpp",
+                       {{"members", prefix_lines(members, "  ")},
+                        {"speed_parents", cpp_array(parents)},
+                        {"version_major", major}},
                        common);
 }
 
@@ -402,8 +407,9 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
     return Slots{{"part", std::to_string(k + 1)}, {"parts", std::to_string(parts.size())}};
   };
 
-  std::vector<std::string> texts;
-  texts.push_back(eigen_header(functions, common));
+  std::vector<std::string> parents, texts;
+  for (const int parent : speed_parents(programs, mechanism.nv)) parents.push_back(std::to_string(parent));
+  texts.push_back(eigen_header(functions, parents, common));
   texts.push_back(raw_header(mechanism, functions, options, common));
   std::string includes;
   for (std::size_t k = 0; k < parts.size(); ++k)

@@ -1,6 +1,6 @@
-// Solves M X = B for many right-hand sides at once. In: a mass matrix. Out: its factors, without the zeros
-// between branches, and solutions; or a status that says why there are none. No heap unless M is a HeapMatrix
-// (matrix.hpp), no exceptions.
+// Solves M X = B for many right-hand sides at once. In: a mass matrix and which speed carries which. Out: its
+// factors, without the zeros between branches, and solutions; or a status that says why there are none. No heap
+// unless M is a HeapMatrix (matrix.hpp), no exceptions.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -19,75 +18,158 @@
 namespace alembert {
 namespace detail {
 
-/// A = L^T D L for a symmetric positive definite A, from the last row up: where rows are speeds of a tree, each
-/// joint after those that carry it, L keeps the zeros of A between branches. After Featherstone, Rigid Body
-/// Dynamics Algorithms, 2008, section 6.5. Rows are kept branch by branch; up to four that follow each other in a
-/// branch are done together, so that each row that they take is loaded once for all of them.
+/// Rows of a matrix of n columns by packets, as many numbers as an instruction takes, and packets in blocks that
+/// are done together.
 template <class S, int N>
+struct PacketColumns {
+  using Packet = typename Eigen::internal::packet_traits<S>::type;
+  static constexpr int kLanes = Eigen::internal::unpacket_traits<Packet>::size;
+  // As many as there are registers for, of four rows.
+#ifdef EIGEN_HAS_SINGLE_INSTRUCTION_MADD
+  static constexpr int kMostPackets = EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32 ? 4 : 3;
+#else
+  static constexpr int kMostPackets = 2;
+#endif
+  /// Packets of a row, each of so many columns from column(packet) on: the last one starts early enough to be full.
+  static constexpr int kPackets = (N + kLanes - 1) / kLanes, kWidth = N < kLanes ? N : kLanes;
+  static constexpr int column(int packet) {
+    return std::min(packet * kLanes, N - kWidth);
+  }
+  static constexpr int blocks_of(int packets) {
+    return (packets + kMostPackets - 1) / kMostPackets;
+  }
+  /// Packets of each block but the last.
+  static constexpr int block_packets(int packets) {
+    return (packets + blocks_of(packets) - 1) / blocks_of(packets);
+  }
+  /// Whether a block of the packets of one row ends before column k.
+  static constexpr bool ends_before(int k) {
+    return k % (block_packets(kPackets) * kLanes) == 0;
+  }
+};
+
+/// Rows of a symmetric matrix, branch by branch.
+template <std::size_t n>
+struct Branches {
+  int speeds[n] = {};    ///< of each row
+  int places[n] = {};    ///< the row of each speed
+  int parents[n] = {};   ///< of each row the one that carries it, or -1
+  int starts[n] = {};    ///< where rows start of which each, up to this one, carries the next
+  int ends[n] = {};      ///< where rows end that this one carries
+  bool in_order = true;  ///< each row is that of its own speed
+
+  /// Rows one after the other that carry the same others, besides those of the group.
+  struct Group {
+    int first = 0, width = 0;
+  };
+  Group groups[n] = {};
+  int group_count = 0;
+};
+
+/// \param tree         of each speed the last one before it that it is tied to, or -1
+/// \param most         rows of a group at most
+/// \param ends_before  whether no group has this row and the one before
+template <std::size_t n, class EndsBefore>
+constexpr Branches<n> branches_of(const std::array<int, n>& tree, int most, EndsBefore ends_before) {
+  constexpr int kNone = -1, N = static_cast<int>(n);
+  const int* const carriers = tree.data();
+  Branches<n> out;
+  // The first one that a speed carries, and the next one with the same carrier; at N what nothing carries.
+  int first[n + 1] = {}, next[n + 1] = {}, by[n] = {};
+  for (int& child : first) child = kNone;
+  for (int k = N; k-- > 0;) {
+    by[k] = carriers[k] == kNone ? N : carriers[k];
+    next[k] = first[by[k]];
+    first[by[k]] = k;
+  }
+  for (int k = 0, at = first[N]; k < N; ++k) {
+    out.speeds[k] = at;
+    out.places[at] = k;
+    out.in_order = out.in_order && at == k;
+    out.parents[k] = by[at] == N ? kNone : out.places[by[at]];
+    out.starts[k] = k > 0 && out.parents[k] == k - 1 ? out.starts[k - 1] : k;
+    if (first[at] != kNone) {
+      at = first[at];
+      continue;
+    }
+    while (at != N && next[at] == kNone) at = by[at];
+    if (at != N) at = next[at];
+  }
+  for (int k = N; k-- > 0;) {
+    out.ends[k] = std::max(out.ends[k], k + 1);
+    if (out.parents[k] != kNone) out.ends[out.parents[k]] = std::max(out.ends[out.parents[k]], out.ends[k]);
+  }
+  for (int k = 0; k < N;) {
+    int length = 1;
+    while (k + length < N && out.parents[k + length] == k + length - 1 &&
+           out.ends[k + length] == out.ends[k] && !ends_before(k + length))
+      ++length;
+    for (int count = (length + most - 1) / most; count > 0; --count) {
+      const int width = (length + count - 1) / count;
+      out.groups[out.group_count].first = k;
+      out.groups[out.group_count].width = width;
+      ++out.group_count;
+      k += width;
+      length -= width;
+    }
+  }
+  return out;
+}
+
+/// A = L^T D L for a symmetric positive definite A, from the last row up: where each speed stands after those that
+/// carry it, L keeps the zeros of A between branches. After Featherstone, Rigid Body Dynamics Algorithms, 2008,
+/// section 6.5. Rows are kept branch by branch; up to four that follow each other in a branch are done together, so
+/// that each row that they take is loaded once for all of them.
+/// \tparam Tree  kParents, std::array<int, n>: of each row the last one before it that A or L ties it to, or -1.
+///               Between rows neither of which carries the other, A is zero.
+template <class S, class Tree>
 class BranchSolver {
+  static constexpr int N = static_cast<int>(Tree::kParents.size());
   static_assert(N > 0, "the size must be positive");
+  using Columns = PacketColumns<S, N>;
+  using Packet = typename Columns::Packet;
+  static constexpr int kLanes = Columns::kLanes, kPackets = Columns::kPackets, kWidth = Columns::kWidth;
+  // Rows that are done together.
+  static constexpr int kTogether = 4;
+  static constexpr auto kRows = branches_of(Tree::kParents, kTogether, Columns::ends_before);
 
  public:
-  /// \param A  n x n, column by column, both triangles; where entries may be not finite, look first: -ffast-math takes
-  ///           NaN for zero
+  /// \param A  n x n, symmetric, column by column
   /// \return   not_finite or not_positive_definite as of factor_ldlt
   template <class Square>
   [[nodiscard]] Status factor(const Square& A) {
     take_rows(A);
-    carried_.clear();
-    std::array<bool, static_cast<std::size_t>(N)> differ{};
-    for (int last = N - 1; last >= 0;) {
+    for (int at = kRows.group_count; at-- > 0;) {
+      const auto& group = kRows.groups[at];
+      const int last = group.first + group.width - 1;
       Plain plain;
-      // The row before the group, if it has taken what the group adds to it, but takes others too.
-      bool next_is_ready = false;
       Status status = Status::ok;
-      int width = 0;
-      const auto joins = [&](auto before) {
-        const int k = last - before;
-        if (k < 0) return false;
-        if constexpr (before > 0) {
-          if (starts_columns(k + 1) || is_zero(plain[0][k])) return false;
-          add_rows<before>(plain, last, k);
-          next_is_ready = !same_zeros(row(k), plain[0], k);
-          if (next_is_ready) return false;
-        }
-        status = scale(k, A(speed(k), speed(k)), plain[before]);
-        if (status != Status::ok) return false;
-        ++width;
-        return true;
-      };
-      static_assert(kTogether == 4);
-      static_cast<void>(joins(Constant<0>()) && joins(Constant<1>()) && joins(Constant<2>()) &&
-                        joins(Constant<3>()));
-      if (status != Status::ok) return status;
-      const int first = last - width + 1;
-      int* const others = carried_.begin(first, width);
-      int count = 0;
-      bool has = false;
-      for (int i = 0; i < first; ++i) {
-        const bool had = std::exchange(has, !is_zero(plain[0][i]));
-        differ[static_cast<std::size_t>(i)] |= has != had;
-        others[count] = i;
-        count += has ? 1 : 0;
-      }
-      if (!has) differ[static_cast<std::size_t>(first)] = true;
-      carried_.end(count);
-      with_width(width, [&](auto w) {
-        for (int e = 0; e < count - (next_is_ready ? 1 : 0); ++e) add_rows<w>(plain, last, others[e]);
+      with_width(group.width, [&](auto width) {
+        each<width>([&](auto constant) {
+          constexpr int before = constant;
+          if (status != Status::ok) return;
+          const int k = last - before;
+          if constexpr (before > 0) add_rows<before>(plain, last, k);
+          status = scale(k, A(speed(k), speed(k)), plain[before]);
+        });
+        if (status != Status::ok) return;
+        each_carrier(group.first, [&](int from, int to) {
+          for (int i = from; i < to; ++i) add_rows<width>(plain, last, i);
+        });
       });
-      last = first - 1;
+      if (status != Status::ok) return status;
     }
-    find_carrying(differ);
     return Status::ok;
   }
 
   /// x = A^-1 x.
   void solve(Eigen::Matrix<S, N, 1>& x) const {
+    // Measured: many sums in turn take longer than adding along rows, from some twenty rows on.
+    if constexpr (N > 20) return solve_along_rows(x);
     Rows<kLanes> all;
     S* const rows = all.data();
-    std::fill(rows, rows + N * kLanes, S(0));
-    for (int i = 0; i < N; ++i) rows[place(i) * kLanes] = x(i);
-    sweep<kLanes>(rows, N, std::make_index_sequence<1>());
+    sweep(std::make_index_sequence<1>(), rows, N, S(1),
+          [&](int row, auto) { return Eigen::internal::pset1<Packet>(x(speed(row))); });
     for (int i = 0; i < N; ++i) x(i) = rows[place(i) * kLanes];
   }
 
@@ -100,43 +182,60 @@ class BranchSolver {
   /// \return         not_finite, with all solutions left as they were, if a solution has such entries
   template <std::size_t count>
   [[nodiscard]] Status solve(const Sides (&sides)[count], S* inverse) const {
-    constexpr int kColumns = static_cast<int>(count) * N, kPackets = (kColumns + kLanes - 1) / kLanes;
-    constexpr int kApart = kPackets * kLanes + kPadded;
-    constexpr int kBlocks = (kPackets + kMostPackets - 1) / kMostPackets;
-    Rows<kApart> all;
-    S* const rows = all.data();
-    for (int side = 0; side < static_cast<int>(count); ++side)
-      load<kApart>(sides[side].rows, rows + side * N);
-    for (int i = 0; i < N; ++i) {
-      std::fill(rows + i * kApart + kColumns, rows + (i + 1) * kApart, S(0));
-      rows[i * kApart + kPackets * kLanes + i] = S(1);
-    }
-    sweep_blocks<kApart, kPackets, kBlocks>(rows, false);
-    S* const unit = rows + kPackets * kLanes;
-    sweep_blocks<kApart, kUnitPackets, kUnitBlocks>(unit, true);
-    if (!all_finite(static_cast<std::size_t>(N) * kApart, static_cast<const S*>(rows)))
-      return Status::not_finite;
-    const auto store_columns = [this](const S* from, int columns, auto&& target) {
-      for (int column = 0; column < columns; column += kLanes) {
-        S* to[kLanes];
-        const int width = std::min(kLanes, columns - column);
-        for (int j = 0; j < width; ++j) to[j] = target(column + j);
-        store<kApart>(from + column, width, to);
+    using namespace Eigen::internal;
+    constexpr int kOfSides = static_cast<int>(count) * kPackets;
+    // Block after block, in each row after row.
+    Rows<(kOfSides + kPackets) * kLanes> all;
+    const auto at = [rows = all.data()](int packet) { return rows + packet * N * kLanes; };
+    bool finite = true;
+    each_block<kOfSides>([&](int first, auto packets) {
+      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
+      const S* from[kCount];
+      for (int p = 0; p < kCount; ++p)
+        from[p] = sides[(first + p) / kPackets].rows + Columns::column((first + p) % kPackets);
+      sweep(packets, at(first), N, S(-1), [&](int row, auto p) { return load(from[p], speed(row)); });
+      finite = finite && all_finite(static_cast<std::size_t>(N) * kApart, static_cast<const S*>(at(first)));
+    });
+    const auto end_of = [](int first, int packets) { return Columns::column(first + packets - 1) + kWidth; };
+    each_block<kPackets>([&](int first, auto packets) {
+      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
+      S* const rows = at(kOfSides + first);
+      const int end = end_of(first, kCount);
+      // Of rows in another order all are stored.
+      if constexpr (!kRows.in_order) std::fill(rows + end * kApart, rows + N * kApart, S(0));
+      sweep(packets, rows, end, S(1),
+            [&](int row, auto p) { return unit(row - Columns::column(first + p)); });
+      finite = finite && all_finite(static_cast<std::size_t>(end) * kApart, static_cast<const S*>(rows));
+    });
+    if (!finite) return Status::not_finite;
+    each_block<kOfSides>([&](int first, auto packets) {
+      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
+      for (int p = 0; p < kCount; ++p) {
+        S* const to = sides[(first + p) / kPackets].columns + Columns::column((first + p) % kPackets) * N;
+        store<kApart>(at(first) + p * kLanes, N, [&](int j) { return to + j * N; });
       }
-    };
-    store_columns(rows, kColumns, [&](int column) { return sides[column / N].columns + column % N * N; });
-    store_columns(unit, N, [&](int column) { return inverse + speed(column) * N; });
-    // The inverse is symmetric: what is missing below a block of columns stands in its rows.
-    constexpr int kInBlock = block_columns(kUnitPackets, kUnitBlocks);
-    for (int i = 0; i < N; ++i)
-      for (int column = (i / kInBlock + 1) * kInBlock; column < N; ++column)
-        inverse[speed(i) * N + speed(column)] = unit[i * kApart + column];
+    });
+    each_block<kPackets>([&](int first, auto packets) {
+      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
+      const S* const rows = at(kOfSides + first);
+      for (int p = 0; p < kCount; ++p) {
+        const int column = Columns::column(first + p);
+        const S* const own = rows + p * kLanes;
+        store<kApart>(own, kRows.in_order ? end_of(first, kCount) : N,
+                      [&](int j) { return inverse + speed(column + j) * N; });
+        // The inverse is symmetric: what is missing below a block of columns stands in its rows.
+        for (int i = 0; i < Columns::column(first); ++i) {
+          if constexpr (kRows.in_order && N >= kLanes)
+            pstoreu(inverse + i * N + column, pload<Packet>(own + i * kApart));
+          else
+            for (int j = 0; j < kWidth; ++j) inverse[speed(i) * N + speed(column + j)] = own[i * kApart + j];
+        }
+      }
+    });
     return Status::ok;
   }
 
  private:
-  using Packet = typename Eigen::internal::packet_traits<S>::type;
-  static constexpr int kLanes = Eigen::internal::unpacket_traits<Packet>::size;
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wignored-attributes"
@@ -146,77 +245,30 @@ class BranchSolver {
 #pragma GCC diagnostic pop
 #endif
   static constexpr int kPadded = (N + kLanes - 1) / kLanes * kLanes;
-  // Rows and packets of columns that are done together: as many sums as there are registers for.
-  static constexpr int kTogether = 4;
-#ifdef EIGEN_HAS_SINGLE_INSTRUCTION_MADD
-  static constexpr int kMostPackets = EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32 ? 4 : 3;
-#else
-  static constexpr int kMostPackets = 2;
-#endif
-  static constexpr int kUnitPackets = kPadded / kLanes;
-  static constexpr int kUnitBlocks = (kUnitPackets + kMostPackets - 1) / kMostPackets;
-  /// Columns of each block but the last.
-  static constexpr int block_columns(int packets, int blocks) {
-    return (packets + blocks - 1) / blocks * kLanes;
-  }
-  static constexpr std::size_t kMost = N > 1 ? static_cast<std::size_t>(N) * (N - 1) / 2 : 1;
-  /// Of up to 8 speeds zeros are not looked for: that would take longer than what they save.
-  static constexpr bool kHasZeros = N > 8;
 
   template <int value>
   using Constant = std::integral_constant<int, value>;
   /// Rows of a group before they are scaled.
   using Plain = S[kTogether][kPadded];
-  /// Rows one after the other that take the same others, besides those of the group.
-  struct Group {
-    int first, width;
-    int others, count;  // where they are listed
-  };
-  /// Groups from the last row up, and their lists.
-  class Groups {
-   public:
-    void clear() { count_ = used_ = 0; }
-    /// Where the others of a new group are to be listed, one after the other.
-    int* begin(int first, int width) {
-      groups_[static_cast<std::size_t>(count_)] = {first, width, used_, 0};
-      return others_.data() + used_;
-    }
-    void end(int count) {
-      groups_[static_cast<std::size_t>(count_++)].count = count;
-      used_ += count;
-    }
-    int size() const { return count_; }
-    const Group& operator[](int at) const { return groups_[static_cast<std::size_t>(at)]; }
-    const int* others(const Group& of) const { return others_.data() + of.others; }
 
-   private:
-    std::array<Group, static_cast<std::size_t>(N)> groups_;
-    std::array<int, kMost> others_;
-    int count_ = 0, used_ = 0;
-  };
-
-  static bool is_zero(S entry) {
-    return kHasZeros && entry == S(0);
+  static int speed(int at) {
+    return kRows.speeds[at];
+  }
+  static int place(int at) {
+    return kRows.places[at];
   }
   S* row(int k) {
-    return &rows_(0, k);
+    return rows_.data() + k * kPadded;
   }
-  int speed(int at) const {
-    return speeds_[static_cast<std::size_t>(at)];
-  }
-  int place(int of) const {
-    return places_[static_cast<std::size_t>(of)];
-  }
-  /// Whether columns of the inverse that are done together start here. No group has rows before and after.
-  static bool starts_columns(int k) {
-    return k % block_columns(kUnitPackets, kUnitBlocks) == 0;
+  const S* row(int k) const {
+    return rows_.data() + k * kPadded;
   }
   template <int count, class Call>
-  static void each(Call&& call) {
+  static EIGEN_ALWAYS_INLINE void each(Call&& call) {
     each(call, std::make_integer_sequence<int, count>());
   }
   template <class Call, int... at>
-  static void each(Call& call, std::integer_sequence<int, at...>) {
+  static EIGEN_ALWAYS_INLINE void each(Call& call, std::integer_sequence<int, at...>) {
     (call(Constant<at>()), ...);
   }
   template <class Call>
@@ -233,18 +285,29 @@ class BranchSolver {
     }
   }
 
-  /// Takes the rows of A branch by branch.
+  /// call(first packet, sequence of as many numbers as there are packets) for each block.
+  template <int packets, class Call>
+  static void each_block(Call&& call) {
+    constexpr int kEach = Columns::block_packets(packets);
+    constexpr int kLast = (Columns::blocks_of(packets) - 1) * kEach;
+    for (int first = 0; first < kLast; first += kEach) call(first, std::make_index_sequence<kEach>());
+    call(kLast, std::make_index_sequence<packets - kLast>());
+  }
+  /// call(from, to) for rows from .. to - 1 that carry a row, of which each but the first is carried by the one before,
+  /// until all have been.
+  template <class Call>
+  static void each_carrier(int carried, Call&& call) {
+    for (int to = carried, from = kRows.starts[carried];; from = kRows.starts[to - 1]) {
+      if (from < to) call(from, to);
+      to = kRows.parents[from] + 1;
+      if (to == 0) return;
+    }
+  }
+
+  /// Takes the rows of A branch by branch. What lies beyond the diagonal is not used.
   template <class Square>
   void take_rows(const Square& A) {
-    bool in_order = true;
-    for (int k = 1; k < N; ++k) in_order = in_order && !is_zero(A(k - 1, k));
-    if (in_order) {
-      std::iota(speeds_.begin(), speeds_.end(), 0);
-      places_ = speeds_;
-    } else {
-      in_order = find_branches(A);
-    }
-    if (in_order) {
+    if constexpr (kRows.in_order) {
       rows_.template topRows<N>() = A;
     } else {
       for (int k = 0; k < N; ++k) {
@@ -255,37 +318,6 @@ class BranchSolver {
       }
     }
     rows_.template bottomRows<kPadded - N>().setZero();
-  }
-  /// Puts each speed after what carries it, the last one before it to which A ties it, and branch by branch.
-  /// \return  whether they are in this order anyway
-  template <class Square>
-  bool find_branches(const Square& A) {
-    constexpr int kNone = -1;
-    // The first one that a speed carries, and the next one with the same carrier; at N what nothing carries.
-    std::array<int, static_cast<std::size_t>(N) + 1> first, next, carrier;
-    const auto of = [](auto& all, int k) -> int& { return all[static_cast<std::size_t>(k)]; };
-    first.fill(kNone);
-    for (int k = N; k-- > 0;) {
-      const S* const column = &A(0, k);
-      int by = k - 1;
-      while (by >= 0 && is_zero(column[by])) --by;
-      if (by < 0) by = N;
-      of(carrier, k) = by;
-      of(next, k) = std::exchange(of(first, by), k);
-    }
-    bool in_order = true;
-    for (int k = 0, at = of(first, N); k < N; ++k) {
-      of(speeds_, k) = at;
-      of(places_, at) = k;
-      in_order = in_order && at == k;
-      if (of(first, at) != kNone) {
-        at = of(first, at);
-        continue;
-      }
-      while (at != N && of(next, at) == kNone) at = of(carrier, at);
-      if (at != N) at = of(next, at);
-    }
-    return in_order;
   }
 
   /// Makes row k, which has taken all, one of -L.
@@ -298,13 +330,14 @@ class BranchSolver {
     if (!is_finite(pivot)) return Status::not_finite;
     if (!(pivot > S(0)) || !(pivot > S(N) * std::numeric_limits<S>::epsilon() * whole))
       return Status::not_positive_definite;
-    inverse_pivot_[static_cast<std::size_t>(k)] = S(1) / pivot;
+    inverse_pivot_[k] = S(1) / pivot;
     const Packet factor = pset1<Packet>(S(-1) / pivot);
-    for (int at = 0; at < k; at += kLanes) {
+    int at = 0;
+    do {
       const Packet entries = ploadu<Packet>(own + at);
       pstoreu(plain + at, entries);
       pstoreu(own + at, pmul(factor, entries));
-    }
+    } while ((at += kLanes) < k);
     return Status::ok;
   }
 
@@ -315,48 +348,18 @@ class BranchSolver {
     const S* const from = row(last);
     S* const own = row(i);
     Packet factors[width];
-    each<width>([&](auto r) { factors[r] = pset1<Packet>(plain[r][i]); });
+    each<width>([&](auto constant) {
+      constexpr int r = constant;
+      factors[r] = same(plain[r][i]);
+    });
     // What lies beyond the diagonal is not used.
     for (int at = 0; at <= i; at += kLanes) {
       Packet sum = ploadu<Packet>(own + at);
-      each<width>([&](auto r) { sum = pmadd(factors[r], ploadu<Packet>(from + at - r * kPadded), sum); });
+      each<width>([&](auto constant) {
+        constexpr int r = constant;
+        sum = add_product(factors[r], ploadu<Packet>(from + at - r * kPadded), sum);
+      });
       pstoreu(own + at, sum);
-    }
-  }
-
-  /// Whether the first n entries are zero in both or in none.
-  static bool same_zeros(const S* a, const S* b, int n) {
-    using namespace Eigen::internal;
-    if (!kHasZeros) return true;
-    const Packet zero = pset1<Packet>(S(0)), one = pset1<Packet>(S(1));
-    Packet differ = zero;
-    int i = 0;
-    for (; i + kLanes <= n; i += kLanes) {
-      const Packet of_a = pcmp_eq(ploadu<Packet>(a + i), zero), of_b = pcmp_eq(ploadu<Packet>(b + i), zero);
-      differ = por(differ, pand(one, pxor(of_a, of_b)));
-    }
-    bool same = predux(differ) == S(0);
-    for (; i < n; ++i) same = same && (a[i] == S(0)) == (b[i] == S(0));
-    return same;
-  }
-
-  /// Groups rows by what they carry.
-  /// \param differ  at k, whether a row from k on has a zero in one only of columns k - 1 and k of L
-  void find_carrying(const std::array<bool, static_cast<std::size_t>(N)>& differ) {
-    carrying_.clear();
-    for (int last = N - 1; last >= 0;) {
-      int first = last;
-      while (first > 0 && last - first + 1 < kTogether && !starts_columns(first) &&
-             !differ[static_cast<std::size_t>(first)])
-        --first;
-      int* const others = carrying_.begin(first, last - first + 1);
-      int count = 0;
-      for (int e = N - 1; e > last; --e) {
-        others[count] = e;
-        count += is_zero(row(e)[last]) ? 0 : 1;
-      }
-      carrying_.end(count);
-      last = first - 1;
     }
   }
 
@@ -369,117 +372,194 @@ class BranchSolver {
   template <int columns>
   using Rows = std::conditional_t<fits_stack_v<S, N, N>, RowsOnStack<columns>, HeapMatrix<S, columns, N>>;
 
-  /// The negative of a matrix that stands row by row, into rows so far apart.
-  template <int apart>
-  void load(const S* from, S* all) const {
+  /// A packet of a row of an n x n matrix that stands row by row; with zeros where the row is shorter.
+  static Packet load(const S* columns, int row) {
     using namespace Eigen::internal;
-    for (int i = 0; i < N; ++i) {
-      S* const rows = all + place(i) * apart;
-      const S* const own = from + i * N;
-      int j = 0;
-      for (; j + kLanes <= N; j += kLanes) pstoreu(rows + j, pnegate(ploadu<Packet>(own + j)));
-      for (; j < N; ++j) rows[j] = -own[j];
+    const S* const from = columns + row * N;
+    if constexpr (N >= kLanes) {
+      return ploadu<Packet>(from);
+    } else if (row * N + kLanes <= N * N) {
+      return pand(ploadu<Packet>(from), pcmp_lt(plset<Packet>(S(0)), pset1<Packet>(S(N))));
+    } else {
+      alignas(64) S all[kLanes] = {};
+      std::copy(from, from + N, all);
+      return pload<Packet>(all);
     }
   }
-  /// Up to kLanes columns.
-  template <int apart>
-  void store(const S* rows, int width, S* const* to) const {
-    using namespace Eigen::internal;
-    if (N < kLanes || width < kLanes) {
-      for (int j = 0; j < width; ++j)
-        for (int i = 0; i < N; ++i) to[j][i] = rows[place(i) * apart + j];
-      return;
-    }
-    const auto turn = [&](int first) {
-      Block block;
-      for (int i = 0; i < kLanes; ++i) block.packet[i] = pload<Packet>(rows + place(first + i) * apart);
-      ptranspose(block);
-      for (int j = 0; j < kLanes; ++j) pstoreu(to[j] + first, block.packet[j]);
+  /// A packet with a one at this place, or zeros.
+  static Packet unit(int place) {
+    struct Window {
+      S entries[2 * kLanes] = {};
+      constexpr Window() { entries[kLanes - 1] = S(1); }
     };
-    int first = 0;
-    for (; first + kLanes <= N; first += kLanes) turn(first);
-    if (first < N) turn(N - kLanes);
+    static constexpr Window kWindow;
+    return Eigen::internal::ploadu<Packet>(kWindow.entries +
+                                           (place >= 0 && place < kLanes ? kLanes - 1 - place : kLanes));
   }
-
-  /// All columns, block by block. Of the `identity`, only what is above the end of a block: the inverse is symmetric.
-  template <int apart, int packets, int blocks>
-  void sweep_blocks(S* rows, bool identity) const {
-    constexpr int kColumns = block_columns(packets, blocks), kPackets = kColumns / kLanes;
-    for (int block = 0; block < blocks - 1; ++block)
-      sweep<apart>(rows + block * kColumns, identity ? (block + 1) * kColumns : N,
-                   std::make_index_sequence<kPackets>());
-    sweep<apart>(rows + (blocks - 1) * kColumns, N,
-                 std::make_index_sequence<packets - (blocks - 1) * kPackets>());
+  // Looked up here once, not in each lambda.
+  static EIGEN_ALWAYS_INLINE Packet same(S entry) {
+    return Eigen::internal::pset1<Packet>(entry);
   }
-  /// Some columns, the rows of which are zero from `end` on, and of the solution not wanted.
-  template <int apart, class Packets>
-  void sweep(S* rows, int end, Packets packets) const {
-    for (int at = 0; at < carrying_.size(); ++at) {
-      const Group& group = carrying_[at];
-      if (group.first >= end) continue;
-      const int* others = carrying_.others(group);
-      const int* const others_end = others + group.count;
-      while (others < others_end && *others >= end) ++others;
-      with_width(group.width, [&](auto width) {
-        add<apart, width, true>(packets, group.first, others, others_end, rows);
-      });
-    }
-    for (int at = carried_.size(); at-- > 0;) {
-      const Group& group = carried_[at];
-      if (group.first >= end) break;
-      const int* const others = carried_.others(group);
-      with_width(group.width, [&](auto width) {
-        add<apart, width, false>(packets, group.first, others, others + group.count, rows);
-      });
-    }
+  static EIGEN_ALWAYS_INLINE Packet add_product(const Packet& a, const Packet& b, const Packet& sum) {
+    return Eigen::internal::pmadd(a, b, sum);
   }
-
-  /// To rows from `first` on, for some packets, entries of -L times other rows: of those that they carry, or, after
-  /// division by the pivots, of those that carry them.
-  template <int apart, int width, bool carrying, std::size_t... p>
-  void add(std::index_sequence<p...>, int first, const int* others, const int* others_end, S* rows) const {
+  /// A packet that compilers are to load once, not with each operation on it.
+  static Packet in_register(const S* from) {
+    Packet out = Eigen::internal::pload<Packet>(from);
+    if constexpr (kLanes > 1) ALEMBERT_AS_ROUNDED(out);
+    return out;
+  }
+  /// A packet of each row before `end`, or more, to(j) being where column j of it goes.
+  template <int apart, class To>
+  void store(const S* rows, int end, To&& to) const {
     using namespace Eigen::internal;
-    constexpr int kPackets = static_cast<int>(sizeof...(p));
+    if constexpr (N < kLanes) {
+      for (int j = 0; j < N; ++j)
+        for (int i = 0; i < end; ++i) to(j)[i] = rows[place(i) * apart + j];
+    } else {
+      for (int p = 0; p * kLanes < end; ++p) {
+        const int first = Columns::column(p);
+        Block block;
+        for (int i = 0; i < kLanes; ++i) block.packet[i] = pload<Packet>(rows + place(first + i) * apart);
+        ptranspose(block);
+        for (int j = 0; j < kLanes; ++j) pstoreu(to(j) + first, block.packet[j]);
+      }
+    }
+  }
+
+  /// x = A^-1 x. Entries of L between branches, and beyond the diagonal where the solution is not known yet, are
+  /// multiplied by zero or are zero: they are taken as others are.
+  void solve_along_rows(Eigen::Matrix<S, N, 1>& x) const {
+    using namespace Eigen::internal;
+    alignas(64) S sums[kPadded], scaled[kPadded], solution[kPadded] = {};
+    for (int k = 0; k < kPadded; ++k) sums[k] = k < N ? x(speed(k)) : S(0);
+    for (int at = kRows.group_count; at-- > 0;) {
+      const auto& group = kRows.groups[at];
+      with_width(group.width, [&](auto width) {
+        const S* const l = row(group.first);
+        S* const own = sums + group.first;
+        for (int done = width - 1; done >= 0; --done) {
+          for (int r = 0; r < done; ++r) own[r] += l[done * kPadded + group.first + r] * own[done];
+          scaled[group.first + done] = own[done] * inverse_pivot_[group.first + done];
+        }
+        Packet factors[width];
+        each<width>([&](auto constant) {
+          constexpr int r = constant;
+          factors[r] = same(own[r]);
+        });
+        // What is added to the group itself is not used.
+        for (int i = 0; i < group.first; i += kLanes) {
+          Packet sum = pload<Packet>(sums + i);
+          each<width>([&](auto constant) {
+            constexpr int r = constant;
+            sum = add_product(factors[r], ploadu<Packet>(l + r * kPadded + i), sum);
+          });
+          pstore(sums + i, sum);
+        }
+      });
+    }
+    for (int at = 0; at < kRows.group_count; ++at) {
+      const auto& group = kRows.groups[at];
+      with_width(group.width, [&](auto width) {
+        const S* const l = row(group.first);
+        Packet sum[width];
+        each<width>([&](auto constant) {
+          constexpr int r = constant;
+          sum[r] = same(S(0));
+        });
+        for (int i = 0; i < group.first; i += kLanes) {
+          const Packet z = pload<Packet>(solution + i);
+          each<width>([&](auto constant) {
+            constexpr int r = constant;
+            sum[r] = add_product(z, ploadu<Packet>(l + r * kPadded + i), sum[r]);
+          });
+        }
+        S* const own = solution + group.first;
+        each<width>([&](auto constant) {
+          constexpr int r = constant;
+          own[r] = scaled[group.first + r] + predux(sum[r]);
+          for (int done = 0; done < r; ++done) own[r] += l[r * kPadded + group.first + done] * own[done];
+        });
+      });
+    }
+    for (int i = 0; i < N; ++i) x(i) = solution[place(i)];
+  }
+
+  /// Some columns, row after row, the rows of which are zero from `end` on, and of the solution not wanted.
+  /// \param factor  of the solution
+  /// \param given   given(row, p) is a packet of the right-hand side, which is asked for once
+  template <std::size_t... p, class Given>
+  void sweep(std::index_sequence<p...> packets, S* rows, int end, S factor, Given&& given) const {
+    for (int at = kRows.group_count; at-- > 0;) {
+      const auto& group = kRows.groups[at];
+      if (group.first >= end) continue;
+      with_width(group.width, [&](auto width) { add<width, true>(packets, group.first, end, rows, given); });
+    }
+    const auto scaled = [&](int row, auto at) {
+      using namespace Eigen::internal;
+      return pmul(same(factor * inverse_pivot_[row]),
+                  pload<Packet>(rows + (row * static_cast<int>(sizeof...(p)) + at) * kLanes));
+    };
+    for (int at = 0; at < kRows.group_count; ++at) {
+      const auto& group = kRows.groups[at];
+      if (group.first >= end) break;
+      with_width(group.width,
+                 [&](auto width) { add<width, false>(packets, group.first, end, rows, scaled); });
+    }
+  }
+
+  /// Rows from `first` on of some packets: what is `given`, and entries of -L times other rows, of those that they
+  /// carry before `end`, or of those that carry them.
+  template <int width, bool carrying, std::size_t... p, class Given>
+  void add(std::index_sequence<p...>, int first, int end, S* rows, Given&& given) const {
+    using namespace Eigen::internal;
+    constexpr int kOfRow = static_cast<int>(sizeof...(p)), kApart = kOfRow * kLanes;
     // Where entries stand in rows_: from one row of the group to the next, from one of the others to the next.
     constexpr int kRowApart = carrying ? 1 : kPadded, kOtherApart = carrying ? kPadded : 1;
     const S* const entries = rows_.data() + first * kRowApart;
-    S* const own = rows + first * apart;
-    Packet x[width * kPackets];
-    each<width>([&](auto r) {
-      ((x[r * kPackets + p] = pload<Packet>(own + r * apart + p * kLanes)), ...);
-      if constexpr (!carrying) {
-        const Packet factor = pset1<Packet>(inverse_pivot_[static_cast<std::size_t>(first + r)]);
-        ((x[r * kPackets + p] = pmul(factor, x[r * kPackets + p])), ...);
-      }
+    Packet x[width * kOfRow];
+    each<width>([&](auto constant) {
+      constexpr int r = constant, own = r * kOfRow;
+      ((x[own + p] = given(first + r, Constant<static_cast<int>(p)>())), ...);
     });
-    for (; others < others_end; ++others) {
-      const S* const from = rows + *others * apart;
-      const S* const l = entries + *others * kOtherApart;
-      const Packet z[] = {pload<Packet>(from + p * kLanes)...};
-      each<width>([&](auto r) {
-        const Packet factor = pset1<Packet>(l[r * kRowApart]);
-        ((x[r * kPackets + p] = pmadd(factor, z[p], x[r * kPackets + p])), ...);
-      });
+    int from = carrying ? first + width : kRows.starts[first];
+    for (int to = carrying ? std::min(kRows.ends[first], end) : first;;) {
+      const S* const past = rows + to * kApart;
+      const S* l = entries + from * kOtherApart;
+      for (const S* other = rows + from * kApart; other < past; other += kApart, l += kOtherApart) {
+        const Packet z[] = {in_register(other + p * kLanes)...};
+        each<width>([&](auto constant) {
+          constexpr int r = constant, own = r * kOfRow;
+          const Packet factor = same(l[r * kRowApart]);
+          ((x[own + p] = add_product(factor, z[p], x[own + p])), ...);
+        });
+      }
+      if (carrying) break;
+      to = kRows.parents[from] + 1;
+      if (to == 0) break;
+      from = kRows.starts[to - 1];
     }
     // Then rows of the group, each when it has taken all.
     each<width>([&](auto turn) {
       constexpr int done = carrying ? width - 1 - turn : turn;
       const S* const l = entries + (first + done) * kOtherApart;
-      each<width>([&](auto r) {
+      each<width>([&](auto constant) {
+        constexpr int r = constant, own = r * kOfRow;
         if constexpr (carrying ? r < done : r > done) {
-          const Packet factor = pset1<Packet>(l[r * kRowApart]);
-          ((x[r * kPackets + p] = pmadd(factor, x[done * kPackets + p], x[r * kPackets + p])), ...);
+          const Packet factor = same(l[r * kRowApart]);
+          ((x[own + p] = add_product(factor, x[done * kOfRow + p], x[own + p])), ...);
         }
       });
     });
-    each<width>([&](auto r) { (pstore(own + r * apart + p * kLanes, x[r * kPackets + p]), ...); });
+    S* const to = rows + first * kApart;
+    each<width>([&](auto constant) {
+      constexpr int own = constant * kOfRow;
+      (pstore(to + (own + p) * kLanes, x[own + p]), ...);
+    });
   }
 
-  std::array<int, static_cast<std::size_t>(N)> speeds_,
-      places_;                       // the speed of each row, and the row of each
   SizedMatrix<S, kPadded, N> rows_;  // row k of A, then of -L, in column k up to the diagonal
-  std::array<S, static_cast<std::size_t>(N)> inverse_pivot_;
-  Groups carried_, carrying_;  // rows by what carries them, and by what they carry
+  S inverse_pivot_[N];
 };
 
 }  // namespace detail

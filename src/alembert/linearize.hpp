@@ -74,8 +74,7 @@ template <class M>
     SpeedMatrix<M>& mass = tau_q;
     SpeedVector<M> qdd;
     M::mass_matrix_and_bias(q, qd, in, mass, qdd);
-    if (!detail::all_finite(mass)) return Status::not_finite;
-    detail::BranchSolver<typename M::Scalar, M::kNv> solver;
+    detail::BranchSolver<typename M::Scalar, detail::SpeedTree<M>> solver;
     if (const Status status = solver.factor(mass); status != Status::ok) return status;
     qdd = tau - qdd;
     solver.solve(qdd);

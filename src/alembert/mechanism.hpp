@@ -8,6 +8,10 @@
 //   M::mass_matrix_and_bias(q, u, in, M, c)  M(q) and c(q, u) of  tau = M(q) du/dt + c(q, u)
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
 // and, optionally,
+//   M::kSpeedParents                         std::array<int, n_v>: of each speed the last one before it to which
+//                                            M(q) or its factor L, M(q) = L^T D L, ties it, or -1; without
+//                                            it, the one before. A type that adds to the M(q) of another
+//                                            declares its own: entries between branches are not read.
 //   M::energy(q, u, in)                      kinetic and potential energy
 //   M::forward_dynamics(q, u, tau, in)       du/dt without checks
 //   M::forward_dynamics_derivatives(q, u, tau, in, qdd_q, qdd_qd, qdd_tau)
@@ -115,6 +119,21 @@ struct HasDerivatives<M,
                           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
                           std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
     : std::true_type {};
+
+/// Which speed carries which: of a mechanism that does not say, each the next.
+template <class M, class = void>
+struct SpeedTree {
+  static constexpr std::array<int, static_cast<std::size_t>(M::kNv)> chain() {
+    std::array<int, static_cast<std::size_t>(M::kNv)> out{};
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = static_cast<int>(k) - 1;
+    return out;
+  }
+  static constexpr auto kParents = chain();
+};
+template <class M>
+struct SpeedTree<M, std::void_t<decltype(M::kSpeedParents)>> {
+  static constexpr auto kParents = M::kSpeedParents;
+};
 
 template <class M, class = void>
 struct HasDerivativesByRows : std::false_type {};

@@ -10,6 +10,7 @@
 #include "emit/argument_lists.hpp"
 #include "emit/emit.hpp"
 #include "emit/sample.hpp"
+#include "emit/speed_parents.hpp"
 #include "emit/statements/statements.hpp"
 #include "program/loops/dot_products.hpp"
 #include "program/program_maker.hpp"
@@ -42,6 +43,37 @@ TEST(Emit, FilesAreKnownFromNameAndParts) {
       testing::ElementsAre("include/arm/arm.hpp", "include/arm/arm_raw.hpp", "include/arm/arm_impl.hpp",
                            "include/arm/arm_part1.hpp", "include/arm/arm_part2.hpp", "include/arm/arm.h",
                            "src/arm_part1.cpp", "src/arm_part2.cpp", "src/arm_c.cpp"));
+}
+
+/// mass_matrix_and_bias with a mass matrix that is zero but for its diagonal and these entries.
+std::vector<Program> with_mass_matrix(std::uint32_t n, const std::vector<std::pair<int, int>>& tied) {
+  Program program;
+  program.function = "mass_matrix_and_bias";
+  program.constants = {0.0, 2.0};
+  program.code = {{Operation::real, 0}, {Operation::real, 1}};
+  std::vector<std::uint32_t> M(n * n, 0);
+  for (std::uint32_t i = 0; i < n; ++i) M[i * n + i] = 1;
+  for (const auto& [i, k] : tied) M[i * n + k] = M[k * n + i] = 1;
+  program.outputs = {{"M", n, n, M}, {"c", n, 1, std::vector<std::uint32_t>(n, 1)}};
+  return {program};
+}
+
+TEST(SpeedParents, AreThoseOfTheTree) {
+  using testing::ElementsAre;
+  // Two legs in turn on a base of two speeds.
+  EXPECT_THAT(
+      speed_parents(
+          with_mass_matrix(
+              6, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {0, 4}, {1, 4}, {2, 4}, {0, 5}, {1, 5}, {3, 5}}),
+          6),
+      ElementsAre(-1, 0, 1, 1, 2, 3));
+  // What stands apart.
+  EXPECT_THAT(speed_parents(with_mass_matrix(3, {}), 3), ElementsAre(-1, -1, -1));
+  // 3 ties 0 and 2 together in L, though not in M.
+  EXPECT_THAT(speed_parents(with_mass_matrix(4, {{0, 3}, {2, 3}}), 4), ElementsAre(-1, -1, 0, 2));
+  // Of a matrix that is not known any entry may be other than zero.
+  EXPECT_THAT(speed_parents({}, 3), ElementsAre(-1, 0, 1));
+  EXPECT_THAT(speed_parents({}, 0), ElementsAre());
 }
 
 TEST(Emit, PartsBySizeUnlessGiven) {

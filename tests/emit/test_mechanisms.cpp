@@ -220,6 +220,7 @@ TEST(CompiledMechanism, LinearizationIsThatOfItsForwardDynamics) {
   check_linearization<bits::free_body::Mechanism<>>();
   check_linearization<bits::five_bar::Mechanism<>>();
   check_linearization<bits::rolling_ellipsoids::Mechanism<>>();
+  check_linearization<bits::chain::Mechanism<>>();
 }
 TEST(CompiledMechanism, FiveBar) {
   using Model = bits::five_bar::Mechanism<>;

@@ -116,6 +116,24 @@ TYPED_TEST(UnmovedCatalogue, FreeMotionConservesEnergy) {
     EXPECT_NEAR(s.q.template segment<4>(offset).norm(), 1, 1e-14);
 }
 
+/// What solvers leave out is zero at all states.
+TYPED_TEST(Catalogue, MassMatrixIsZeroBetweenBranches) {
+  const auto& parents = TypeParam::kSpeedParents;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const typename TypeParam::SpeedMatrix M = TypeParam::mass_matrix(random_state<TypeParam>(seed, 5).q);
+    for (int k = 0; k < TypeParam::kNv; ++k) {
+      int carrier = parents[static_cast<std::size_t>(k)];
+      ASSERT_LT(carrier, k);
+      for (int i = k - 1; i >= 0; --i) {
+        if (i == carrier)
+          carrier = parents[static_cast<std::size_t>(i)];
+        else
+          EXPECT_EQ(M(i, k), 0) << i << " " << k;
+      }
+    }
+  }
+}
+
 /// The rate of change of the kinetic energy's momentum form: kinetic energy is u.M u / 2 where nothing is
 /// prescribed.
 TYPED_TEST(UnmovedCatalogue, KineticEnergyIsTheQuadraticFormOfTheMassMatrix) {

@@ -190,78 +190,6 @@ TEST(Linearize, IsTheGeneratedDerivativesOfFewSpeeds) {
   EXPECT_NEAR(out.qdd_tau(0), other.qdd_tau(0), 1e-15);
 }
 
-/// A symmetric positive definite matrix like those of mechanisms.
-/// \param branches  how many there are, their speeds in turn; 0: each speed is carried by any one before it
-/// \param zeros     the share of entries that are zero though a speed carries the other
-template <class S, int N>
-Eigen::Matrix<S, N, N> matrix_of_tree(int branches, double zeros, std::mt19937& random) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::Matrix<S, N, N> L = Eigen::Matrix<S, N, N>::Identity(), D = L;
-  std::array<int, N> carrier;
-  for (int k = 0; k < N; ++k) {
-    D(k, k) = static_cast<S>(1.5 + uniform(random));
-    carrier[k] = branches > 0 ? k - branches : static_cast<int>(random() % static_cast<unsigned>(k + 1)) - 1;
-    for (int i = carrier[k]; i >= 0; i = carrier[i])
-      if (std::abs(uniform(random)) >= zeros) L(k, i) = static_cast<S>(uniform(random) / N);
-  }
-  return L.transpose() * D * L;
-}
-
-template <class S, int N>
-void expect_solved(const Eigen::Matrix<S, N, N>& A, std::mt19937& random) {
-  using Matrix = Eigen::Matrix<S, N, N>;
-  const double allowed = 1e3 * static_cast<double>(std::numeric_limits<S>::epsilon());
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const Matrix B = Matrix::NullaryExpr([&] { return static_cast<S>(uniform(random)); });
-  Matrix X, Y;
-  Eigen::Matrix<S, N, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> rows = B;
-  alembert::detail::BranchSolver<S, N> solver;
-  ASSERT_EQ(solver.factor(A), Status::ok);
-  ASSERT_EQ(solver.solve({{rows.data(), X.data()}}, Y.data()), Status::ok);
-  EXPECT_LT((A * X + B).norm(), allowed) << N;
-  EXPECT_LT((A * Y - Matrix::Identity()).norm(), allowed) << N;
-  Eigen::Matrix<S, N, 1> x = B.col(0);
-  solver.solve(x);
-  EXPECT_LT((A * x - B.col(0)).norm(), allowed) << N;
-
-  const int at = static_cast<int>(random() % N);
-  rows(at, N - 1) = std::numeric_limits<S>::infinity();
-  const Matrix kept = X;
-  EXPECT_EQ(solver.solve({{rows.data(), X.data()}}, Y.data()), Status::not_finite);
-  EXPECT_EQ(X, kept);
-  Matrix bad = A;
-  bad.row(at).setZero();
-  bad.col(at).setZero();
-  EXPECT_EQ(solver.factor(bad), Status::not_positive_definite);
-  bad = A;
-  bad(at, at) = std::numeric_limits<S>::quiet_NaN();
-  EXPECT_EQ(solver.factor(bad), Status::not_finite);
-}
-
-template <class S, int N>
-void expect_branches_solved() {
-  std::mt19937 random(N);
-  for (const int branches : {0, 1, 2, 5}) {
-    for (const double zeros : {0.0, 0.2})
-      expect_solved<S, N>(matrix_of_tree<S, N>(branches, zeros, random), random);
-  }
-  // As of shared coordinates: what a speed is tied to need not carry it.
-  Eigen::Matrix<S, N, N> A = Eigen::Matrix<S, N, N>::Identity();
-  for (int k = 0; k < N; ++k) {
-    const int i = static_cast<int>(random() % N);
-    if (i != k) A(i, k) = A(k, i) = S(0.9) / N;
-  }
-  expect_solved<S, N>(A, random);
-}
-
-TEST(Linearize, SolvesForAllColumnsOfATree) {
-  expect_branches_solved<double, 1>();
-  expect_branches_solved<double, 7>();
-  expect_branches_solved<double, 18>();
-  expect_branches_solved<double, 43>();
-  expect_branches_solved<float, 18>();
-}
-
 TEST(ForwardDynamics, WhatIsNotFiniteIsReported) {
   using M = Pendulum<>;
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
@@ -308,6 +236,40 @@ TEST(Linearize, Pendulum) {
   EXPECT_EQ(alembert::linearize<M>(M::Vector(kNan), M::Vector(0.1), M::Vector(0.3), {}, out),
             Status::not_finite);
   EXPECT_EQ(out.qdd_q(0), before);
+}
+
+/// Two arms, their speeds in turn.
+struct TwoArms : Dense<6> {
+  using Matrix = Eigen::Matrix<double, kNv, kNv>;
+  static constexpr std::array<int, kNv> kSpeedParents = {-1, -1, 0, 1, 2, 3};
+  static void mass_matrix_and_bias(const Vector&, const Vector& qd, const Inputs& in, Matrix& M, Vector& c) {
+    Dense::mass_matrix_and_bias(qd, qd, in, M, c);
+    for (int i = 0; i < kNv; ++i)
+      for (int j = 1 - i % 2; j < kNv; j += 2) M(i, j) = 0;
+  }
+  static void inverse_dynamics_derivatives(const Vector&, const Vector&, const Vector& qdd, const Inputs&,
+                                           Matrix& tau_q, Matrix& tau_qd) {
+    for (int i = 0; i < kNv; ++i) tau_q.row(i).setConstant(i + qdd(i));
+    tau_qd = 2 * Matrix::Identity();
+  }
+};
+
+TEST(Linearize, TwoArms) {
+  using M = TwoArms;
+  const M::Vector none = M::Vector::Zero(), tau = M::Vector::LinSpaced(1, 2);
+  const M::Inputs in{0.5};
+  alembert::Linearization<M> out;
+  ASSERT_EQ(alembert::linearize<M>(none, none, tau, in, out), Status::ok);
+  M::Matrix mass, tau_q, tau_qd;
+  M::Vector bias;
+  M::mass_matrix_and_bias(none, none, in, mass, bias);
+  M::inverse_dynamics_derivatives(none, none, out.qdd, in, tau_q, tau_qd);
+  EXPECT_LT((mass * out.qdd - tau).norm(), 1e-13);
+  EXPECT_LT((mass * out.qdd_q + tau_q).norm(), 1e-13 * tau_q.norm());
+  EXPECT_LT((mass * out.qdd_qd + tau_qd).norm(), 1e-13);
+  EXPECT_LT((mass * out.qdd_tau - M::Matrix::Identity()).norm(), 1e-13);
+  EXPECT_EQ(out.qdd_tau(0, 1), 0);
+  EXPECT_EQ(out.qdd_tau(5, 2), 0);
 }
 
 /// Euler's equations of a free body, J w' = tau - w x J w: w'_1 = (tau_1 - (J_3 - J_2) w_2 w_3) / J_1.
