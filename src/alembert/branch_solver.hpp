@@ -372,7 +372,8 @@ class BranchSolver {
   template <int columns>
   using Rows = std::conditional_t<fits_stack_v<S, N, N>, RowsOnStack<columns>, HeapMatrix<S, columns, N>>;
 
-  /// A packet of a row of an n x n matrix that stands row by row; with zeros where the row is shorter.
+  /// A packet of a row of an n x n matrix that stands row by row, with zeros where the row is shorter.
+  /// \param columns  where the packet's columns stand in the first row
   static Packet load(const S* columns, int row) {
     using namespace Eigen::internal;
     const S* const from = columns + row * N;
