@@ -165,12 +165,15 @@ class BranchSolver {
   /// x = A^-1 x.
   void solve(Eigen::Matrix<S, N, 1>& x) const {
     // Measured: many sums in turn take longer than adding along rows, from some twenty rows on.
-    if constexpr (N > 20) return solve_along_rows(x);
-    Rows<kLanes> all;
-    S* const rows = all.data();
-    sweep(std::make_index_sequence<1>(), rows, N, S(1),
-          [&](int row, auto) { return Eigen::internal::pset1<Packet>(x(speed(row))); });
-    for (int i = 0; i < N; ++i) x(i) = rows[place(i) * kLanes];
+    if constexpr (N > 20) {
+      solve_along_rows(x);
+    } else {
+      Rows<kLanes> all;
+      S* const rows = all.data();
+      sweep(std::make_index_sequence<1>(), rows, N, S(1),
+            [&](int row, auto) { return Eigen::internal::pset1<Packet>(x(speed(row))); });
+      for (int i = 0; i < N; ++i) x(i) = rows[place(i) * kLanes];
+    }
   }
 
   /// An n x n matrix B, row by row; and where -A^-1 B goes, column by column.
