@@ -266,18 +266,31 @@ std::string raw_header(const Mechanism& mechanism, const std::vector<WrittenFunc
   return fill_template("mechanism_raw.hpp", slots, common);
 }
 
-std::string eigen_header(const std::vector<WrittenFunction>& functions,
-                         const std::vector<std::string>& parents, const Slots& common) {
+/// What solvers with M leave out, where M is written.
+std::string speed_parents_member(std::span<const Program> programs, int nv) {
+  const auto program = std::ranges::find(programs, "mass_matrix_and_bias", &Program::function);
+  if (program == programs.end()) return "";
+  std::vector<std::string> parents;
+  for (const int parent : speed_parents(*program, nv)) parents.push_back(std::to_string(parent));
+  return fmt::format(
+      "/// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and "
+      "whose M.\n"
+      "static constexpr ::std::array<int, kNv> kSpeedParents = {};\n"
+      "using SpeedParentsOf = Mechanism;",
+      cpp_array(parents));
+}
+
+std::string eigen_header(const std::vector<WrittenFunction>& functions, const std::string& parents,
+                         const Slots& common) {
   std::string members;
   for (const WrittenFunction& function : functions)
     members += (members.empty() ? "" : "\n") + eigen_member(*function.signature, common.at("namespace"));
   const std::string_view version = generator_version();
   const std::string major(version.substr(0, version.find('.')));
-  return fill_template("mechanism.hpp",
-                       {{"members", prefix_lines(members, "  ")},
-                        {"speed_parents", cpp_array(parents)},
-                        {"version_major", major}},
-                       common);
+  return fill_template(
+      "mechanism.hpp",
+      {{"members", prefix_lines(members, "  ")}, {"speed_parents", parents}, {"version_major", major}},
+      common);
 }
 
 std::string c_header(const Mechanism& mechanism, const std::vector<WrittenFunction>& functions,
@@ -407,9 +420,8 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
     return Slots{{"part", std::to_string(k + 1)}, {"parts", std::to_string(parts.size())}};
   };
 
-  std::vector<std::string> parents, texts;
-  for (const int parent : speed_parents(programs, mechanism.nv)) parents.push_back(std::to_string(parent));
-  texts.push_back(eigen_header(functions, parents, common));
+  std::vector<std::string> texts;
+  texts.push_back(eigen_header(functions, speed_parents_member(programs, mechanism.nv), common));
   texts.push_back(raw_header(mechanism, functions, options, common));
   std::string includes;
   for (std::size_t k = 0; k < parts.size(); ++k)

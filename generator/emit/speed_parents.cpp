@@ -1,6 +1,5 @@
 #include "emit/speed_parents.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace alembert {
@@ -13,21 +12,14 @@ bool is_zero(const Program& program, std::uint32_t value) {
 
 }  // namespace
 
-std::vector<int> speed_parents(std::span<const Program> programs, int nv) {
+std::vector<int> speed_parents(const Program& program, int nv) {
+  const std::vector<std::uint32_t>& mass = program.outputs.front().values;
   const auto n = static_cast<std::size_t>(nv);
-  const auto program = std::ranges::find(programs, "mass_matrix_and_bias", &Program::function);
-  const OutputArray* mass = nullptr;
-  if (program != programs.end()) {
-    const auto found = std::ranges::find(program->outputs, "M", &OutputArray::name);
-    if (found != program->outputs.end()) mass = &*found;
-  }
   // Of row k of L, entries before the diagonal that may differ from zero.
   std::vector<std::vector<bool>> rows(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    rows[k].assign(k, true);
-    for (std::size_t i = 0; mass && i < k; ++i)
-      rows[k][i] = !is_zero(*program, mass->values[i * n + k]) || !is_zero(*program, mass->values[k * n + i]);
-  }
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      rows[k].push_back(!is_zero(program, mass[i * n + k]) || !is_zero(program, mass[k * n + i]));
   std::vector<int> parents(n, -1);
   for (std::size_t k = n; k-- > 0;) {
     std::size_t parent = k;

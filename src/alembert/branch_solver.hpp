@@ -153,9 +153,10 @@ class BranchSolver {
           status = scale(k, A(speed(k), speed(k)), plain[before]);
         });
         if (status != Status::ok) return;
-        each_carrier(group.first, [&](int from, int to) {
-          for (int i = from; i < to; ++i) add_rows<width>(plain, last, i);
-        });
+        Carriers of(group.first);
+        do {
+          for (int i = of.from; i < of.to; ++i) add_rows<width>(plain, last, i);
+        } while (of.next());
       });
       if (status != Status::ok) return status;
     }
@@ -296,16 +297,18 @@ class BranchSolver {
     for (int first = 0; first < kLast; first += kEach) call(first, std::make_index_sequence<kEach>());
     call(kLast, std::make_index_sequence<packets - kLast>());
   }
-  /// call(from, to) for rows from .. to - 1 that carry a row, of which each but the first is carried by the one before,
-  /// until all have been.
-  template <class Call>
-  static void each_carrier(int carried, Call&& call) {
-    for (int to = carried, from = kRows.starts[carried];; from = kRows.starts[to - 1]) {
-      if (from < to) call(from, to);
+  /// Rows that carry a row, those first that follow each other up to it: from .. to - 1, which may be none.
+  struct Carriers {
+    explicit Carriers(int carried) : from(kRows.starts[carried]), to(carried) {}
+    /// Goes on to what carries those; whether there is anything.
+    bool next() {
       to = kRows.parents[from] + 1;
-      if (to == 0) return;
+      if (to == 0) return false;
+      from = kRows.starts[to - 1];
+      return true;
     }
-  }
+    int from, to;
+  };
 
   /// Takes the rows of A branch by branch. What lies beyond the diagonal is not used.
   template <class Square>
@@ -431,8 +434,8 @@ class BranchSolver {
     }
   }
 
-  /// x = A^-1 x. Entries of L between branches, and beyond the diagonal where the solution is not known yet, are
-  /// multiplied by zero or are zero: they are taken as others are.
+  /// x = A^-1 x, adding along whole rows of L up to a group: between branches L is zero, and from the group on the
+  /// solution is still zero.
   void solve_along_rows(Eigen::Matrix<S, N, 1>& x) const {
     using namespace Eigen::internal;
     alignas(64) S sums[kPadded], scaled[kPadded], solution[kPadded] = {};
@@ -526,11 +529,15 @@ class BranchSolver {
       constexpr int r = constant, own = r * kOfRow;
       ((x[own + p] = given(first + r, Constant<static_cast<int>(p)>())), ...);
     });
-    int from = carrying ? first + width : kRows.starts[first];
-    for (int to = carrying ? std::min(kRows.ends[first], end) : first;;) {
-      const S* const past = rows + to * kApart;
-      const S* l = entries + from * kOtherApart;
-      for (const S* other = rows + from * kApart; other < past; other += kApart, l += kOtherApart) {
+    Carriers others(first);
+    if (carrying) {
+      others.from = first + width;
+      others.to = std::min(kRows.ends[first], end);
+    }
+    do {
+      const S* const past = rows + others.to * kApart;
+      const S* l = entries + others.from * kOtherApart;
+      for (const S* other = rows + others.from * kApart; other < past; other += kApart, l += kOtherApart) {
         const Packet z[] = {in_register(other + p * kLanes)...};
         each<width>([&](auto constant) {
           constexpr int r = constant, own = r * kOfRow;
@@ -538,11 +545,7 @@ class BranchSolver {
           ((x[own + p] = add_product(factor, z[p], x[own + p])), ...);
         });
       }
-      if (carrying) break;
-      to = kRows.parents[from] + 1;
-      if (to == 0) break;
-      from = kRows.starts[to - 1];
-    }
+    } while (!carrying && others.next());
     // Then rows of the group, each when it has taken all.
     each<width>([&](auto turn) {
       constexpr int done = carrying ? width - 1 - turn : turn;

@@ -9,9 +9,10 @@
 //   M::coordinate_rates(q, u)                dq/dt = N(q) u
 // and, optionally,
 //   M::kSpeedParents                         std::array<int, n_v>: of each speed the last one before it to which
-//                                            M(q) or its factor L, M(q) = L^T D L, ties it, or -1; without
-//                                            it, the one before. A type that adds to the M(q) of another
-//                                            declares its own: entries between branches are not read.
+//                                            M(q) or its factor L, M(q) = L^T D L, ties it, or -1: entries
+//                                            between branches are not read. Without it all are.
+//   M::SpeedParentsOf                        M itself. A type that derives from it inherits another's name, and
+//                                            with that not its branches: it may add to M(q).
 //   M::energy(q, u, in)                      kinetic and potential energy
 //   M::forward_dynamics(q, u, tau, in)       du/dt without checks
 //   M::forward_dynamics_derivatives(q, u, tau, in, qdd_q, qdd_qd, qdd_tau)
@@ -131,7 +132,7 @@ struct SpeedTree {
   static constexpr auto kParents = chain();
 };
 template <class M>
-struct SpeedTree<M, std::void_t<decltype(M::kSpeedParents)>> {
+struct SpeedTree<M, std::enable_if_t<std::is_same_v<typename M::SpeedParentsOf, M>>> {
   static constexpr auto kParents = M::kSpeedParents;
 };
 

@@ -46,7 +46,7 @@ TEST(Emit, FilesAreKnownFromNameAndParts) {
 }
 
 /// mass_matrix_and_bias with a mass matrix that is zero but for its diagonal and these entries.
-std::vector<Program> with_mass_matrix(std::uint32_t n, const std::vector<std::pair<int, int>>& tied) {
+Program with_mass_matrix(std::uint32_t n, const std::vector<std::pair<int, int>>& tied) {
   Program program;
   program.function = "mass_matrix_and_bias";
   program.constants = {0.0, 2.0};
@@ -55,7 +55,7 @@ std::vector<Program> with_mass_matrix(std::uint32_t n, const std::vector<std::pa
   for (std::uint32_t i = 0; i < n; ++i) M[i * n + i] = 1;
   for (const auto& [i, k] : tied) M[i * n + k] = M[k * n + i] = 1;
   program.outputs = {{"M", n, n, M}, {"c", n, 1, std::vector<std::uint32_t>(n, 1)}};
-  return {program};
+  return program;
 }
 
 TEST(SpeedParents, AreThoseOfTheTree) {
@@ -71,9 +71,18 @@ TEST(SpeedParents, AreThoseOfTheTree) {
   EXPECT_THAT(speed_parents(with_mass_matrix(3, {}), 3), ElementsAre(-1, -1, -1));
   // 3 ties 0 and 2 together in L, though not in M.
   EXPECT_THAT(speed_parents(with_mass_matrix(4, {{0, 3}, {2, 3}}), 4), ElementsAre(-1, -1, 0, 2));
-  // Of a matrix that is not known any entry may be other than zero.
-  EXPECT_THAT(speed_parents({}, 3), ElementsAre(-1, 0, 1));
-  EXPECT_THAT(speed_parents({}, 0), ElementsAre());
+  EXPECT_THAT(speed_parents(with_mass_matrix(0, {}), 0), ElementsAre());
+}
+
+TEST(SpeedParents, AreWrittenWithTheMassMatrix) {
+  sample::Sample s = sample::every_function();
+  const auto header = [&] {
+    return text_of(emit_mechanism(s.mechanism, s.programs, {}),
+                   "include/" + s.mechanism.name + "/" + s.mechanism.name + ".hpp");
+  };
+  EXPECT_THAT(header(), HasSubstr("kSpeedParents"));
+  std::erase_if(s.programs, [](const Program& p) { return p.function == "mass_matrix_and_bias"; });
+  EXPECT_THAT(header(), Not(HasSubstr("SpeedParents")));
 }
 
 TEST(Emit, PartsBySizeUnlessGiven) {

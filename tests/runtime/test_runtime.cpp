@@ -242,6 +242,7 @@ TEST(Linearize, Pendulum) {
 struct TwoArms : Dense<6> {
   using Matrix = Eigen::Matrix<double, kNv, kNv>;
   static constexpr std::array<int, kNv> kSpeedParents = {-1, -1, 0, 1, 2, 3};
+  using SpeedParentsOf = TwoArms;
   static void mass_matrix_and_bias(const Vector&, const Vector& qd, const Inputs& in, Matrix& M, Vector& c) {
     Dense::mass_matrix_and_bias(qd, qd, in, M, c);
     for (int i = 0; i < kNv; ++i)
@@ -270,6 +271,26 @@ TEST(Linearize, TwoArms) {
   EXPECT_LT((mass * out.qdd_tau - M::Matrix::Identity()).norm(), 1e-13);
   EXPECT_EQ(out.qdd_tau(0, 1), 0);
   EXPECT_EQ(out.qdd_tau(5, 2), 0);
+}
+
+struct TiedArms : TwoArms {
+  static void mass_matrix_and_bias(const Vector& q, const Vector& qd, const Inputs& in, Matrix& M,
+                                   Vector& c) {
+    TwoArms::mass_matrix_and_bias(q, qd, in, M, c);
+    M(2, 5) = M(5, 2) = 0.1;
+  }
+};
+
+TEST(Linearize, WhatATypeAddsToTheMassMatrixOfAnotherIsSeen) {
+  using M = TiedArms;
+  const M::Vector none = M::Vector::Zero();
+  alembert::Linearization<M> out;
+  ASSERT_EQ(alembert::linearize<M>(none, none, M::Vector::Ones(), {0.5}, out), Status::ok);
+  M::Matrix mass;
+  M::Vector bias;
+  M::mass_matrix_and_bias(none, none, {0.5}, mass, bias);
+  EXPECT_LT((mass * out.qdd - M::Vector::Ones()).norm(), 1e-13);
+  EXPECT_LT((mass * out.qdd_tau - M::Matrix::Identity()).norm(), 1e-13);
 }
 
 /// Euler's equations of a free body, J w' = tau - w x J w: w'_1 = (tau_1 - (J_3 - J_2) w_2 w_3) / J_1.

@@ -41,8 +41,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::bead_on_helix::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::bead_on_helix::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::bead_on_helix::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::bead_on_helix::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::bead_on_helix::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::bead_on_helix::kRowLengths;

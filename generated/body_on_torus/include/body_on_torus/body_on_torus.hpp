@@ -40,8 +40,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::body_on_torus::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::body_on_torus::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::body_on_torus::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0, 1}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::body_on_torus::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::body_on_torus::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::body_on_torus::kRowLengths;

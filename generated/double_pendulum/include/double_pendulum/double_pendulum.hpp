@@ -40,8 +40,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::double_pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::double_pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::double_pendulum::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::double_pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::double_pendulum::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::double_pendulum::kRowLengths;

@@ -42,8 +42,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::four_bar_knee::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::four_bar_knee::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::four_bar_knee::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::four_bar_knee::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::four_bar_knee::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::four_bar_knee::kRowLengths;

@@ -42,8 +42,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::free_body::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::free_body::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::free_body::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0, 1, 2, 3, 4}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::free_body::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::free_body::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::free_body::kRowLengths;

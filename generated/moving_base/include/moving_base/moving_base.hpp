@@ -40,8 +40,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::moving_base::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::moving_base::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::moving_base::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, -1}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::moving_base::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::moving_base::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::moving_base::kRowLengths;

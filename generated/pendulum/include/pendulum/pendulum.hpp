@@ -40,8 +40,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::pendulum::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::pendulum::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::pendulum::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::pendulum::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::pendulum::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::pendulum::kRowLengths;

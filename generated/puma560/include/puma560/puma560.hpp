@@ -41,8 +41,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::puma560::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::puma560::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::puma560::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0, 1, 2, 2, 3}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::puma560::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::puma560::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::puma560::kRowLengths;

@@ -41,8 +41,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::runtime_parameters::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::runtime_parameters::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::runtime_parameters::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::runtime_parameters::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::runtime_parameters::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::runtime_parameters::kRowLengths;

@@ -40,8 +40,9 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::tori_mated::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tori_mated::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tori_mated::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{-1, 0, 1, 2, 3}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::tori_mated::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::tori_mated::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::tori_mated::kRowLengths;

@@ -42,9 +42,10 @@ struct Mechanism {
   static constexpr int kNinputs = ::alembert::mechanisms::tree_every_joint::kInputCount;
   static constexpr int kNstates = ::alembert::mechanisms::tree_every_joint::kStateCount;
   static constexpr auto kQuaternionOffsets = ::alembert::mechanisms::tree_every_joint::kQuaternionOffsets;
-  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1.
+  /// Of each speed the last one before it to which M(q), or L of M = L^T D L, ties it, or -1; and whose M.
   static constexpr ::std::array<int, kNv> kSpeedParents = {{
-    -1, 0, 1, 2, 3, 4, 5, 6, 7, 6, 6, 5, 11, 5, 13, 14, 12, 16, 17, 18}};
+      -1, 0, 1, 2, 3, 4, 5, 6, 7, 6, 6, 5, 11, 5, 13, 14, 12, 16, 17, 18}};
+  using SpeedParentsOf = Mechanism;
   static constexpr auto kConstraintNames = ::alembert::mechanisms::tree_every_joint::kConstraintNames;
   static constexpr auto kHolonomic = ::alembert::mechanisms::tree_every_joint::kHolonomic;
   static constexpr auto kRowLengths = ::alembert::mechanisms::tree_every_joint::kRowLengths;
