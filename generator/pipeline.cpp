@@ -10,8 +10,10 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "dynamics/checks/axis_check.hpp"
 #include "dynamics/checks/certificate.hpp"
 #include "dynamics/checks/state_checks.hpp"
+#include "dynamics/choice/axis_form.hpp"
 #include "dynamics/choice/base_parameters.hpp"
 #include "dynamics/choice/row_lengths.hpp"
 #include "dynamics/function_builders.hpp"
@@ -336,6 +338,34 @@ class FunctionWriter {
   const CompileOptions& options_;
 };
 
+/// What linearize of the runtime takes instead of M, c and the derivatives of inverse dynamics.
+std::optional<AxisPrograms> axis_programs(const Kinematics& kinematics,
+                                          const std::vector<SymbolBinding>& bindings,
+                                          const Certificate& certificate, StageLog& log) {
+  const std::optional<AxisForm> form = axis_form(kinematics);
+  if (!form) return std::nullopt;
+  const auto written = [&](std::string name, std::vector<OutputExpressions> outputs) {
+    const std::vector<OutputExpressions> optimized =
+        with_elements(outputs, kinematics.lengths.optimized(elements(outputs)));
+    Program program = schedule(lower(std::move(name), optimized, bindings));
+    verify(program, outputs, bindings);
+    return program;
+  };
+  const auto n = static_cast<std::uint32_t>(kinematics.mechanism.nv);
+  AxisPrograms axes{form->table, written("axis_frames", {{"frames", 12, n, form->frames}}), {}};
+  if (!form->Q.empty())
+    axes.forces =
+        written("axis_forces", {{"Q", n, 1, form->Q}, {"Q_q", n, n, form->Q_q}, {"Q_qd", n, n, form->Q_qd}});
+  const std::optional<double> error = axis_error(certificate, bindings, axes);
+  log.done("axes",
+           error ? fmt::format("frames: {}; relative error {:.1e}", describe(count(axes.frames)), *error)
+                 : "nothing to compare");
+  if (!error || *error > kLargestAxisError) return std::nullopt;
+  axes.frames = without_unused_inputs(std::move(axes.frames));
+  if (axes.forces) axes.forces = without_unused_inputs(*std::move(axes.forces));
+  return axes;
+}
+
 /// What is done about functions that the mechanism has no values for (Inapplicable).
 void check_applicable(const Kinematics& kinematics, const PlainEquations& plain,
                       const CompileOptions& options, std::vector<FunctionKind>& kinds) {
@@ -460,6 +490,9 @@ CompiledMechanism compile_stages(std::shared_ptr<const SourceText> source, const
       if (options.warn) options.warn({{error.where(), error.message(), error.note()}});
     }
   }
+  if (options.axes && std::ranges::count(compiled.functions, FunctionKind("mass_matrix_and_bias"),
+                                         &CompiledFunction::kind) > 0)
+    compiled.axes = axis_programs(kinematics, bindings, certificate, log);
   if (options.warn) options.warn(doubtful_functions(kinematics, certificate.plain(), compiled.functions));
   return compiled;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/checks/axis_check.hpp"
 #include "dynamics/checks/measured_error.hpp"
 #include "dynamics/choice/equations_of_motion.hpp"
 #include "dynamics/equations.hpp"
@@ -48,6 +49,7 @@ struct CompileOptions {
   std::size_t loop_results = kLoopResults;        ///< so many dot products are written as loops; 0: none
   Inapplicable inapplicable = Inapplicable::refuse;
   std::function<void(const Warnings&)> warn;  ///< is told what is doubtful
+  bool axes = false;             ///< programs for linearize of the runtime too, where M and c are written
   std::optional<int> states;     ///< at which functions are measured (certificate.hpp); nothing: a few
   std::ostream* talk = nullptr;  ///< time, nodes and operations of each stage (--verbose)
   std::ostream* dump = nullptr;  ///< what a stage made (--dump)
@@ -66,6 +68,7 @@ struct CompiledMechanism {
   std::unique_ptr<ExprGraph> graph;
   std::unique_ptr<const Mechanism> mechanism;
   std::vector<CompiledFunction> functions;
+  std::optional<AxisPrograms> axes;  ///< where they were asked for and the mechanism is a tree of axes
 
   const CompiledFunction& function(
       FunctionKind kind) const;  ///< throws InternalError if it was not asked for

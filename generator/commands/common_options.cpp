@@ -41,8 +41,9 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
 }
 
 CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,
-                          std::vector<FunctionKind> functions, Inapplicable inapplicable) {
+                          std::vector<FunctionKind> functions, Inapplicable inapplicable, bool axes) {
   CompileOptions options;
+  options.axes = axes;
   options.inapplicable = inapplicable;
   if (!common.warned)
     options.warn = [&common](const Warnings& warnings) { report_warnings(warnings, common.strict); };

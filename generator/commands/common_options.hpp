@@ -35,8 +35,9 @@ CompiledMechanism compile(const CommonOptions& common, std::vector<FunctionKind>
                           Inapplicable inapplicable = Inapplicable::refuse);
 
 /// The same for a text that has been read already.
+/// \param axes  as in CompileOptions
 CompiledMechanism compile(const CommonOptions& common, std::shared_ptr<const SourceText> source,
-                          std::vector<FunctionKind> functions, Inapplicable inapplicable);
+                          std::vector<FunctionKind> functions, Inapplicable inapplicable, bool axes = false);
 
 /// Programs of the functions, as they are emitted.
 std::vector<Program> programs_of(const CompiledMechanism& compiled);

@@ -72,20 +72,21 @@ std::vector<RunFile> run_files(const std::string& description, std::vector<std::
 
 int run_generate(const CommonOptions& common, const GenerateOptions& options) {
   const FunctionChoice choice = function_choice(options.functions);
-  std::vector<std::string> read_files;
-  const CompiledMechanism compiled =
-      compile(common, description_of(common, &read_files), choice.kinds, choice.inapplicable);
-
   EmitOptions emit;
   if (!options.name_space.empty()) emit.outer_namespace = options.name_space;
   const auto named = [&](const auto& language) { return language.first == options.language; };
   emit.language = std::ranges::find_if(kLanguages, named)->second;
+  std::vector<std::string> read_files;
+  const CompiledMechanism compiled = compile(common, description_of(common, &read_files), choice.kinds,
+                                             choice.inapplicable, emit.language == Language::cpp);
+
   if (emit.language != Language::cpp) emit.scalars = {"double"};
   if (!options.scalars.empty()) emit.scalars = options.scalars;
   set_batch(emit, common, options.batch);
   if (!options.batch_instructions.empty()) emit.batch_instructions = options.batch_instructions;
   emit.parts = options.parts;
   emit.expected_name = options.expected_name;
+  emit.axes = compiled.axes;
   const std::vector<EmittedFile> files = emit_mechanism(*compiled.mechanism, programs_of(compiled), emit);
 
   if (options.print_outputs) {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "emit/argument_lists.hpp"
+#include "emit/axis_members.hpp"
 #include "emit/c99.hpp"
 #include "emit/common_slots.hpp"
 #include "emit/cuda.hpp"
@@ -281,10 +282,11 @@ std::string speed_parents_member(std::span<const Program> programs, int nv) {
 }
 
 std::string eigen_header(const std::vector<WrittenFunction>& functions, const std::string& parents,
-                         const Slots& common) {
+                         const std::optional<AxisPrograms>& axes, const Slots& common) {
   std::string members;
   for (const WrittenFunction& function : functions)
     members += (members.empty() ? "" : "\n") + eigen_member(*function.signature, common.at("namespace"));
+  if (axes) members += "\n" + axis_members(*axes, common.at("namespace"));
   const std::string_view version = generator_version();
   const std::string major(version.substr(0, version.find('.')));
   return fill_template(
@@ -403,7 +405,10 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   if (options.language == Language::javascript) return javascript_files(mechanism, programs, options);
   if (options.language == Language::cuda) return cuda_files(mechanism, programs, options);
   if (options.language != Language::cpp) return c_files(mechanism, programs, options);
-  const std::vector<WrittenFunction> functions = functions_of(mechanism, programs, cpp_syntax());
+  const std::vector<ExtraFunction> extra =
+      options.axes ? axis_functions(*options.axes) : std::vector<ExtraFunction>();
+  const std::vector<WrittenFunction> all = functions_of(mechanism, programs, cpp_syntax(), {}, extra);
+  const std::vector<WrittenFunction> functions(all.begin(), all.end() - std::ssize(extra));
   Slots common = common_slots(mechanism, options.outer_namespace + "::" + mechanism.name);
   common["scalar_list"] = fmt::format("{}", fmt::join(options.scalars, " and "));
   const std::string banner = banner_of(mechanism);
@@ -411,7 +416,7 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   common["noinline"] = fill_template("noinline.hpp", {});
 
   std::vector<Unit> units;
-  for (const WrittenFunction& function : functions) {
+  for (const WrittenFunction& function : all) {
     std::vector<Unit> more = units_of(function, options, common);
     std::ranges::move(more, std::back_inserter(units));
   }
@@ -421,8 +426,9 @@ std::vector<EmittedFile> emit_mechanism(const Mechanism& mechanism, std::span<co
   };
 
   std::vector<std::string> texts;
-  texts.push_back(eigen_header(functions, speed_parents_member(programs, mechanism.nv), common));
-  texts.push_back(raw_header(mechanism, functions, options, common));
+  texts.push_back(
+      eigen_header(functions, speed_parents_member(programs, mechanism.nv), options.axes, common));
+  texts.push_back(raw_header(mechanism, all, options, common));
   std::string includes;
   for (std::size_t k = 0; k < parts.size(); ++k)
     includes += fmt::format("#include \"{}_part{}.hpp\"\n", mechanism.name, k + 1);

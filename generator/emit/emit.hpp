@@ -1,12 +1,14 @@
 // Stage `emit`: programs and the names of a mechanism in, the text of all files out. Nothing is written here.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "functions/axis_table.hpp"
 #include "functions/function_table.hpp"
 #include "mechanism/model.hpp"
 #include "program/program.hpp"
@@ -43,6 +45,7 @@ struct EmitOptions {
   /// known from memory, and long code, in blocks, is fetched once for several packs.
   std::size_t batch_dot_products = 0;
   std::vector<ExtraFunction> extra;  ///< in JavaScript, behind those of the table
+  std::optional<AxisPrograms> axes;  ///< in C++, for linearize of the runtime
   std::string expected_name;  ///< if given, the mechanism must have this name (builds know file names by it)
 };
 

@@ -116,12 +116,39 @@ constexpr Branches<n> branches_of(const std::array<int, n>& tree, int most, Ends
   return out;
 }
 
+template <class Tree, class = void>
+struct HasSpeeds : std::false_type {};
+template <class Tree>
+struct HasSpeeds<Tree, std::void_t<decltype(Tree::kSpeeds)>> : std::true_type {};
+
+/// The speed of each row and the row of each speed.
+template <std::size_t n>
+struct SpeedOrder {
+  int speeds[n] = {}, places[n] = {};
+  bool as_rows = true;
+};
+template <class Tree, std::size_t n>
+constexpr SpeedOrder<n> order_of_speeds(const Branches<n>& rows) {
+  SpeedOrder<n> out;
+  for (std::size_t k = 0; k < n; ++k) {
+    if constexpr (HasSpeeds<Tree>::value)
+      out.speeds[k] = Tree::kSpeeds[k];
+    else
+      out.speeds[k] = rows.speeds[k];
+    out.places[out.speeds[k]] = static_cast<int>(k);
+    out.as_rows = out.as_rows && out.speeds[k] == static_cast<int>(k);
+  }
+  return out;
+}
+
 /// A = L^T D L for a symmetric positive definite A, from the last row up: where each speed stands after those that
 /// carry it, L keeps the zeros of A between branches. After Featherstone, Rigid Body Dynamics Algorithms, 2008,
 /// section 6.5. Rows are kept branch by branch; up to four that follow each other in a branch are done together, so
 /// that each row that they take is loaded once for all of them.
-/// \tparam Tree  kParents, std::array<int, n>: of each row the last one before it that A or L ties it to, or -1.
-///               Between rows neither of which carries the other, A is zero.
+/// \tparam Tree  kParents, std::array<int, n>: of each speed the last one before it that A or L ties it to, or -1.
+///               Between speeds neither of which carries the other, A is zero. Where there are kSpeeds, the speed of
+///               each row, parents, A and right-hand sides are by rows, branch by branch; only matrices that solutions
+///               go to have their rows and columns by speeds.
 template <class S, class Tree>
 class BranchSolver {
   static constexpr int N = static_cast<int>(Tree::kParents.size());
@@ -132,6 +159,9 @@ class BranchSolver {
   // Rows that are done together.
   static constexpr int kTogether = 4;
   static constexpr auto kRows = branches_of(Tree::kParents, kTogether, Columns::ends_before);
+  static constexpr bool kByRows = HasSpeeds<Tree>::value;
+  static_assert(!kByRows || kRows.in_order, "rows stand branch by branch");
+  static constexpr auto kOrder = order_of_speeds<Tree>(kRows);
 
  public:
   /// \param A  n x n, symmetric, column by column
@@ -150,7 +180,7 @@ class BranchSolver {
           if (status != Status::ok) return;
           const int k = last - before;
           if constexpr (before > 0) add_rows<before>(plain, last, k);
-          status = scale(k, A(speed(k), speed(k)), plain[before]);
+          status = scale(k, A(given(k), given(k)), plain[before]);
         });
         if (status != Status::ok) return;
         Carriers of(group.first);
@@ -172,8 +202,8 @@ class BranchSolver {
       Rows<kLanes> all;
       S* const rows = all.data();
       sweep(std::make_index_sequence<1>(), rows, N, S(1),
-            [&](int row, auto) { return Eigen::internal::pset1<Packet>(x(speed(row))); });
-      for (int i = 0; i < N; ++i) x(i) = rows[place(i) * kLanes];
+            [&](int row, auto) { return Eigen::internal::pset1<Packet>(x(given(row))); });
+      for (int i = 0; i < N; ++i) x(given(i)) = rows[i * kLanes];
     }
   }
 
@@ -197,8 +227,8 @@ class BranchSolver {
       const S* from[kCount];
       for (int p = 0; p < kCount; ++p)
         from[p] = sides[(first + p) / kPackets].rows + Columns::column((first + p) % kPackets);
-      sweep(packets, at(first), N, S(-1), [&](int row, auto p) { return load(from[p], speed(row)); });
-      finite = finite && all_finite(static_cast<std::size_t>(N) * kApart, static_cast<const S*>(at(first)));
+      sweep(packets, at(first), N, S(-1), [&](int row, auto p) { return load(from[p], given(row)); });
+      finite = finite && tips_finite<kApart>(at(first), N);
     });
     const auto end_of = [](int first, int packets) { return Columns::column(first + packets - 1) + kWidth; };
     each_block<kPackets>([&](int first, auto packets) {
@@ -206,17 +236,19 @@ class BranchSolver {
       S* const rows = at(kOfSides + first);
       const int end = end_of(first, kCount);
       // Of rows in another order all are stored.
-      if constexpr (!kRows.in_order) std::fill(rows + end * kApart, rows + N * kApart, S(0));
+      if constexpr (!kOrder.as_rows) std::fill(rows + end * kApart, rows + N * kApart, S(0));
       sweep(packets, rows, end, S(1),
             [&](int row, auto p) { return unit(row - Columns::column(first + p)); });
-      finite = finite && all_finite(static_cast<std::size_t>(end) * kApart, static_cast<const S*>(rows));
+      finite = finite && tips_finite<kApart>(rows, end);
     });
     if (!finite) return Status::not_finite;
     each_block<kOfSides>([&](int first, auto packets) {
       constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
       for (int p = 0; p < kCount; ++p) {
-        S* const to = sides[(first + p) / kPackets].columns + Columns::column((first + p) % kPackets) * N;
-        store<kApart>(at(first) + p * kLanes, N, [&](int j) { return to + j * N; });
+        S* const to = sides[(first + p) / kPackets].columns;
+        const int column = Columns::column((first + p) % kPackets);
+        store<kApart>(at(first) + p * kLanes, N,
+                      [&](int j) { return to + (kByRows ? speed(column + j) : column + j) * N; });
       }
     });
     each_block<kPackets>([&](int first, auto packets) {
@@ -225,11 +257,11 @@ class BranchSolver {
       for (int p = 0; p < kCount; ++p) {
         const int column = Columns::column(first + p);
         const S* const own = rows + p * kLanes;
-        store<kApart>(own, kRows.in_order ? end_of(first, kCount) : N,
+        store<kApart>(own, kOrder.as_rows ? end_of(first, kCount) : N,
                       [&](int j) { return inverse + speed(column + j) * N; });
         // The inverse is symmetric: what is missing below a block of columns stands in its rows.
         for (int i = 0; i < Columns::column(first); ++i) {
-          if constexpr (kRows.in_order && N >= kLanes)
+          if constexpr (kOrder.as_rows && N >= kLanes)
             pstoreu(inverse + i * N + column, pload<Packet>(own + i * kApart));
           else
             for (int j = 0; j < kWidth; ++j) inverse[speed(i) * N + speed(column + j)] = own[i * kApart + j];
@@ -255,11 +287,15 @@ class BranchSolver {
   /// Rows of a group before they are scaled.
   using Plain = S[kTogether][kPadded];
 
+  /// Of a row: its speed, and where it stands in what is given. Of a speed: its row.
   static int speed(int at) {
-    return kRows.speeds[at];
+    return kOrder.speeds[at];
+  }
+  static int given(int at) {
+    return kByRows ? at : kOrder.speeds[at];
   }
   static int place(int at) {
-    return kRows.places[at];
+    return kOrder.places[at];
   }
   S* row(int k) {
     return rows_.data() + k * kPadded;
@@ -317,9 +353,9 @@ class BranchSolver {
       rows_.template topRows<N>() = A;
     } else {
       for (int k = 0; k < N; ++k) {
-        const S* const from = &A(0, speed(k));
+        const S* const from = &A(0, given(k));
         S* const own = row(k);
-        for (int i = 0; i <= k; ++i) own[i] = from[speed(i)];
+        for (int i = 0; i <= k; ++i) own[i] = from[given(i)];
         std::fill(own + k + 1, own + (k / kLanes + 1) * kLanes, S(0));
       }
     }
@@ -369,14 +405,9 @@ class BranchSolver {
     }
   }
 
-  /// Rows of some columns, on the stack where M is.
+  /// Rows of some columns.
   template <int columns>
-  struct RowsOnStack {
-    S* data() { return entries; }
-    alignas(64) S entries[static_cast<std::size_t>(N) * columns];
-  };
-  template <int columns>
-  using Rows = std::conditional_t<fits_stack_v<S, N, N>, RowsOnStack<columns>, HeapMatrix<S, columns, N>>;
+  using Rows = Scratch<S, N, N * columns>;
 
   /// A packet of a row of an n x n matrix that stands row by row, with zeros where the row is shorter.
   /// \param columns  where the packet's columns stand in the first row
@@ -416,6 +447,16 @@ class BranchSolver {
     if constexpr (kLanes > 1) ALEMBERT_AS_ROUNDED(out);
     return out;
   }
+  /// Whether solutions of rows before `end` are finite: those rows have all, after all that carries them, that carry
+  /// no other. What is not finite stays so when it is multiplied, with a zero of L too.
+  template <int apart>
+  static bool tips_finite(const S* rows, int end) {
+    bool finite = true;
+    for (int k = 0; k < end; ++k)
+      if (k + 1 == end || kRows.ends[k] == k + 1)
+        finite = finite && all_finite(static_cast<std::size_t>(apart), rows + k * apart);
+    return finite;
+  }
   /// A packet of each row before `end`, or more, to(j) being where column j of it goes.
   template <int apart, class To>
   void store(const S* rows, int end, To&& to) const {
@@ -439,7 +480,7 @@ class BranchSolver {
   void solve_along_rows(Eigen::Matrix<S, N, 1>& x) const {
     using namespace Eigen::internal;
     alignas(64) S sums[kPadded], scaled[kPadded], solution[kPadded] = {};
-    for (int k = 0; k < kPadded; ++k) sums[k] = k < N ? x(speed(k)) : S(0);
+    for (int k = 0; k < kPadded; ++k) sums[k] = k < N ? x(given(k)) : S(0);
     for (int at = kRows.group_count; at-- > 0;) {
       const auto& group = kRows.groups[at];
       with_width(group.width, [&](auto width) {
@@ -489,7 +530,7 @@ class BranchSolver {
         });
       });
     }
-    for (int i = 0; i < N; ++i) x(i) = solution[place(i)];
+    for (int i = 0; i < N; ++i) x(given(i)) = solution[i];
   }
 
   /// Some columns, row after row, the rows of which are zero from `end` on, and of the solution not wanted.

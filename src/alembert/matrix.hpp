@@ -41,6 +41,21 @@ template <class S, int R, int C>
 using SizedMatrix =
     std::conditional_t<detail::fits_stack_v<S, R, C>, Eigen::Matrix<S, R, C>, HeapMatrix<S, R, C>>;
 
+namespace detail {
+
+template <class S, std::size_t count>
+struct NumbersOnStack {
+  S* data() { return entries; }
+  const S* data() const { return entries; }
+  alignas(64) S entries[count];
+};
+/// So many numbers, on the stack where an N x N matrix is.
+template <class S, int N, int count>
+using Scratch = std::conditional_t<fits_stack_v<S, N, N>, NumbersOnStack<S, static_cast<std::size_t>(count)>,
+                                   HeapMatrix<S, count, 1>>;
+
+}  // namespace detail
+
 /// Fills a matrix, or an array of matrices one after another, with entries given row by row.
 template <class S, class Derived>
 void from_rows(const S* entries, Eigen::MatrixBase<Derived>& matrix) {

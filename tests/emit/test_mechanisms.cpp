@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <tree_every_joint/tree_every_joint.hpp>
+#include <walker/walker.hpp>
 
 #include "alembert/integrate.hpp"
 #include "alembert/linearize.hpp"
@@ -221,6 +222,44 @@ TEST(CompiledMechanism, LinearizationIsThatOfItsForwardDynamics) {
   check_linearization<bits::five_bar::Mechanism<>>();
   check_linearization<bits::rolling_ellipsoids::Mechanism<>>();
   check_linearization<bits::chain::Mechanism<>>();
+  check_linearization<bits::walker::Mechanism<>>();
+}
+
+/// The same mechanism, of which linearize knows nothing but its functions.
+template <class S>
+struct PlainWalker : bits::walker::Mechanism<S> {};
+
+template <class S>
+void expect_same_linearization(double allowed) {
+  using Walker = bits::walker::Mechanism<S>;
+  using Plain = PlainWalker<S>;
+  static_assert(alembert::detail::kLinearizesByAxes<Walker>);
+  static_assert(!alembert::detail::kLinearizesByAxes<Plain>);
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const State<bits::walker::Mechanism<>> s = random_state<bits::walker::Mechanism<>>(seed);
+    typename Walker::CoordinateVector q = s.q.template cast<S>();
+    // Far from the origin, and with a leg longer than the description's.
+    if (seed % 2 == 0) q(Walker::Coordinate::x) += 1000;
+    ASSERT_EQ(alembert::normalize_quaternions<Walker>(q), alembert::Status::ok);
+    const typename Walker::SpeedVector qd = s.qd.template cast<S>(), tau = s.qdd.template cast<S>();
+    typename Walker::Inputs in;
+    in.parameters[Walker::Parameter::shank] = S(0.5);
+    alembert::Linearization<Walker> found;
+    alembert::Linearization<Plain> wanted;
+    ASSERT_EQ(alembert::linearize<Walker>(q, qd, tau, in, found), alembert::Status::ok);
+    ASSERT_EQ(alembert::linearize<Plain>(q, qd, tau, in, wanted), alembert::Status::ok);
+    const auto expect_near = [&](const auto& x, const auto& y) {
+      EXPECT_LT((x - y).cwiseAbs().maxCoeff(), allowed * y.cwiseAbs().maxCoeff()) << "seed " << seed;
+    };
+    expect_near(found.qdd, wanted.qdd);
+    expect_near(found.qdd_q, wanted.qdd_q);
+    expect_near(found.qdd_qd, wanted.qdd_qd);
+    expect_near(found.qdd_tau, wanted.qdd_tau);
+  }
+}
+TEST(CompiledMechanism, LinearizationByAxesIsThatByGeneratedDerivatives) {
+  expect_same_linearization<double>(1e-12);
+  expect_same_linearization<float>(1e-4);
 }
 TEST(CompiledMechanism, FiveBar) {
   using Model = bits::five_bar::Mechanism<>;

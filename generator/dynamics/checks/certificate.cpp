@@ -24,10 +24,6 @@ namespace {
 constexpr int kMeasuredStates = 10, kFewestStates = 3;
 constexpr double kMeasuringWork = 4e6;
 
-double rounded_correctly(Operation op, double a, double b) {
-  return apply(op, Extended(a), Extended(b)).convert_to<double>();
-}
-
 bool finite(const VectorXe& v) {
   return std::all_of(v.begin(), v.end(), [](const Extended& x) { return isfinite(x); });
 }
@@ -81,11 +77,11 @@ Scales scales_of(std::string_view array, const VectorXe& inertia) {
 }
 
 /// Arrays as they are compared: whole, but for the energies, of which a small one has its digits beside a large one.
-std::vector<MeasuredPart> measured_parts(const Program& program) {
+std::vector<MeasuredPart> measured_parts(std::span<const OutputArray> outputs) {
   std::vector<MeasuredPart> parts;
-  for (std::size_t a = 0; a < program.outputs.size(); ++a) {
-    const std::size_t size = program.outputs[a].values.size();
-    const std::size_t step = program.outputs[a].name == "e" ? 1 : size;
+  for (std::size_t a = 0; a < outputs.size(); ++a) {
+    const std::size_t size = outputs[a].values.size();
+    const std::size_t step = outputs[a].name == "e" ? 1 : size;
     for (std::size_t first = 0; first < size; first += step) parts.push_back({a, first, step});
   }
   return parts;
@@ -166,8 +162,9 @@ const std::array kByForces{
 };
 
 /// What the arrays of a function should be.
-std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind, const Program& program,
-                                  const State& state, const VectorXe& signs, const VectorXe& inertia) {
+std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind,
+                                  std::span<const OutputArray> outputs, const State& state,
+                                  const VectorXe& signs, const VectorXe& inertia) {
   if (const auto* row = std::ranges::find(kByForces, kind, &ByForces::kind); row != kByForces.end())
     return row->arrays(plain, state, signs, inertia);
   const std::vector<Extended> all = plain.outputs(kind, state);
@@ -175,7 +172,7 @@ std::vector<Wanted> wanted_arrays(const PlainEquations& plain, FunctionKind kind
                                                  all.data(), static_cast<Eigen::Index>(all.size())));
   std::vector<Wanted> arrays;
   Eigen::Index at = 0;
-  for (const OutputArray& output : program.outputs) {
+  for (const OutputArray& output : outputs) {
     const Eigen::Index size = static_cast<Eigen::Index>(output.values.size());
     arrays.push_back({Eigen::Map<const VectorXe>(all.data() + at, size), {}, noise});
     at += size;
@@ -263,6 +260,10 @@ bool is_undecided(std::span<const Expr> conditions, std::span<const double> stat
 
 }  // namespace
 
+double rounded_correctly(Operation op, double a, double b) {
+  return apply(op, Extended(a), Extended(b)).convert_to<double>();
+}
+
 Certificate::Certificate(const Kinematics& kinematics, const std::vector<SymbolBinding>& bindings,
                          std::optional<int> states)
     : kinematics_(kinematics),
@@ -305,18 +306,26 @@ std::vector<double> Certificate::values_at(std::size_t state, const VectorXe& in
 }
 
 MeasuredError Certificate::measure(const Program& program, FunctionKind kind) const {
-  const std::vector<MeasuredPart> parts = measured_parts(program);
+  std::vector<double> scratch;
+  return measure(program.outputs, kind, [&](std::span<const double> inputs, std::span<double> found) {
+    interpret(program, inputs, found, scratch, rounded_correctly);
+  });
+}
+
+MeasuredError Certificate::measure(std::span<const OutputArray> outputs, FunctionKind kind,
+                                   const Values& values_of) const {
+  const std::vector<MeasuredPart> parts = measured_parts(outputs);
   std::vector<ArrayErrors> errors(parts.size());
   MeasuredError worst;
   std::mt19937_64 random(1);
   double work = 0;
   std::size_t entries = 0;
   bool scaled = false;
-  for (const OutputArray& output : program.outputs) {
+  for (const OutputArray& output : outputs) {
     entries += output.values.size();
     scaled = scaled || is_scaled(output.name);
   }
-  std::vector<double> inputs, found(entries), scratch;
+  std::vector<double> inputs, found(entries);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     if (worst.states >= most_ || (work > work_ && worst.states >= kFewestStates)) break;
     const VectorXe inertia = scaled ? inertia_at(k, kind) : VectorXe();
@@ -325,13 +334,13 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     VectorXe signs(kinematics_.mechanism.nv);
     for (Extended& sign : signs) sign = (random() >> 63) != 0 ? -1 : 1;
     work += static_cast<double>(2 * plain_.nodes());
-    std::vector<Wanted> arrays = wanted_arrays(plain_, kind, program, state, signs, inertia);
+    std::vector<Wanted> arrays = wanted_arrays(plain_, kind, outputs, state, signs, inertia);
     if (!std::all_of(arrays.begin(), arrays.end(), [](const Wanted& w) { return finite(w.values); }))
       continue;
     inputs.clear();
     for (const SymbolBinding& binding : bindings_)
       inputs.push_back(values[kinematics_.graph.symbol_index(binding.symbol.ref().node())]);
-    interpret(program, inputs, found, scratch, rounded_correctly);
+    values_of(inputs, found);
     if (!std::all_of(found.begin(), found.end(), [](double x) { return std::isfinite(x); })) {
       worst.without_value.push_back(k);
       continue;
@@ -340,7 +349,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     const double* at = found.data();
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const auto [array, first, count] = parts[p];
-      const OutputArray& output = program.outputs[array];
+      const OutputArray& output = outputs[array];
       Wanted& wanted = arrays[array];
       const Wanted part = count == output.values.size()
                               ? std::move(wanted)
@@ -353,7 +362,7 @@ MeasuredError Certificate::measure(const Program& program, FunctionKind kind) co
     }
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
-    errors[p].report(parts[p], program.outputs[parts[p].array].name, worst);
+    errors[p].report(parts[p], outputs[parts[p].array].name, worst);
   return worst;
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "dynamics/checks/measured_error.hpp"
 #include "dynamics/checks/plain_equations.hpp"
 #include "program/lower.hpp"
+#include "support/operation.hpp"
 
 namespace alembert {
 
@@ -26,6 +28,9 @@ namespace alembert {
 inline constexpr double kLargestError = 1e-10;
 /// Users are told of larger ones.
 inline constexpr double kDoubtfulError = 1e-6;
+
+/// For `interpret`: the same on every machine.
+double rounded_correctly(Operation op, double a, double b);
 
 class Certificate {
  public:
@@ -35,6 +40,10 @@ class Certificate {
 
   /// The program has all bindings as inputs.
   MeasuredError measure(const Program& program, FunctionKind kind) const;
+  /// The same of what computes the arrays of a function, one after another, from values of all bindings.
+  using Values = std::function<void(std::span<const double> inputs, std::span<double> found)>;
+  MeasuredError measure(std::span<const OutputArray> outputs, FunctionKind kind,
+                        const Values& values_of) const;
   /// Whether a measured error needs no explanation.
   static bool is_small(const MeasuredError& error) {
     return error.excesses.empty() && error.without_value.empty();

@@ -8,9 +8,6 @@
 
 namespace alembert {
 
-namespace {
-
-/// By differentiating the forces as they stand.
 std::vector<Expr> derivatives_of_the_whole(const Kinematics& kinematics, const std::vector<Expr>& Q) {
   std::vector<Expr> variables;
   for (const Coordinate& coordinate : kinematics.mechanism.coordinates)
@@ -27,8 +24,6 @@ std::vector<Expr> derivatives_of_the_whole(const Kinematics& kinematics, const s
   both.insert(both.end(), by_speeds.begin(), by_speeds.end());
   return both;
 }
-
-}  // namespace
 
 std::vector<Expr> force_derivatives(const Kinematics& kinematics, const EquationsOfMotion& equations) {
   std::vector<Expr> applied;

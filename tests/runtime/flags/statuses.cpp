@@ -1,6 +1,7 @@
 // Every function of the runtime with arguments that are not finite, one after the other, and with matrices
 // that are singular, as compiled with the flags under test: the status says so and results stay as they were.
 // Out: nothing and 0, or what is wrong and 1.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -305,6 +306,79 @@ struct Spoilt : models::Dense<12> {
   }
 };
 
+/// A tree of axes, branched, of which one entry of its frames or of what forces give can be spoilt.
+struct SpoiltTree : models::Dense<12> {
+  static constexpr std::size_t n = 12;
+  struct Inputs : models::Inputs<double> {
+    int array = -1;
+    std::size_t at = 0;
+    double entry = 0;
+    void spoil(int which, double* X) const {
+      if (which == array) X[at] = entry;
+    }
+  };
+  static void mass_matrix_and_bias(const Vector&, const Vector& qd, const Inputs& in,
+                                   Eigen::Matrix<double, kNv, kNv>& M, Vector& c) {
+    Dense::mass_matrix_and_bias(qd, qd, in, M, c);
+  }
+  struct Axes {
+    using Of = SpoiltTree;
+    static constexpr std::array<int, n> kSpeeds{3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8};
+    static constexpr std::array<int, n> kParents{-1, 0, 1, 2, 1, 4, 5, 0, 7, 8, -1, 10};
+    static constexpr std::array<std::array<double, n>, 3> kDirections{
+        {{}, {1, 1, 0, 1, 1, 0, 1, 1, 1, 0, 1, 1}, {0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0}}};
+    static constexpr std::array<bool, n> kTurns{true,  false, true, true, true,  true,
+                                                false, true,  true, true, false, true};
+    static constexpr std::array<double, n> kMasses{1, 2, 3, 1, 2, 1, 1, 2, 1, 3, 1, 2}, kArmatures{};
+    static constexpr std::array<std::array<double, n>, 3> kCenters{
+        {{0.1, 0.1, 0.2, 0.1, 0.3, 0.1, 0.1, 0.2, 0.1, 0.1, 0.1, 0.4}}};
+    static constexpr std::array<std::array<double, n>, 6> kInertias{{{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                                                                     {2, 1, 1, 2, 1, 1, 2, 1, 1, 2, 1, 1},
+                                                                     {2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}}};
+    static constexpr std::array<bool, n> kFirstOfThree{};
+    static constexpr std::array<double, 3> kGravity{0, 0, -9.81};
+    static void frames(const Vector&, const Inputs& in, double* frames) {
+      for (std::size_t i = 0; i < 12 * n; ++i) frames[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        frames[k] = frames[5 * n + k] = frames[10 * n + k] = 1;
+        frames[3 * n + k] = 0.3 * static_cast<double>(k);
+        frames[7 * n + k] = 0.2;
+      }
+      in.spoil(0, frames);
+    }
+    static void forces(const Vector&, const Vector&, const Inputs& in, double* Q, double* Q_q, double* Q_qd) {
+      for (std::size_t i = 0; i < n * n; ++i) Q_q[i] = Q_qd[i] = i % (n + 1) == 0 ? -0.5 : 0;
+      for (std::size_t i = 0; i < n; ++i) Q[i] = 0.25;
+      in.spoil(1, Q);
+      in.spoil(2, Q_q);
+      in.spoil(3, Q_qd);
+    }
+  };
+};
+static_assert(alembert::detail::kLinearizesByAxes<SpoiltTree>);
+
+void check_linearize_of_trees() {
+  const SpoiltTree::Vector zero = SpoiltTree::Vector::Zero(), some = SpoiltTree::Vector::Constant(0.3);
+  SpoiltTree::Inputs in;
+  alembert::Linearization<SpoiltTree> out;
+  expect(alembert::linearize<SpoiltTree>(zero, some, zero, in, out), Status::ok, "no tree spoilt");
+  out.qdd.setConstant(7);
+  out.qdd_q.setConstant(7);
+  out.qdd_qd = out.qdd_tau = out.qdd_q;
+  constexpr std::size_t n = SpoiltTree::n, sizes[] = {12 * n, n, n * n, n * n};
+  for (in.array = 0; in.array < 4; ++in.array)
+    for (in.at = 0; in.at < sizes[in.array]; ++in.at)
+      for (const double bad : kBad) {
+        in.entry = bad;
+        const std::string what =
+            "linearize of a tree, array " + std::to_string(in.array) + ", entry " + std::to_string(in.at);
+        expect(alembert::linearize<SpoiltTree>(zero, some, zero, in, out), Status::not_finite, what);
+        expect(out.qdd.minCoeff() == 7 && out.qdd.maxCoeff() == 7, what + ": its result stays");
+        for (const auto* X : {&out.qdd_q, &out.qdd_qd, &out.qdd_tau})
+          expect(X->minCoeff() == 7 && X->maxCoeff() == 7, what + ": its matrices stay");
+      }
+}
+
 void check_linearize_at_entries() {
   constexpr int n = Spoilt::kNv;
   const Spoilt::Vector zero = Spoilt::Vector::Zero();
@@ -369,6 +443,7 @@ int main() {
   check_topology();
   check_matrices();
   check_linearize_at_entries();
+  check_linearize_of_trees();
   check_numbers();
   return failures == 0 ? 0 : 1;
 }
