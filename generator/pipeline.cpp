@@ -354,8 +354,9 @@ std::optional<AxisPrograms> axis_programs(const Kinematics& kinematics,
   const auto n = static_cast<std::uint32_t>(kinematics.mechanism.nv);
   AxisPrograms axes{form->table, written("axis_frames", {{"frames", 12, n, form->frames}}), {}};
   if (!form->Q.empty())
-    axes.forces =
-        written("axis_forces", {{"Q", n, 1, form->Q}, {"Q_q", n, n, form->Q_q}, {"Q_qd", n, n, form->Q_qd}});
+    axes.forces = written("axis_forces",
+                          {{"Q", n, 1, form->Q},
+                           {"changes", static_cast<std::uint32_t>(form->changes.size()), 1, form->changes}});
   const std::optional<double> error = axis_error(certificate, bindings, axes);
   log.done("axes",
            error ? fmt::format("frames: {}; relative error {:.1e}", describe(count(axes.frames)), *error)

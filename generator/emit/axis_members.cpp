@@ -64,8 +64,8 @@ std::vector<ExtraFunction> axis_functions(const AxisPrograms& axes) {
           "Applied forces by the rows of Axes, and their derivatives, for alembert::linearize.",
           "",
           {{"Q", "generalized forces, in units of tau", kPerSpeed},
-           {"Q_q", "along the speeds: a column for each row of Axes", kPerSpeed, kPerSpeed},
-           {"Q_qd", "by the speeds", kPerSpeed, kPerSpeed}},
+           {"changes", "kForceEntries of their derivatives",
+            static_cast<int>(axes.table.force_entries.size())}},
           "",
           ""},
          *axes.forces});
@@ -100,14 +100,18 @@ std::string axis_members(const AxisPrograms& axes, std::string_view name_space) 
       "  ::{}::axis_frames<S>(q.data(), in, frames);\n"
       "}}\n",
       name_space);
-  if (axes.forces)
+  if (axes.forces) {
+    members += constant(fmt::format("::std::array<int, {}>", table.force_entries.size()), "kForceEntries",
+                        "Which entries of the forces' derivatives are not zero: along the speeds, row by "
+                        "row, then by the speeds.",
+                        integers(table.force_entries));
     members += fmt::format(
         "static void forces(const CoordinateVector& q, const SpeedVector& qd, const Inputs& in, S* Q, S* "
-        "Q_q,\n"
-        "                   S* Q_qd) {{\n"
-        "  ::{}::axis_forces<S>(q.data(), qd.data(), in, Q, Q_q, Q_qd);\n"
+        "changes) {{\n"
+        "  ::{}::axis_forces<S>(q.data(), qd.data(), in, Q, changes);\n"
         "}}\n",
         name_space);
+  }
   return "/// For alembert::linearize: each speed turns or slides one frame about or along an axis that is "
          "fixed in it.\n"
          "struct Axes {\n" +

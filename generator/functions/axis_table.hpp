@@ -22,13 +22,16 @@ struct AxisTable {
   std::vector<double> armatures;
   std::vector<bool> first_of_three;  ///< whether the three speeds of a quaternion start here
   std::array<double, 3> gravity{};
+  /// Which entries of the derivatives of applied forces are not zero: of those along the speeds, row by row, and then of
+  /// those by the speeds.
+  std::vector<int> force_entries;
 };
 
 /// What generated code has of a tree of axes. The programs are called axis_frames and axis_forces.
 struct AxisPrograms {
   AxisTable table;
   Program frames;                 ///< AxisForm::frames
-  std::optional<Program> forces;  ///< Q, Q_q and Q_qd of an AxisForm, where it has them
+  std::optional<Program> forces;  ///< Q and changes of an AxisForm, where it has them
 };
 
 }  // namespace alembert

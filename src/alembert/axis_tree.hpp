@@ -35,9 +35,6 @@
 namespace alembert {
 namespace detail {
 
-/// Measured: of fewer speeds, generated M, c and derivatives take as long.
-inline constexpr int kFewestByAxes = 8;
-
 /// As many numbers as an instruction takes, of AVX-512 half as many: measured, longer vectors are filled less.
 template <class S>
 struct NumberLanes {

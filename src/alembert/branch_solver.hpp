@@ -127,18 +127,57 @@ struct SpeedOrder {
   int speeds[n] = {}, places[n] = {};
   bool as_rows = true;
 };
-template <class Tree, std::size_t n>
-constexpr SpeedOrder<n> order_of_speeds(const Branches<n>& rows) {
+template <std::size_t n, class Speeds>
+constexpr SpeedOrder<n> order_of_speeds(const Speeds& speeds_of_rows) {
   SpeedOrder<n> out;
   for (std::size_t k = 0; k < n; ++k) {
-    if constexpr (HasSpeeds<Tree>::value)
-      out.speeds[k] = Tree::kSpeeds[k];
-    else
-      out.speeds[k] = rows.speeds[k];
+    out.speeds[k] = speeds_of_rows[k];
     out.places[out.speeds[k]] = static_cast<int>(k);
     out.as_rows = out.as_rows && out.speeds[k] == static_cast<int>(k);
   }
   return out;
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wignored-attributes"
+#endif
+/// Stores a packet of columns of N rows, up to row `end` or further: row(i) is where row i has it, to(j) where column j
+/// of the packet goes.
+template <class S, int N, class Row, class To>
+void store_columns(int end, Row&& row, To&& to) {
+  using namespace Eigen::internal;
+  using Columns = PacketColumns<S, N>;
+  constexpr int kLanes = Columns::kLanes;
+  if constexpr (N < kLanes) {
+    for (int j = 0; j < N; ++j)
+      for (int i = 0; i < end; ++i) to(j)[i] = row(i)[j];
+  } else {
+    for (int p = 0; p * kLanes < end; ++p) {
+      const int first = Columns::column(p);
+      PacketBlock<typename Columns::Packet, kLanes> block;
+      for (int i = 0; i < kLanes; ++i) block.packet[i] = ploadu<typename Columns::Packet>(row(first + i));
+      ptranspose(block);
+      for (int j = 0; j < kLanes; ++j) pstoreu(to(j) + first, block.packet[j]);
+    }
+  }
+}
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+/// Stores an N x N matrix that stands row by row, by rows of Order, column by column, by speeds.
+template <class Order, class S>
+void store_by_speeds(const S* rows, S* columns) {
+  constexpr int N = static_cast<int>(Order::kSpeeds.size());
+  static constexpr auto kOrder = order_of_speeds<static_cast<std::size_t>(N)>(Order::kSpeeds);
+  using Columns = PacketColumns<S, N>;
+  for (int p = 0; p < Columns::kPackets; ++p) {
+    const int column = Columns::column(p);
+    store_columns<S, N>(
+        N, [&](int i) { return rows + kOrder.places[i] * N + column; },
+        [&](int j) { return columns + kOrder.speeds[column + j] * N; });
+  }
 }
 
 /// A = L^T D L for a symmetric positive definite A, from the last row up: where each speed stands after those that
@@ -161,7 +200,12 @@ class BranchSolver {
   static constexpr auto kRows = branches_of(Tree::kParents, kTogether, Columns::ends_before);
   static constexpr bool kByRows = HasSpeeds<Tree>::value;
   static_assert(!kByRows || kRows.in_order, "rows stand branch by branch");
-  static constexpr auto kOrder = order_of_speeds<Tree>(kRows);
+  static constexpr auto kOrder = [] {
+    if constexpr (kByRows)
+      return order_of_speeds<static_cast<std::size_t>(N)>(Tree::kSpeeds);
+    else
+      return order_of_speeds<static_cast<std::size_t>(N)>(kRows.speeds);
+  }();
 
  public:
   /// \param A  n x n, symmetric, column by column
@@ -272,14 +316,6 @@ class BranchSolver {
   }
 
  private:
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wignored-attributes"
-#endif
-  using Block = Eigen::internal::PacketBlock<Packet, kLanes>;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
   static constexpr int kPadded = (N + kLanes - 1) / kLanes * kLanes;
 
   template <int value>
@@ -288,21 +324,11 @@ class BranchSolver {
   using Plain = S[kTogether][kPadded];
 
   /// Of a row: its speed, and where it stands in what is given. Of a speed: its row.
-  static int speed(int at) {
-    return kOrder.speeds[at];
-  }
-  static int given(int at) {
-    return kByRows ? at : kOrder.speeds[at];
-  }
-  static int place(int at) {
-    return kOrder.places[at];
-  }
-  S* row(int k) {
-    return rows_.data() + k * kPadded;
-  }
-  const S* row(int k) const {
-    return rows_.data() + k * kPadded;
-  }
+  static int speed(int at) { return kOrder.speeds[at]; }
+  static int given(int at) { return kByRows ? at : kOrder.speeds[at]; }
+  static int place(int at) { return kOrder.places[at]; }
+  S* row(int k) { return rows_.data() + k * kPadded; }
+  const S* row(int k) const { return rows_.data() + k * kPadded; }
   template <int count, class Call>
   static EIGEN_ALWAYS_INLINE void each(Call&& call) {
     each(call, std::make_integer_sequence<int, count>());
@@ -435,9 +461,7 @@ class BranchSolver {
                                            (place >= 0 && place < kLanes ? kLanes - 1 - place : kLanes));
   }
   // Looked up here once, not in each lambda.
-  static EIGEN_ALWAYS_INLINE Packet same(S entry) {
-    return Eigen::internal::pset1<Packet>(entry);
-  }
+  static EIGEN_ALWAYS_INLINE Packet same(S entry) { return Eigen::internal::pset1<Packet>(entry); }
   static EIGEN_ALWAYS_INLINE Packet add_product(const Packet& a, const Packet& b, const Packet& sum) {
     return Eigen::internal::pmadd(a, b, sum);
   }
@@ -459,20 +483,9 @@ class BranchSolver {
   }
   /// A packet of each row before `end`, or more, to(j) being where column j of it goes.
   template <int apart, class To>
-  void store(const S* rows, int end, To&& to) const {
-    using namespace Eigen::internal;
-    if constexpr (N < kLanes) {
-      for (int j = 0; j < N; ++j)
-        for (int i = 0; i < end; ++i) to(j)[i] = rows[place(i) * apart + j];
-    } else {
-      for (int p = 0; p * kLanes < end; ++p) {
-        const int first = Columns::column(p);
-        Block block;
-        for (int i = 0; i < kLanes; ++i) block.packet[i] = pload<Packet>(rows + place(first + i) * apart);
-        ptranspose(block);
-        for (int j = 0; j < kLanes; ++j) pstoreu(to(j) + first, block.packet[j]);
-      }
-    }
+  static void store(const S* rows, int end, To&& to) {
+    store_columns<S, N>(
+        end, [&](int i) { return rows + place(i) * apart; }, to);
   }
 
   /// x = A^-1 x, adding along whole rows of L up to a group: between branches L is zero, and from the group on the

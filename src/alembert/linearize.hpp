@@ -3,9 +3,7 @@
 // stack (matrix.hpp), no exceptions.
 #pragma once
 
-#include <algorithm>
-
-#include "alembert/axis_tree.hpp"
+#include "alembert/axis_state.hpp"
 #include "alembert/branch_solver.hpp"
 #include "alembert/forward_dynamics.hpp"
 
@@ -42,78 +40,33 @@ void derivatives_by_rows(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
   }
 }
 
-/// Whether M is a tree of axes and says so of itself.
-template <class M, class = void>
-struct HasAxes : std::false_type {};
-template <class M>
-struct HasAxes<M, std::enable_if_t<std::is_same_v<typename M::Axes::Of, M>>>
-    : std::bool_constant<std::is_same_v<typename M::Scalar, double> ||
-                         std::is_same_v<typename M::Scalar, float>> {};
-
-template <class Axes, class = void>
-struct HasAxisForces : std::false_type {};
-template <class Axes>
-struct HasAxisForces<Axes, std::void_t<decltype(&Axes::forces)>> : std::true_type {};
-
-template <class M>
-inline constexpr bool kLinearizesByAxes = HasAxes<M>::value&& M::kNv >= kFewestByAxes;
-
-template <class M>
-inline constexpr AxisTables<typename M::Scalar, M::kNv> kAxisTables{typename M::Axes()};
-
 /// linearize of a tree of axes, branch by branch.
 template <class M>
 [[nodiscard]] Status linearize_by_axes(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                        const SpeedVector<M>& tau, const typename M::Inputs& in,
                                        Linearization<M>& out) {
   using S = typename M::Scalar;
-  using Axes = typename M::Axes;
-  constexpr int N = M::kNv, kMore = NumberLanes<S>::kLanes;
-  // With room for a vector that starts at the last entry.
-  using Rows = Eigen::Matrix<S, N + kMore, 1>;
-  using Square = Scratch<S, N, N * N + kMore>;
-  const auto speed = [](int row) { return Axes::kSpeeds[static_cast<std::size_t>(row)]; };
-  AxisTree<S, N> tree(kAxisTables<M>);
-  Rows u, c;
-  Square tau_q, tau_qd;
-  {
-    Scratch<S, N, 12 * N + kMore> frames;
-    std::fill_n(frames.data() + 12 * N, kMore, S(0));
-    Axes::frames(q, in, frames.data());
-    for (int row = 0; row < N; ++row) u(row) = qd(speed(row));
-    tree.set_state(frames.data(), u.data());
-  }
-  tree.mass_matrix(tau_q.data());
-  BranchSolver<S, Axes> solver;
+  using State = AxisState<M>;
+  constexpr int N = M::kNv;
+  State state(q, qd, in);
+  typename State::Square tau_q, tau_qd;
+  state.mass_matrix(tau_q);
+  BranchSolver<S, typename M::Axes> solver;
   if (const Status status = solver.factor(Eigen::Map<const Eigen::Matrix<S, N, N>>(tau_q.data()));
       status != Status::ok)
     return status;
-  tree.set_accelerations(u.data(), nullptr);
-  tree.forces(c.data());
-  Eigen::Matrix<S, N, 1> qdd;
-  for (int row = 0; row < N; ++row) qdd(row) = tau(speed(row)) - c(row);
-  [[maybe_unused]] Square applied_q, applied_qd;
-  if constexpr (HasAxisForces<Axes>::value) {
-    Axes::forces(q, qd, in, c.data(), applied_q.data(), applied_qd.data());
-    qdd += c.template head<N>();
-  }
+  typename State::Rows c;
+  state.bias(c);
+  SpeedVector<M> qdd;
+  for (int row = 0; row < N; ++row) qdd(row) = tau(State::speed(row)) - c(row);
   solver.solve(qdd);
   if (!all_finite(qdd)) return Status::not_finite;
-  tree.set_accelerations(u.data(), qdd.data());
-  tree.derivatives(tau_q.data(), tau_qd.data());
-  if constexpr (HasAxisForces<Axes>::value) {
-    const auto subtract = [](Square& from, const Square& less) {
-      Eigen::Map<Eigen::Array<S, N * N, 1>>(from.data()) -=
-          Eigen::Map<const Eigen::Array<S, N * N, 1>>(less.data());
-    };
-    subtract(tau_q, applied_q);
-    subtract(tau_qd, applied_qd);
-  }
+  state.derivatives(qdd.data(), tau_q, tau_qd);
   if (const Status status = solver.solve(
           {{tau_q.data(), out.qdd_q.data()}, {tau_qd.data(), out.qdd_qd.data()}}, out.qdd_tau.data());
       status != Status::ok)
     return status;
-  for (int row = 0; row < N; ++row) out.qdd(speed(row)) = qdd(row);
+  for (int row = 0; row < N; ++row) out.qdd(State::speed(row)) = qdd(row);
   return Status::ok;
 }
 
@@ -137,10 +90,9 @@ template <class M>
                                Linearization<M>& out) {
   static_assert(is_mechanism_v<M>,
                 "generate M with mass_matrix_and_bias and coordinate_rates (alembert/mechanism.hpp)");
-  static_assert(
-      detail::kLinearizesByAxes<M> || has_derivatives_v<M> || detail::HasForwardDerivatives<M>::value,
-      "generate M with inverse_dynamics_derivatives or forward_dynamics_derivatives");
-  if constexpr (detail::kLinearizesByAxes<M>) {
+  static_assert(detail::kByAxes<M> || has_derivatives_v<M> || detail::HasForwardDerivatives<M>::value,
+                "generate M with inverse_dynamics_derivatives or forward_dynamics_derivatives");
+  if constexpr (detail::kByAxes<M>) {
     if (!detail::is_finite_state(in.t, q, qd)) return Status::not_finite;
     return detail::linearize_by_axes<M>(q, qd, tau, in, out);
   } else if constexpr (detail::kLinearizesByWriting<M>) {

@@ -13,6 +13,8 @@
 //                                            between branches are not read. Without it all are.
 //   M::SpeedParentsOf                        M itself. A type that derives from it inherits another's name, and
 //                                            with that not its branches: it may add to M(q).
+//   M::Axes                                  where each speed turns or slides one frame about or along an axis
+//                                            fixed in it: axis_tree.hpp; M::Axes::Of is M itself
 //   M::energy(q, u, in)                      kinetic and potential energy
 //   M::forward_dynamics(q, u, tau, in)       du/dt without checks
 //   M::forward_dynamics_derivatives(q, u, tau, in, qdd_q, qdd_qd, qdd_tau)
@@ -120,6 +122,20 @@ struct HasDerivatives<M,
                           std::declval<const SpeedVector<M>&>(), std::declval<const typename M::Inputs&>(),
                           std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
     : std::true_type {};
+
+/// Whether M has a struct Axes of its own, which names it; a type that derives from M may add to its forces.
+template <class M, class = void>
+struct HasAxes : std::false_type {};
+
+template <class M>
+struct HasAxes<M, std::enable_if_t<std::is_same_v<typename M::Axes::Of, M>>>
+    : std::bool_constant<std::is_same_v<typename M::Scalar, double> ||
+                         std::is_same_v<typename M::Scalar, float>> {};
+
+/// Measured: of fewer speeds, generated M, c and derivatives take as long.
+inline constexpr int kFewestByAxes = 8;
+template <class M>
+inline constexpr bool kByAxes = HasAxes<M>::value&& M::kNv >= kFewestByAxes;
 
 /// Which speed carries which: of a mechanism that does not say, each the next.
 template <class M, class = void>

@@ -54,7 +54,8 @@ struct Found {
       programs->forces =
           lower("axis_forces",
                 std::vector<OutputExpressions>{
-                    {"Q", n, 1, form->Q}, {"Q_q", n, n, form->Q_q}, {"Q_qd", n, n, form->Q_qd}},
+                    {"Q", n, 1, form->Q},
+                    {"changes", static_cast<std::uint32_t>(form->changes.size()), 1, form->changes}},
                 bindings);
   }
   std::optional<double> error() const {

@@ -17,6 +17,7 @@
 #include <walker/walker.hpp>
 
 #include "alembert/integrate.hpp"
+#include "alembert/inverse_dynamics_derivatives.hpp"
 #include "alembert/linearize.hpp"
 #include "emit/emit.hpp"
 #include "emit/interpreted_states.hpp"
@@ -233,8 +234,8 @@ template <class S>
 void expect_same_linearization(double allowed) {
   using Walker = bits::walker::Mechanism<S>;
   using Plain = PlainWalker<S>;
-  static_assert(alembert::detail::kLinearizesByAxes<Walker>);
-  static_assert(!alembert::detail::kLinearizesByAxes<Plain>);
+  static_assert(alembert::detail::kByAxes<Walker>);
+  static_assert(!alembert::detail::kByAxes<Plain>);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const State<bits::walker::Mechanism<>> s = random_state<bits::walker::Mechanism<>>(seed);
     typename Walker::CoordinateVector q = s.q.template cast<S>();
@@ -255,6 +256,16 @@ void expect_same_linearization(double allowed) {
     expect_near(found.qdd_q, wanted.qdd_q);
     expect_near(found.qdd_qd, wanted.qdd_qd);
     expect_near(found.qdd_tau, wanted.qdd_tau);
+    typename Walker::SpeedMatrix tau_q, tau_qd, wanted_q, wanted_qd;
+    ASSERT_EQ(alembert::inverse_dynamics_derivatives<Walker>(q, qd, tau, in, tau_q, tau_qd),
+              alembert::Status::ok);
+    Walker::inverse_dynamics_derivatives(q, qd, tau, in, wanted_q, wanted_qd);
+    expect_near(tau_q, wanted_q);
+    expect_near(tau_qd, wanted_qd);
+    ASSERT_EQ(alembert::inverse_dynamics_derivatives<Plain>(q, qd, tau, in, tau_q, tau_qd),
+              alembert::Status::ok);
+    EXPECT_EQ(tau_q, wanted_q);
+    EXPECT_EQ(tau_qd, wanted_qd);
   }
 }
 TEST(CompiledMechanism, LinearizationByAxesIsThatByGeneratedDerivatives) {

@@ -57,7 +57,7 @@ class AxisFunctions {
         numbers_(std::make_unique<AxisNumbers>(NamedNumbers(axes.table), static_cast<int>(n_))),
         tree_(std::make_unique<AxisTreeOfNumbers>(*numbers_)),
         frames_(12 * n_ + kMore),
-        applied_(axes.forces ? n_ + 2 * n_ * n_ : 0),
+        applied_(axes.forces ? n_ + axes.table.force_entries.size() : 0),
         rows_(n_ * n_ + kMore),
         more_rows_(n_ * n_ + kMore) {}
 
@@ -79,11 +79,14 @@ class AxisFunctions {
     const std::vector<double> rates = by_rows(inputs, ArgumentKind::qdd);
     tree_->set_accelerations(speeds_.data(), rates.data());
     tree_->derivatives(rows_.data(), more_rows_.data());
+    for (std::size_t k = 0; k < axes_.table.force_entries.size(); ++k) {
+      const auto entry = static_cast<std::size_t>(axes_.table.force_entries[k]);
+      (entry < n_ * n_ ? rows_[entry] : more_rows_[entry - n_ * n_]) -= applied_[n_ + k];
+    }
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t j = 0; j < n_; ++j) {
-        const std::size_t k = i * n_ + j;
-        found[at(i, j)] = rows_[k] - (applied_.empty() ? 0 : applied_[n_ + k]);
-        found[n_ * n_ + at(i, j)] = more_rows_[k] - (applied_.empty() ? 0 : applied_[n_ + n_ * n_ + k]);
+        found[at(i, j)] = rows_[i * n_ + j];
+        found[n_ * n_ + at(i, j)] = more_rows_[i * n_ + j];
       }
   }
 

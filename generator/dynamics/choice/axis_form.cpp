@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "alembert/axis_tree.hpp"
+#include "alembert/mechanism.hpp"
 #include "dynamics/choice/force_derivatives.hpp"
 #include "dynamics/recursions/armature.hpp"
 #include "dynamics/rewrites/rigid_links.hpp"
@@ -201,7 +201,7 @@ std::optional<AxisForm> axis_form(const Kinematics& kinematics) {
     const std::size_t operations = count_operations(frames).total();
     if (best && operations >= fewest) return;
     fewest = operations;
-    best = AxisForm{rows.table(), std::move(frames), {}, {}, {}};
+    best = AxisForm{rows.table(), std::move(frames), {}, {}};
   };
   for (const MotionTree* tree : {&kinematics.tree, kinematics.peeled ? &*kinematics.peeled : nullptr}) {
     if (tree == nullptr) continue;
@@ -216,15 +216,20 @@ std::optional<AxisForm> axis_form(const Kinematics& kinematics) {
   if (const std::vector<Expr>& Q = kinematics.applied.Q;
       std::ranges::any_of(Q, [](Expr x) { return !x.is_zero(); })) {
     const std::vector<Expr> both = derivatives_of_the_whole(kinematics, Q);
-    const std::size_t n = Q.size();
-    for (const int i : best->table.speeds) {
-      const auto row = static_cast<std::size_t>(i);
-      best->Q.push_back(Q[row]);
-      for (const int j : best->table.speeds) {
-        const auto column = static_cast<std::size_t>(j);
-        best->Q_q.push_back(both[row * n + column]);
-        best->Q_qd.push_back(both[(n + row) * n + column]);
-      }
+    const std::vector<int>& speeds = best->table.speeds;
+    const std::size_t n = speeds.size();
+    const auto speed = [&](std::size_t row) { return static_cast<std::size_t>(speeds[row]); };
+    for (std::size_t row = 0; row < n; ++row) best->Q.push_back(Q[speed(row)]);
+    for (std::size_t k = 0; k < 2 * n * n; ++k) {
+      const Expr change = both[k / (n * n) * n * n + speed(k / n % n) * n + speed(k % n)];
+      if (change.is_zero()) continue;
+      best->table.force_entries.push_back(static_cast<int>(k));
+      best->changes.push_back(change);
+    }
+    // Of forces that nothing changes: an array of nothing is none.
+    if (best->changes.empty()) {
+      best->table.force_entries.push_back(0);
+      best->changes.push_back(graph.zero());
     }
   }
   return best;

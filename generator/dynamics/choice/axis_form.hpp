@@ -20,8 +20,8 @@ struct AxisForm {
   /// 12 x nv: for each row of the table [R p] of its frame, entry after entry. p is the way from the origin of a frame in
   /// the middle of the tree, so that a mechanism has its digits wherever it stands.
   std::vector<Expr> frames;
-  /// Applied forces by rows, and their derivatives along the speeds and by them, row by row; empty where there are none.
-  std::vector<Expr> Q, Q_q, Q_qd;
+  /// Applied forces by rows, and the force_entries of their derivatives; empty where there are none.
+  std::vector<Expr> Q, changes;
 };
 
 /// Inertias and gravity must be numbers; frames and applied forces may be of runtime parameters. Nothing for mechanisms of

@@ -11,6 +11,7 @@
 #include "alembert/energy.hpp"
 #include "alembert/implicit_step.hpp"
 #include "alembert/integrate.hpp"
+#include "alembert/inverse_dynamics_derivatives.hpp"
 #include "alembert/linearize.hpp"
 #include "alembert/topology.hpp"
 #include "reference.hpp"
@@ -112,6 +113,19 @@ void check_free(const char* model, const State<M>& good) {
     expect((out.qdd(0) == S(7)) == (status != Status::ok), "linearize leaves its result unless ok");
     return status;
   });
+  if constexpr (alembert::has_derivatives_v<M>)
+    check<M>((name + " inverse_dynamics_derivatives").c_str(), good, of_q | of_u | of_tau | of_t,
+             [](State<M>& s) {
+               alembert::SpeedMatrix<M> along, by_speeds;
+               along.setConstant(7);
+               by_speeds = along;
+               const Status status =
+                   alembert::inverse_dynamics_derivatives<M>(s.q, s.u, s.tau, s.in, along, by_speeds);
+               expect((along(0, 0) == S(7)) == (status != Status::ok) &&
+                          (by_speeds(0, 0) == S(7)) == (status != Status::ok),
+                      "inverse_dynamics_derivatives leaves its results unless ok");
+               return status;
+             });
   check<M>((name + " energy").c_str(), good, of_q | of_u | of_t, [](State<M>& s) {
     alembert::Energy<S> out{7, 7};
     const Status status = alembert::energy<M>(s.q, s.u, s.in, out);
@@ -346,16 +360,16 @@ struct SpoiltTree : models::Dense<12> {
       }
       in.spoil(0, frames);
     }
-    static void forces(const Vector&, const Vector&, const Inputs& in, double* Q, double* Q_q, double* Q_qd) {
-      for (std::size_t i = 0; i < n * n; ++i) Q_q[i] = Q_qd[i] = i % (n + 1) == 0 ? -0.5 : 0;
+    static constexpr std::array<int, 4> kForceEntries{0, 17, 144, 260};
+    static void forces(const Vector&, const Vector&, const Inputs& in, double* Q, double* changes) {
       for (std::size_t i = 0; i < n; ++i) Q[i] = 0.25;
+      for (std::size_t i = 0; i < 4; ++i) changes[i] = -0.5;
       in.spoil(1, Q);
-      in.spoil(2, Q_q);
-      in.spoil(3, Q_qd);
+      in.spoil(2, changes);
     }
   };
 };
-static_assert(alembert::detail::kLinearizesByAxes<SpoiltTree>);
+static_assert(alembert::detail::kByAxes<SpoiltTree>);
 
 void check_linearize_of_trees() {
   const SpoiltTree::Vector zero = SpoiltTree::Vector::Zero(), some = SpoiltTree::Vector::Constant(0.3);
@@ -365,8 +379,8 @@ void check_linearize_of_trees() {
   out.qdd.setConstant(7);
   out.qdd_q.setConstant(7);
   out.qdd_qd = out.qdd_tau = out.qdd_q;
-  constexpr std::size_t n = SpoiltTree::n, sizes[] = {12 * n, n, n * n, n * n};
-  for (in.array = 0; in.array < 4; ++in.array)
+  constexpr std::size_t n = SpoiltTree::n, sizes[] = {12 * n, n, 4};
+  for (in.array = 0; in.array < 3; ++in.array)
     for (in.at = 0; in.at < sizes[in.array]; ++in.at)
       for (const double bad : kBad) {
         in.entry = bad;
@@ -376,6 +390,12 @@ void check_linearize_of_trees() {
         expect(out.qdd.minCoeff() == 7 && out.qdd.maxCoeff() == 7, what + ": its result stays");
         for (const auto* X : {&out.qdd_q, &out.qdd_qd, &out.qdd_tau})
           expect(X->minCoeff() == 7 && X->maxCoeff() == 7, what + ": its matrices stay");
+        if (in.array == 1) continue;
+        expect(
+            alembert::inverse_dynamics_derivatives<SpoiltTree>(zero, some, some, in, out.qdd_q, out.qdd_qd),
+            Status::not_finite, what + ", derivatives");
+        for (const auto* X : {&out.qdd_q, &out.qdd_qd})
+          expect(X->minCoeff() == 7 && X->maxCoeff() == 7, what + ": derivatives stay");
       }
 }
 
