@@ -14,6 +14,7 @@
 
 namespace alembert {
 namespace detail {
+inline namespace ALEMBERT_INSTRUCTIONS {
 
 template <class M>
 inline constexpr AxisTables<typename M::Scalar, M::kNv> kAxisTables{typename M::Axes()};
@@ -81,5 +82,6 @@ class AxisState {
   Applied<Axes, kHasForces> applied_;
 };
 
+}  // namespace ALEMBERT_INSTRUCTIONS
 }  // namespace detail
 }  // namespace alembert

@@ -34,6 +34,7 @@
 
 namespace alembert {
 namespace detail {
+inline namespace ALEMBERT_INSTRUCTIONS {
 
 /// As many numbers as an instruction takes, of AVX-512 half as many: measured, longer vectors are filled less.
 template <class S>
@@ -143,8 +144,9 @@ struct AxisTables {
     }
     for (int k = 0; k < count; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      for (int at = k; at >= 0; at = parents[static_cast<std::size_t>(at)]) add(carriers[i], at);
-      for (int at = k + 1; at < ends[i]; ++at) add(carried[i], at);
+      if (parents[i] >= 0) carriers[i] = carriers[static_cast<std::size_t>(parents[i])];
+      add(carriers[i], k, k + 1);
+      add(carried[i], k + 1, ends[i]);
     }
   }
 
@@ -161,9 +163,14 @@ struct AxisTables {
   constexpr bool fits_run(int length, int k) const {
     return length + (first_of_three[static_cast<std::size_t>(k)] ? 3 : 1) <= kLongestRun;
   }
-  static constexpr void add(LanesOfBlocks& lanes, int column) {
-    auto& own = lanes[static_cast<std::size_t>(column / kLanes)];
-    own = static_cast<std::uint16_t>(own | 1U << (column % kLanes));
+  /// Columns from `first` to `end` - 1. In few steps: of constants compilers count them.
+  static constexpr void add(LanesOfBlocks& lanes, int first, int end) {
+    for (int at = first / kLanes * kLanes; at < end; at += kLanes) {
+      const unsigned up_to_end = (1U << std::min(end - at, kLanes)) - 1;
+      const unsigned before = (1U << std::max(first - at, 0)) - 1;
+      auto& own = lanes[static_cast<std::size_t>(at / kLanes)];
+      own = static_cast<std::uint16_t>(own | (up_to_end & ~before));
+    }
   }
 };
 
@@ -188,6 +195,9 @@ class AxisTree {
   static Vector dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
   static Three plus_scaled(const Three& a, const Vector& k, const Three& b) {
     return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z};
+  }
+  static Three scaled_less(const Vector& k, const Three& a, const Three& b) {
+    return {k * a.x - b.x, k * a.y - b.y, k * a.z - b.z};
   }
   struct Symmetric {
     Vector xx, yy, zz, xy, xz, yz;
@@ -455,7 +465,7 @@ class AxisTree {
     const Square P{{plus_scaled(cross(om, {half - J.xx, -J.xy, -J.xz}), h.x, u),
                     plus_scaled(cross(om, {-J.xy, half - J.yy, -J.yz}), h.y, u),
                     plus_scaled(cross(om, {-J.xz, -J.yz, half - J.zz}), h.z, u)}};
-    store(kBodyTurning, at, plus_scaled(P.trace() * om, -Vector(S(1) - Vector{}), P.transposed_times(om)));
+    store(kBodyTurning, at, scaled_less(P.trace(), om, P.transposed_times(om)));
     store(kBodyTurning + 3, at, cross(om, p));
     store(kMoments, at, h);
     for (int c = 0; c < 6; ++c) store(kInertia + c, at, load(kBodyInertia + c, at));
@@ -487,8 +497,8 @@ class AxisTree {
     const Square P = square(kSpread, at);
     store(kUnit, at, cross(h, d) + symmetric(kInertia, at) * xi);
     store(kUnit + 3, at, plus_scaled(cross(xi, h), of(tables_.totals, at), d));
-    const Three g = plus_scaled(cross(three(kMomentum, at), d), P.trace(), xi), less = P * xi;
-    store(kUnitRate, at, {S(2) * (g.x - less.x), S(2) * (g.y - less.y), S(2) * (g.z - less.z)});
+    const Three g = cross(three(kMomentum, at), d) + scaled_less(P.trace(), xi, P * xi);
+    store(kUnitRate, at, g + g);
   }
 
   /// Moment and force that accelerate each body.
@@ -517,8 +527,7 @@ class AxisTree {
     const Vector mass = of(tables_.totals, at), trace = P.trace();
     const auto store_change = [&](int to, const Three& e1, const Three& angular, const Three& linear,
                                   const Three& moment, const Three& force) {
-      const Three less = P.transposed_times(e1), twice = cross(e1, p);
-      const Three more = {trace * e1.x - less.x, trace * e1.y - less.y, trace * e1.z - less.z};
+      const Three twice = cross(e1, p), more = scaled_less(trace, e1, P.transposed_times(e1));
       store(to, at, cross(h, linear) + J * angular + (more + more) + moment);
       store(to + 3, at, plus_scaled(cross(angular, h) + (twice + twice) + force, mass, linear));
     };
@@ -628,5 +637,6 @@ class AxisTree {
   Scratch<S, N, kPadded * kQuantities> values_;
 };
 
+}  // namespace ALEMBERT_INSTRUCTIONS
 }  // namespace detail
 }  // namespace alembert

@@ -17,6 +17,7 @@
 
 namespace alembert {
 namespace detail {
+inline namespace ALEMBERT_INSTRUCTIONS {
 
 /// Rows of a matrix of n columns by packets, as many numbers as an instruction takes, and packets in blocks that
 /// are done together.
@@ -623,5 +624,6 @@ class BranchSolver {
   S inverse_pivot_[N];
 };
 
+}  // namespace ALEMBERT_INSTRUCTIONS
 }  // namespace detail
 }  // namespace alembert

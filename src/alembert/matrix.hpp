@@ -8,6 +8,16 @@
 #include <cstddef>
 #include <type_traits>
 
+// Where classes are laid out by the instructions that a file is compiled for, their names have this in them, so that
+// files compiled for different ones may be linked.
+#if defined(__AVX512F__)
+#define ALEMBERT_INSTRUCTIONS for_avx512
+#elif defined(__AVX__)
+#define ALEMBERT_INSTRUCTIONS for_avx
+#else
+#define ALEMBERT_INSTRUCTIONS for_any
+#endif
+
 namespace alembert {
 
 /// A matrix of R x C numbers on the heap. To Eigen it is a dynamic one; copying and making one allocates, and
