@@ -7,6 +7,7 @@
 
 #include "alembert/consistent_state.hpp"
 #include "alembert/constrained_dynamics.hpp"
+#include "alembert/forward_dynamics.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "simulation/dynamics_evaluator.hpp"
 #include "simulation/input_table.hpp"
@@ -34,6 +35,9 @@ class InterpretedMechanism {
   static bool written_rates(const Eigen::VectorXd&, const Eigen::VectorXd&, const Eigen::VectorXd&,
                             Eigen::VectorXd&) {
     return false;
+  }
+  static Status rates_of(const Eigen::VectorXd& tau, Eigen::MatrixXd& mass, Eigen::VectorXd& c) {
+    return detail::solve_for_rates(tau, mass, c);
   }
   void mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& mass,
                             Eigen::VectorXd& c) const;

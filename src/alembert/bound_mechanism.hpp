@@ -8,6 +8,7 @@
 //   time(), set_time(t)                s
 //   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
 //   written_rates(q, u, tau, rates)    du/dt without M (forward_dynamics.hpp); false: M must be solved with
+//   rates_of(tau, M, c)                du/dt with it, in the place of c, or a status; M is spoilt
 //   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
 //   coordinate_rates(q, u)             N(q) u
 //   states(), set_states(s)            the states besides q and u, kNs x 1
@@ -53,6 +54,9 @@ class BoundMechanism {
   bool written_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u, const SpeedVector<M>& tau,
                      SpeedVector<M>& rates) const {
     return detail::written_rates<M>(q, u, tau, in_, rates);
+  }
+  Status rates_of(const SpeedVector<M>& tau, SpeedMatrix<M>& mass, SpeedVector<M>& c) const {
+    return detail::rates_of<M>(tau, mass, c);
   }
   CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
     return M::coordinate_rates(q, u);

@@ -101,7 +101,7 @@ template <class System, class Speeds>
   }
   SizedMatrix<typename System::Scalar, System::kNv, System::kNv> mass;
   system.mass_matrix_and_bias(q, u, mass, x);
-  if (const Status status = solve_for_rates(tau, mass, x); status != Status::ok) return status;
+  if (const Status status = system.rates_of(tau, mass, x); status != Status::ok) return status;
   rate = x;
   return Status::ok;
 }
