@@ -192,6 +192,11 @@ class AxisTree {
   static Three cross(const Three& a, const Three& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  /// Component c of a x b.
+  static S cross(const S* a, const S* b, int c) {
+    const int y = (c + 1) % 3, z = (c + 2) % 3;
+    return a[y] * b[z] - a[z] * b[y];
+  }
   static Vector dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
   static Three plus_scaled(const Three& a, const Vector& k, const Three& b) {
     return {a.x + k * b.x, a.y + k * b.y, a.z + k * b.z};
@@ -282,7 +287,7 @@ class AxisTree {
     for (int at = 0; at < padded(); at += kLanes) move_by_units(at);
   }
 
-  /// Rows of M up to the diagonal, and zeros or anything after it.
+  /// Rows of M up to the diagonal; what stands after it is left open.
   /// \param M  count x count, and room for kLanes more
   void mass_matrix(S* M) {
     for (int row = 0; row < tables_.count; ++row) {
@@ -303,9 +308,7 @@ class AxisTree {
 
   /// \param qdd  rates of the speeds by rows, or null: zeros
   void set_accelerations(const S* qd, const S* qdd) {
-    const auto gravity = [&](int c) {
-      return c < 3 ? S(0) : -tables_.gravity[static_cast<std::size_t>(c - 3)];
-    };
+    const auto gravity = [&](int c) { return c < 3 ? S(0) : -tables_.gravity[index(c - 3)]; };
     if (qdd == nullptr)
       spread(kAcceleration, kMovedAcceleration, gravity,
              [&](int k, int c) { return entry(kPsi + c, k) * qd[k]; });
@@ -314,10 +317,7 @@ class AxisTree {
              [&](int k, int c) { return entry(kPsi + c, k) * qd[k] + entry(kTwist + c, k) * qdd[k]; });
     for (int at = 0; at < padded(); at += kLanes) load_bodies(at);
     add_up<6>(kLoad, [](S* sum, const S* way, int) {
-      for (int c = 0; c < 3; ++c) {
-        const int y = (c + 1) % 3, z = (c + 2) % 3;
-        sum[c] += way[y] * sum[3 + z] - way[z] * sum[3 + y];
-      }
+      for (int c = 0; c < 3; ++c) sum[c] += cross(way, sum + 3, c);
     });
   }
 
@@ -382,7 +382,7 @@ class AxisTree {
     }
     // Speeds of one quaternion carry each other: forces turn along.
     for (int first = 0; first < tables_.count; ++first) {
-      if (!tables_.first_of_three[static_cast<std::size_t>(first)]) continue;
+      if (!tables_.first_of_three[index(first)]) continue;
       for (int i = first; i < first + 3; ++i)
         for (int j = i + 1; j < first + 3; ++j) {
           S sum = 0;
@@ -476,7 +476,7 @@ class AxisTree {
   /// E of the speeds of quaternions.
   void correct_triples() {
     for (int first = 0; first < tables_.count; ++first) {
-      if (!tables_.first_of_three[static_cast<std::size_t>(first)]) continue;
+      if (!tables_.first_of_three[index(first)]) continue;
       const int last = first + 2;
       for (int k = first; k <= last; ++k)
         for (int c = 0; c < 3; ++c) {
@@ -596,10 +596,7 @@ class AxisTree {
         for (int c = 0; c < 6; ++c) sum[c] = entry(after + c, parent);
       if (parent >= 0 && k == tables_.starts[index(k)]) {
         const std::array<S, 3> r = way(parent, k);
-        for (int c = 0; c < 3; ++c) {
-          const int y = (c + 1) % 3, z = (c + 2) % 3;
-          sum[3 + c] += sum[y] * r[index(z)] - sum[z] * r[index(y)];
-        }
+        for (int c = 0; c < 3; ++c) sum[3 + c] += cross(sum, r.data(), c);
       }
       // Three speeds of a quaternion have what carries them all.
       const bool within = tables_.is_within_three(k);

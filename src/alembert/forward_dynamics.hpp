@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "alembert/branch_solver.hpp"
 #include "alembert/mechanism.hpp"
@@ -99,11 +98,11 @@ template <class S, int N, int K>
 /// Measured: of more speeds BranchSolver takes less time, of a chain too.
 inline constexpr int kMostByFactor = 8;
 
-/// The same by M's branches; what becomes of `mass` is left open.
+/// x = M^-1 (tau - x), given x = c. Both are spoilt unless the status is ok; what becomes of `mass` is left open.
 template <class M>
 [[nodiscard]] Status rates_of(const SpeedVector<M>& tau, SpeedMatrix<M>& mass, SpeedVector<M>& x) {
   using S = typename M::Scalar;
-  if constexpr (M::kNv > kMostByFactor && (std::is_same_v<S, double> || std::is_same_v<S, float>)) {
+  if constexpr (M::kNv > kMostByFactor && is_machine_number_v<S>) {
     x = tau - x;
     if (!all_finite(x)) return Status::not_finite;
     BranchSolver<S, SpeedTree<M>> solver;

@@ -123,14 +123,17 @@ struct HasDerivatives<M,
                           std::declval<SpeedMatrix<M>&>(), std::declval<SpeedMatrix<M>&>()))>>
     : std::true_type {};
 
+/// What instructions take several of.
+template <class S>
+inline constexpr bool is_machine_number_v = std::is_same_v<S, double> || std::is_same_v<S, float>;
+
 /// Whether M has a struct Axes of its own, which names it; a type that derives from M may add to its forces.
 template <class M, class = void>
 struct HasAxes : std::false_type {};
 
 template <class M>
 struct HasAxes<M, std::enable_if_t<std::is_same_v<typename M::Axes::Of, M>>>
-    : std::bool_constant<std::is_same_v<typename M::Scalar, double> ||
-                         std::is_same_v<typename M::Scalar, float>> {};
+    : std::bool_constant<is_machine_number_v<typename M::Scalar>> {};
 
 /// Measured: of fewer speeds, generated M, c and derivatives take as long.
 inline constexpr int kFewestByAxes = 8;

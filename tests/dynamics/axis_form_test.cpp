@@ -125,16 +125,13 @@ TEST(AxisForm, OtherMechanismsHaveNone) {
 }
 
 TEST(AxisForm, RandomTrees) {
-  int trees = 0;
   for (unsigned seed = 0; seed < 12; ++seed) {
     TreeWriter writer(seed);
     const Found found =
         found_in(writer.description(10 + static_cast<int>(seed), 1 + static_cast<int>(seed % 4), true));
     ASSERT_TRUE(found.form) << "seed " << seed;
     EXPECT_LT(found.error().value_or(1), 1e-12) << "seed " << seed;
-    ++trees;
   }
-  EXPECT_EQ(trees, 12);
 }
 
 }  // namespace

@@ -56,32 +56,31 @@ class AxisRows {
   std::vector<Expr> frames() const {
     const std::size_t nodes = tree_.nodes.size(), n = table_.speeds.size();
     const Pose world = identity_pose(graph_);
-    std::vector<Mat3> turns;
-    for (const MotionNode& node : tree_.nodes)
-      turns.push_back(moved({before(node, turns, world), world.origin}, node.motion).rotation);
-    // What a node's motion shifts its frame by, in world axes.
-    const auto shift = [&](std::size_t i) {
-      const MotionNode& node = tree_.nodes[i];
-      return moved({before(node, turns, world), world.origin}, node.motion).origin;
-    };
+    // Of each node its rotation in the world, and what its motion shifts it by, in world axes.
+    std::vector<Pose> steps;
+    for (const MotionNode& node : tree_.nodes) {
+      const Mat3& before =
+          node.parent < 0 ? world.rotation : steps[static_cast<std::size_t>(node.parent)].rotation;
+      steps.push_back(moved({before, world.origin}, node.motion));
+    }
     std::vector<std::optional<Vec3>> places(nodes);
     std::optional<Vec3> of_world;
     const auto place_of_parent = [&](std::size_t i) -> std::optional<Vec3>& {
       const int parent = tree_.nodes[i].parent;
       return parent < 0 ? of_world : places[static_cast<std::size_t>(parent)];
     };
-    std::size_t middle = nodes_[middle_row()];
+    const std::size_t middle = nodes_[middle_row()];
     places[middle] = world.origin;
     for (std::size_t at = middle;; at = static_cast<std::size_t>(tree_.nodes[at].parent)) {
-      place_of_parent(at) = *places[at] - shift(at);
+      place_of_parent(at) = *places[at] - steps[at].origin;
       if (tree_.nodes[at].parent < 0) break;
     }
     for (std::size_t i = 0; i < nodes; ++i)
-      if (!places[i]) places[i] = *place_of_parent(i) + shift(i);
+      if (!places[i]) places[i] = *place_of_parent(i) + steps[i].origin;
     std::vector<Expr> out(12 * n, graph_.zero());
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t c = 0; c < 3; ++c) out[(4 * r + c) * n + k] = turns[nodes_[k]](r, c);
+        for (std::size_t c = 0; c < 3; ++c) out[(4 * r + c) * n + k] = steps[nodes_[k]].rotation(r, c);
         out[(4 * r + 3) * n + k] = (*places[nodes_[k]])[r];
       }
     return out;
@@ -89,10 +88,6 @@ class AxisRows {
 
  private:
   static constexpr int kNone = -1;
-
-  static Mat3 before(const MotionNode& node, const std::vector<Mat3>& turns, const Pose& world) {
-    return node.parent < 0 ? world.rotation : turns[static_cast<std::size_t>(node.parent)];
-  }
 
   bool add(std::size_t i) {
     const MotionNode& node = tree_.nodes[i];
