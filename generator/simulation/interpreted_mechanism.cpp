@@ -47,6 +47,17 @@ void InterpretedMechanism::mass_matrix_and_bias(const Eigen::VectorXd& q, const 
   c = Eigen::Map<const Eigen::VectorXd>(values.data() + n * n, n);
 }
 
+Status InterpretedMechanism::forward_dynamics(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                              const Eigen::VectorXd& tau, Eigen::VectorXd& rates) const {
+  if (!detail::is_finite_state(time(), q, u)) return Status::not_finite;
+  Eigen::MatrixXd mass;
+  Eigen::VectorXd x;
+  mass_matrix_and_bias(q, u, mass, x);
+  if (const Status status = detail::solve_for_rates(tau, mass, x); status != Status::ok) return status;
+  rates = x;
+  return Status::ok;
+}
+
 void InterpretedMechanism::constraints(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& P,
                                        Eigen::VectorXd& gamma, Eigen::VectorXd& velocity,
                                        Eigen::VectorXd& position) const {

@@ -31,14 +31,9 @@ class InterpretedMechanism {
   void set_time(double t) { state_.t = t; }
   /// As in the constructor.
   void set_inputs(const EvaluationState& inputs) { state_ = inputs; }
-  /// Never: simulation reports what M says of a singular state.
-  static bool written_rates(const Eigen::VectorXd&, const Eigen::VectorXd&, const Eigen::VectorXd&,
-                            Eigen::VectorXd&) {
-    return false;
-  }
-  static Status rates_of(const Eigen::VectorXd& tau, Eigen::MatrixXd& mass, Eigen::VectorXd& c) {
-    return detail::solve_for_rates(tau, mass, c);
-  }
+  /// By M, so that simulation reports what that says of a singular state.
+  [[nodiscard]] Status forward_dynamics(const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                        const Eigen::VectorXd& tau, Eigen::VectorXd& rates) const;
   void mass_matrix_and_bias(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::MatrixXd& mass,
                             Eigen::VectorXd& c) const;
   /// A row of P that has no value has no gamma, velocity and position either, so that no algorithm mistakes

@@ -49,6 +49,7 @@ class AxisState {
     if constexpr (kHasForces) Axes::forces(q, qd, in, applied_.Q.data(), applied_.changes.data());
   }
 
+  const AxisTree<S, N>& tree() const { return tree_; }
   /// Up to the diagonal of each row.
   void mass_matrix(Square& mass) { tree_.mass_matrix(mass.data()); }
   /// c of tau = M qdd + c.

@@ -287,6 +287,28 @@ class AxisTree {
     for (int at = 0; at < padded(); at += kLanes) move_by_units(at);
   }
 
+  /// What a row adds to what carries it, about O of its run.
+  struct Joint {
+    S twist[6], mass, moment[3], inertia[6];  ///< of its body m, h, J: xx yy zz xy xz yz
+    S armature, inertia_of_all;               ///< M_kk: of the speed, with all that it moves
+  };
+  Joint joint(int k) const {
+    Joint out;
+    for (int c = 0; c < 6; ++c) out.twist[c] = entry(kTwist + c, k);
+    out.mass = tables_.masses[index(k)];
+    for (int c = 0; c < 3; ++c) out.moment[c] = entry(kBodyMoment + c, k);
+    for (int c = 0; c < 6; ++c) out.inertia[c] = entry(kBodyInertia + c, k);
+    out.armature = out.inertia_of_all = tables_.armatures[index(k)];
+    for (int c = 0; c < 6; ++c) out.inertia_of_all += out.twist[c] * entry(kUnit + c, k);
+    return out;
+  }
+  /// From O of one row's run to that of another's.
+  std::array<S, 3> way(int from, int to) const {
+    std::array<S, 3> out;
+    for (int c = 0; c < 3; ++c) out[index(c)] = entry(kPole + c, to) - entry(kPole + c, from);
+    return out;
+  }
+
   /// Rows of M up to the diagonal; what stands after it is left open.
   /// \param M  count x count, and room for kLanes more
   void mass_matrix(S* M) {
@@ -575,13 +597,6 @@ class AxisTree {
       else
         none(at);
     }
-  }
-
-  /// From O of one row's run to that of another's.
-  std::array<S, 3> way(int from, int to) const {
-    std::array<S, 3> out;
-    for (int c = 0; c < 3; ++c) out[index(c)] = entry(kPole + c, to) - entry(kPole + c, from);
-    return out;
   }
 
   /// Twists from the root on: `before` is what carries a row has, `after` that and what the row adds.

@@ -7,8 +7,7 @@
 //   nq(), nv(), nc()                   the sizes
 //   time(), set_time(t)                s
 //   mass_matrix_and_bias(q, u, M, c)   as in mechanism.hpp
-//   written_rates(q, u, tau, rates)    du/dt without M (forward_dynamics.hpp); false: M must be solved with
-//   rates_of(tau, M, c)                du/dt with it, in the place of c, or a status; M is spoilt
+//   forward_dynamics(q, u, tau, rates) du/dt without constraints, or a status (forward_dynamics.hpp)
 //   constraints(q, u, P, gamma, velocity, position)   likewise; called only where nc() > 0
 //   coordinate_rates(q, u)             N(q) u
 //   states(), set_states(s)            the states besides q and u, kNs x 1
@@ -51,12 +50,9 @@ class BoundMechanism {
                             SpeedVector<M>& c) const {
     M::mass_matrix_and_bias(q, u, in_, mass, c);
   }
-  bool written_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u, const SpeedVector<M>& tau,
-                     SpeedVector<M>& rates) const {
-    return detail::written_rates<M>(q, u, tau, in_, rates);
-  }
-  Status rates_of(const SpeedVector<M>& tau, SpeedMatrix<M>& mass, SpeedVector<M>& c) const {
-    return detail::rates_of<M>(tau, mass, c);
+  [[nodiscard]] Status forward_dynamics(const CoordinateVector<M>& q, const SpeedVector<M>& u,
+                                        const SpeedVector<M>& tau, SpeedVector<M>& rates) const {
+    return alembert::forward_dynamics<M>(q, u, tau, in_, rates);
   }
   CoordinateVector<M> coordinate_rates(const CoordinateVector<M>& q, const SpeedVector<M>& u) const {
     return M::coordinate_rates(q, u);

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
+#include "alembert/column_solver.hpp"
 #include "alembert/floating_point.hpp"
 #include "alembert/matrix.hpp"
 #include "alembert/status.hpp"
@@ -18,36 +18,6 @@
 namespace alembert {
 namespace detail {
 inline namespace ALEMBERT_INSTRUCTIONS {
-
-/// Rows of a matrix of n columns by packets, as many numbers as an instruction takes, and packets in blocks that
-/// are done together.
-template <class S, int N>
-struct PacketColumns {
-  using Packet = typename Eigen::internal::packet_traits<S>::type;
-  static constexpr int kLanes = Eigen::internal::unpacket_traits<Packet>::size;
-  // As many as there are registers for, of four rows.
-#ifdef EIGEN_HAS_SINGLE_INSTRUCTION_MADD
-  static constexpr int kMostPackets = EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32 ? 4 : 3;
-#else
-  static constexpr int kMostPackets = 2;
-#endif
-  /// Packets of a row, each of so many columns from column(packet) on: the last one starts early enough to be full.
-  static constexpr int kPackets = (N + kLanes - 1) / kLanes, kWidth = N < kLanes ? N : kLanes;
-  static constexpr int column(int packet) {
-    return std::min(packet * kLanes, N - kWidth);
-  }
-  static constexpr int blocks_of(int packets) {
-    return (packets + kMostPackets - 1) / kMostPackets;
-  }
-  /// Packets of each block but the last.
-  static constexpr int block_packets(int packets) {
-    return (packets + blocks_of(packets) - 1) / blocks_of(packets);
-  }
-  /// Whether a block of the packets of one row ends before column k.
-  static constexpr bool ends_before(int k) {
-    return k % (block_packets(kPackets) * kLanes) == 0;
-  }
-};
 
 /// Rows of a symmetric matrix, branch by branch.
 template <std::size_t n>
@@ -122,64 +92,12 @@ struct HasSpeeds : std::false_type {};
 template <class Tree>
 struct HasSpeeds<Tree, std::void_t<decltype(Tree::kSpeeds)>> : std::true_type {};
 
-/// The speed of each row and the row of each speed.
-template <std::size_t n>
-struct SpeedOrder {
-  int speeds[n] = {}, places[n] = {};
-  bool as_rows = true;
-};
-template <std::size_t n, class Speeds>
-constexpr SpeedOrder<n> order_of_speeds(const Speeds& speeds_of_rows) {
-  SpeedOrder<n> out;
-  for (std::size_t k = 0; k < n; ++k) {
-    out.speeds[k] = speeds_of_rows[k];
-    out.places[out.speeds[k]] = static_cast<int>(k);
-    out.as_rows = out.as_rows && out.speeds[k] == static_cast<int>(k);
-  }
-  return out;
-}
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wignored-attributes"
+/// Packets that are done together, of four rows: as many as there are registers for.
+#ifdef EIGEN_HAS_SINGLE_INSTRUCTION_MADD
+inline constexpr int kPacketsOfBranches = EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32 ? 4 : 3;
+#else
+inline constexpr int kPacketsOfBranches = 2;
 #endif
-/// Stores a packet of columns of N rows, up to row `end` or further: row(i) is where row i has it, to(j) where column j
-/// of the packet goes.
-template <class S, int N, class Row, class To>
-void store_columns(int end, Row&& row, To&& to) {
-  using namespace Eigen::internal;
-  using Columns = PacketColumns<S, N>;
-  constexpr int kLanes = Columns::kLanes;
-  if constexpr (N < kLanes) {
-    for (int j = 0; j < N; ++j)
-      for (int i = 0; i < end; ++i) to(j)[i] = row(i)[j];
-  } else {
-    for (int p = 0; p * kLanes < end; ++p) {
-      const int first = Columns::column(p);
-      PacketBlock<typename Columns::Packet, kLanes> block;
-      for (int i = 0; i < kLanes; ++i) block.packet[i] = ploadu<typename Columns::Packet>(row(first + i));
-      ptranspose(block);
-      for (int j = 0; j < kLanes; ++j) pstoreu(to(j) + first, block.packet[j]);
-    }
-  }
-}
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
-/// Stores an N x N matrix that stands row by row, by rows of Order, column by column, by speeds.
-template <class Order, class S>
-void store_by_speeds(const S* rows, S* columns) {
-  constexpr int N = static_cast<int>(Order::kSpeeds.size());
-  static constexpr auto kOrder = order_of_speeds<static_cast<std::size_t>(N)>(Order::kSpeeds);
-  using Columns = PacketColumns<S, N>;
-  for (int p = 0; p < Columns::kPackets; ++p) {
-    const int column = Columns::column(p);
-    store_columns<S, N>(
-        N, [&](int i) { return rows + kOrder.places[i] * N + column; },
-        [&](int j) { return columns + kOrder.speeds[column + j] * N; });
-  }
-}
 
 /// A = L^T D L for a symmetric positive definite A, from the last row up: where each speed stands after those that
 /// carry it, L keeps the zeros of A between branches. After Featherstone, Rigid Body Dynamics Algorithms, 2008,
@@ -190,12 +108,17 @@ void store_by_speeds(const S* rows, S* columns) {
 ///               each row, parents, A and right-hand sides are by rows, branch by branch; only matrices that solutions
 ///               go to have their rows and columns by speeds.
 template <class S, class Tree>
-class BranchSolver {
+class BranchSolver : public ColumnSolver<BranchSolver<S, Tree>, S, static_cast<int>(Tree::kParents.size()),
+                                         kPacketsOfBranches> {
   static constexpr int N = static_cast<int>(Tree::kParents.size());
   static_assert(N > 0, "the size must be positive");
-  using Columns = PacketColumns<S, N>;
-  using Packet = typename Columns::Packet;
-  static constexpr int kLanes = Columns::kLanes, kPackets = Columns::kPackets, kWidth = Columns::kWidth;
+  using Base = ColumnSolver<BranchSolver, S, N, kPacketsOfBranches>;
+  friend Base;
+  using Base::kLanes;
+  using typename Base::Columns;
+  using typename Base::Packet;
+  template <int columns>
+  using Rows = typename Base::template Rows<columns>;
   // Rows that are done together.
   static constexpr int kTogether = 4;
   static constexpr auto kRows = branches_of(Tree::kParents, kTogether, Columns::ends_before);
@@ -238,6 +161,7 @@ class BranchSolver {
     return Status::ok;
   }
 
+  using Base::solve;
   /// x = A^-1 x.
   void solve(Eigen::Matrix<S, N, 1>& x) const {
     // Measured: many sums in turn take longer than adding along rows, from some twenty rows on.
@@ -252,70 +176,6 @@ class BranchSolver {
     }
   }
 
-  /// An n x n matrix B, row by row; and where -A^-1 B goes, column by column.
-  struct Sides {
-    const S* rows;
-    S* columns;
-  };
-  /// \param inverse  where A^-1 goes, column by column
-  /// \return         not_finite, with all solutions left as they were, if a solution has such entries
-  template <std::size_t count>
-  [[nodiscard]] Status solve(const Sides (&sides)[count], S* inverse) const {
-    using namespace Eigen::internal;
-    constexpr int kOfSides = static_cast<int>(count) * kPackets;
-    // Block after block, in each row after row.
-    Rows<(kOfSides + kPackets) * kLanes> all;
-    const auto at = [rows = all.data()](int packet) { return rows + packet * N * kLanes; };
-    bool finite = true;
-    each_block<kOfSides>([&](int first, auto packets) {
-      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
-      const S* from[kCount];
-      for (int p = 0; p < kCount; ++p)
-        from[p] = sides[(first + p) / kPackets].rows + Columns::column((first + p) % kPackets);
-      sweep(packets, at(first), N, S(-1), [&](int row, auto p) { return load(from[p], given(row)); });
-      finite = finite && tips_finite<kApart>(at(first), N);
-    });
-    const auto end_of = [](int first, int packets) { return Columns::column(first + packets - 1) + kWidth; };
-    each_block<kPackets>([&](int first, auto packets) {
-      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
-      S* const rows = at(kOfSides + first);
-      const int end = end_of(first, kCount);
-      // Of rows in another order all are stored.
-      if constexpr (!kOrder.as_rows) std::fill(rows + end * kApart, rows + N * kApart, S(0));
-      sweep(packets, rows, end, S(1),
-            [&](int row, auto p) { return unit(row - Columns::column(first + p)); });
-      finite = finite && tips_finite<kApart>(rows, end);
-    });
-    if (!finite) return Status::not_finite;
-    each_block<kOfSides>([&](int first, auto packets) {
-      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
-      for (int p = 0; p < kCount; ++p) {
-        S* const to = sides[(first + p) / kPackets].columns;
-        const int column = Columns::column((first + p) % kPackets);
-        store<kApart>(at(first) + p * kLanes, N,
-                      [&](int j) { return to + (kByRows ? speed(column + j) : column + j) * N; });
-      }
-    });
-    each_block<kPackets>([&](int first, auto packets) {
-      constexpr int kCount = static_cast<int>(packets.size()), kApart = kCount * kLanes;
-      const S* const rows = at(kOfSides + first);
-      for (int p = 0; p < kCount; ++p) {
-        const int column = Columns::column(first + p);
-        const S* const own = rows + p * kLanes;
-        store<kApart>(own, kOrder.as_rows ? end_of(first, kCount) : N,
-                      [&](int j) { return inverse + speed(column + j) * N; });
-        // The inverse is symmetric: what is missing below a block of columns stands in its rows.
-        for (int i = 0; i < Columns::column(first); ++i) {
-          if constexpr (kOrder.as_rows && N >= kLanes)
-            pstoreu(inverse + i * N + column, pload<Packet>(own + i * kApart));
-          else
-            for (int j = 0; j < kWidth; ++j) inverse[speed(i) * N + speed(column + j)] = own[i * kApart + j];
-        }
-      }
-    });
-    return Status::ok;
-  }
-
  private:
   static constexpr int kPadded = (N + kLanes - 1) / kLanes * kLanes;
 
@@ -324,10 +184,9 @@ class BranchSolver {
   /// Rows of a group before they are scaled.
   using Plain = S[kTogether][kPadded];
 
-  /// Of a row: its speed, and where it stands in what is given. Of a speed: its row.
-  static int speed(int at) { return kOrder.speeds[at]; }
+  /// Where a row stands in what is given.
   static int given(int at) { return kByRows ? at : kOrder.speeds[at]; }
-  static int place(int at) { return kOrder.places[at]; }
+  static bool is_tip(int k) { return kRows.ends[k] == k + 1; }
   S* row(int k) { return rows_.data() + k * kPadded; }
   const S* row(int k) const { return rows_.data() + k * kPadded; }
   template <int count, class Call>
@@ -352,14 +211,6 @@ class BranchSolver {
     }
   }
 
-  /// call(first packet, sequence of as many numbers as there are packets) for each block.
-  template <int packets, class Call>
-  static void each_block(Call&& call) {
-    constexpr int kEach = Columns::block_packets(packets);
-    constexpr int kLast = (Columns::blocks_of(packets) - 1) * kEach;
-    for (int first = 0; first < kLast; first += kEach) call(first, std::make_index_sequence<kEach>());
-    call(kLast, std::make_index_sequence<packets - kLast>());
-  }
   /// Rows that carry a row, those first that follow each other up to it: from .. to - 1, which may be none.
   struct Carriers {
     explicit Carriers(int carried) : from(kRows.starts[carried]), to(carried) {}
@@ -396,9 +247,7 @@ class BranchSolver {
     using namespace Eigen::internal;
     S* const own = row(k);
     const S pivot = own[k];
-    if (!is_finite(pivot)) return Status::not_finite;
-    if (!(pivot > S(0)) || !(pivot > S(N) * std::numeric_limits<S>::epsilon() * whole))
-      return Status::not_positive_definite;
+    if (const Status status = Base::status_of(pivot, whole); status != Status::ok) return status;
     inverse_pivot_[k] = S(1) / pivot;
     const Packet factor = pset1<Packet>(S(-1) / pivot);
     int at = 0;
@@ -432,35 +281,6 @@ class BranchSolver {
     }
   }
 
-  /// Rows of some columns.
-  template <int columns>
-  using Rows = Scratch<S, N, N * columns>;
-
-  /// A packet of a row of an n x n matrix that stands row by row, with zeros where the row is shorter.
-  /// \param columns  where the packet's columns stand in the first row
-  static Packet load(const S* columns, int row) {
-    using namespace Eigen::internal;
-    const S* const from = columns + row * N;
-    if constexpr (N >= kLanes) {
-      return ploadu<Packet>(from);
-    } else if (row * N + kLanes <= N * N) {
-      return pand(ploadu<Packet>(from), pcmp_lt(plset<Packet>(S(0)), pset1<Packet>(S(N))));
-    } else {
-      alignas(64) S all[kLanes] = {};
-      std::copy(from, from + N, all);
-      return pload<Packet>(all);
-    }
-  }
-  /// A packet with a one at this place, or zeros.
-  static Packet unit(int place) {
-    struct Window {
-      S entries[2 * kLanes] = {};
-      constexpr Window() { entries[kLanes - 1] = S(1); }
-    };
-    static constexpr Window kWindow;
-    return Eigen::internal::ploadu<Packet>(kWindow.entries +
-                                           (place >= 0 && place < kLanes ? kLanes - 1 - place : kLanes));
-  }
   // Looked up here once, not in each lambda.
   static EIGEN_ALWAYS_INLINE Packet same(S entry) { return Eigen::internal::pset1<Packet>(entry); }
   static EIGEN_ALWAYS_INLINE Packet add_product(const Packet& a, const Packet& b, const Packet& sum) {
@@ -471,22 +291,6 @@ class BranchSolver {
     Packet out = Eigen::internal::pload<Packet>(from);
     if constexpr (kLanes > 1) ALEMBERT_AS_ROUNDED(out);
     return out;
-  }
-  /// Whether solutions of rows before `end` are finite: those rows have all, after all that carries them, that carry
-  /// no other. What is not finite stays so when it is multiplied, with a zero of L too.
-  template <int apart>
-  static bool tips_finite(const S* rows, int end) {
-    bool finite = true;
-    for (int k = 0; k < end; ++k)
-      if (k + 1 == end || kRows.ends[k] == k + 1)
-        finite = finite && all_finite(static_cast<std::size_t>(apart), rows + k * apart);
-    return finite;
-  }
-  /// A packet of each row before `end`, or more, to(j) being where column j of it goes.
-  template <int apart, class To>
-  static void store(const S* rows, int end, To&& to) {
-    store_columns<S, N>(
-        end, [&](int i) { return rows + place(i) * apart; }, to);
   }
 
   /// x = A^-1 x, adding along whole rows of L up to a group: between branches L is zero, and from the group on the
@@ -547,9 +351,7 @@ class BranchSolver {
     for (int i = 0; i < N; ++i) x(given(i)) = solution[i];
   }
 
-  /// Some columns, row after row, the rows of which are zero from `end` on, and of the solution not wanted.
-  /// \param factor  of the solution
-  /// \param given   given(row, p) is a packet of the right-hand side, which is asked for once
+  /// As of ColumnSolver.
   template <std::size_t... p, class Given>
   void sweep(std::index_sequence<p...> packets, S* rows, int end, S factor, Given&& given) const {
     for (int at = kRows.group_count; at-- > 0;) {

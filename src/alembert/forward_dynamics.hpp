@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "alembert/articulated_solver.hpp"
+#include "alembert/axis_state.hpp"
 #include "alembert/branch_solver.hpp"
 #include "alembert/mechanism.hpp"
 #include "alembert/status.hpp"
@@ -114,6 +116,32 @@ template <class M>
   }
 }
 
+/// x = M^-1 (tau - c) by the rows of M::Axes.
+/// \param solver  which has factors of M
+template <class M, class Solver>
+[[nodiscard]] Status rates_by_axes(AxisState<M>& state, const Solver& solver, const SpeedVector<M>& tau,
+                                   SpeedVector<M>& x) {
+  typename AxisState<M>::Rows c;
+  state.bias(c);
+  for (int row = 0; row < M::kNv; ++row) x(row) = tau(state.speed(row)) - c(row);
+  solver.solve(x);
+  return all_finite(x) ? Status::ok : Status::not_finite;
+}
+
+/// qdd is left as it was unless the status is ok.
+template <class M>
+[[nodiscard]] Status rates_by_bodies(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
+                                     const SpeedVector<M>& tau, const typename M::Inputs& in,
+                                     SpeedVector<M>& qdd) {
+  AxisState<M> state(q, qd, in);
+  ArticulatedSolver<M> solver;
+  if (const Status status = solver.factor(state.tree()); status != Status::ok) return status;
+  SpeedVector<M> x;
+  if (const Status status = rates_by_axes<M>(state, solver, tau, x); status != Status::ok) return status;
+  for (int row = 0; row < M::kNv; ++row) qdd(state.speed(row)) = x(row);
+  return Status::ok;
+}
+
 /// Whether the largest of written rates tells that M is not singular. Zero does not: nothing drives what M leaves
 /// open then.
 template <class S>
@@ -147,7 +175,7 @@ template <class M>
 /// are none; as if there were no constraints (constrained_dynamics.hpp has those). The generated
 /// M::forward_dynamics, which has no checks, is used where M has it and no runtime parameters, which may be
 /// masses. Otherwise, and where that finds rates that are not finite, large or all zero, M is factored
-/// and tells whether it is singular.
+/// and tells whether it is singular; of long chains with M::Axes by articulated bodies, without M.
 ///
 /// The generated function keeps its digits closer to a singular state than M does. There, where forces move some
 /// coordinates and leave alone what M leaves open, its rates may be the result, with ok: they solve
@@ -171,11 +199,15 @@ template <class M>
     qdd = x;
     return Status::ok;
   }
-  SpeedMatrix<M> mass;
-  M::mass_matrix_and_bias(q, qd, in, mass, x);
-  if (const Status status = detail::rates_of<M>(tau, mass, x); status != Status::ok) return status;
-  qdd = x;
-  return Status::ok;
+  if constexpr (detail::kSolvesByBodies<M>) {
+    return detail::rates_by_bodies<M>(q, qd, tau, in, qdd);
+  } else {
+    SpeedMatrix<M> mass;
+    M::mass_matrix_and_bias(q, qd, in, mass, x);
+    if (const Status status = detail::rates_of<M>(tau, mass, x); status != Status::ok) return status;
+    qdd = x;
+    return Status::ok;
+  }
 }
 
 }  // namespace alembert

@@ -93,17 +93,7 @@ template <class System, class Speeds>
       return status;
     }
   }
-  if (!is_finite_state(system.time(), q, u)) return Status::not_finite;
-  Speeds x;
-  if (system.written_rates(q, u, tau, x)) {
-    rate = x;
-    return Status::ok;
-  }
-  SizedMatrix<typename System::Scalar, System::kNv, System::kNv> mass;
-  system.mass_matrix_and_bias(q, u, mass, x);
-  if (const Status status = system.rates_of(tau, mass, x); status != Status::ok) return status;
-  rate = x;
-  return Status::ok;
+  return system.forward_dynamics(q, u, tau, rate);
 }
 
 /// The end of a step: finite, with unit quaternions, on the constraints.

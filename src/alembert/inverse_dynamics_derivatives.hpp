@@ -3,7 +3,7 @@
 #pragma once
 
 #include "alembert/axis_state.hpp"
-#include "alembert/branch_solver.hpp"
+#include "alembert/column_solver.hpp"
 #include "alembert/floating_point.hpp"
 #include "alembert/mechanism.hpp"
 #include "alembert/status.hpp"

@@ -3,6 +3,7 @@
 // stack (matrix.hpp), no exceptions.
 #pragma once
 
+#include "alembert/articulated_solver.hpp"
 #include "alembert/axis_state.hpp"
 #include "alembert/branch_solver.hpp"
 #include "alembert/forward_dynamics.hpp"
@@ -40,7 +41,7 @@ void derivatives_by_rows(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
   }
 }
 
-/// linearize of a tree of axes, branch by branch.
+/// linearize of a tree of axes.
 template <class M>
 [[nodiscard]] Status linearize_by_axes(const CoordinateVector<M>& q, const SpeedVector<M>& qd,
                                        const SpeedVector<M>& tau, const typename M::Inputs& in,
@@ -50,22 +51,22 @@ template <class M>
   constexpr int N = M::kNv;
   State state(q, qd, in);
   typename State::Square tau_q, tau_qd;
-  state.mass_matrix(tau_q);
-  BranchSolver<S, typename M::Axes> solver;
-  if (const Status status = solver.factor(Eigen::Map<const Eigen::Matrix<S, N, N>>(tau_q.data()));
-      status != Status::ok)
-    return status;
-  typename State::Rows c;
-  state.bias(c);
+  std::conditional_t<kSolvesByBodies<M>, ArticulatedSolver<M>, BranchSolver<S, typename M::Axes>> solver;
+  Status status;
+  if constexpr (kSolvesByBodies<M>) {
+    status = solver.factor(state.tree());
+  } else {
+    state.mass_matrix(tau_q);
+    status = solver.factor(Eigen::Map<const Eigen::Matrix<S, N, N>>(tau_q.data()));
+  }
+  if (status != Status::ok) return status;
   SpeedVector<M> qdd;
-  for (int row = 0; row < N; ++row) qdd(row) = tau(State::speed(row)) - c(row);
-  solver.solve(qdd);
-  if (!all_finite(qdd)) return Status::not_finite;
+  status = rates_by_axes<M>(state, solver, tau, qdd);
+  if (status != Status::ok) return status;
   state.derivatives(qdd.data(), tau_q, tau_qd);
-  if (const Status status = solver.solve(
-          {{tau_q.data(), out.qdd_q.data()}, {tau_qd.data(), out.qdd_qd.data()}}, out.qdd_tau.data());
-      status != Status::ok)
-    return status;
+  status = solver.solve({{tau_q.data(), out.qdd_q.data()}, {tau_qd.data(), out.qdd_qd.data()}},
+                        out.qdd_tau.data());
+  if (status != Status::ok) return status;
   for (int row = 0; row < N; ++row) out.qdd(State::speed(row)) = qdd(row);
   return Status::ok;
 }

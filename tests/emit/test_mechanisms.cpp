@@ -256,6 +256,9 @@ void expect_same_linearization(double allowed) {
     expect_near(found.qdd_q, wanted.qdd_q);
     expect_near(found.qdd_qd, wanted.qdd_qd);
     expect_near(found.qdd_tau, wanted.qdd_tau);
+    typename Walker::SpeedVector by_bodies;
+    ASSERT_EQ(alembert::detail::rates_by_bodies<Walker>(q, qd, tau, in, by_bodies), alembert::Status::ok);
+    expect_near(by_bodies, wanted.qdd);
     typename Walker::SpeedMatrix tau_q, tau_qd, wanted_q, wanted_qd;
     ASSERT_EQ(alembert::inverse_dynamics_derivatives<Walker>(q, qd, tau, in, tau_q, tau_qd),
               alembert::Status::ok);

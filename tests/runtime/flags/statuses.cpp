@@ -321,6 +321,8 @@ struct Spoilt : models::Dense<12> {
 };
 
 /// A tree of axes, branched, of which one entry of its frames or of what forces give can be spoilt.
+/// \tparam by_bodies  solved so, not by factors of M
+template <bool by_bodies>
 struct SpoiltTree : models::Dense<12> {
   static constexpr std::size_t n = 12;
   struct Inputs : models::Inputs<double> {
@@ -369,31 +371,43 @@ struct SpoiltTree : models::Dense<12> {
     }
   };
 };
-static_assert(alembert::detail::kByAxes<SpoiltTree>);
 
+}  // namespace
+namespace alembert::detail {
+template <>
+inline constexpr bool kSolvesByBodies<SpoiltTree<true>> = true;
+}  // namespace alembert::detail
+namespace {
+
+template <class Tree>
 void check_linearize_of_trees() {
-  const SpoiltTree::Vector zero = SpoiltTree::Vector::Zero(), some = SpoiltTree::Vector::Constant(0.3);
-  SpoiltTree::Inputs in;
-  alembert::Linearization<SpoiltTree> out;
-  expect(alembert::linearize<SpoiltTree>(zero, some, zero, in, out), Status::ok, "no tree spoilt");
+  static_assert(alembert::detail::kByAxes<Tree>);
+  const typename Tree::Vector zero = Tree::Vector::Zero(), some = Tree::Vector::Constant(0.3);
+  typename Tree::Inputs in;
+  alembert::Linearization<Tree> out;
+  expect(alembert::linearize<Tree>(zero, some, zero, in, out), Status::ok, "no tree spoilt");
   out.qdd.setConstant(7);
   out.qdd_q.setConstant(7);
   out.qdd_qd = out.qdd_tau = out.qdd_q;
-  constexpr std::size_t n = SpoiltTree::n, sizes[] = {12 * n, n, 4};
+  constexpr std::size_t n = Tree::n, sizes[] = {12 * n, n, 4};
   for (in.array = 0; in.array < 3; ++in.array)
     for (in.at = 0; in.at < sizes[in.array]; ++in.at)
       for (const double bad : kBad) {
         in.entry = bad;
         const std::string what =
             "linearize of a tree, array " + std::to_string(in.array) + ", entry " + std::to_string(in.at);
-        expect(alembert::linearize<SpoiltTree>(zero, some, zero, in, out), Status::not_finite, what);
+        expect(alembert::linearize<Tree>(zero, some, zero, in, out), Status::not_finite, what);
         expect(out.qdd.minCoeff() == 7 && out.qdd.maxCoeff() == 7, what + ": its result stays");
         for (const auto* X : {&out.qdd_q, &out.qdd_qd, &out.qdd_tau})
           expect(X->minCoeff() == 7 && X->maxCoeff() == 7, what + ": its matrices stay");
+        if (alembert::detail::kSolvesByBodies<Tree> && in.array < 2) {
+          expect(alembert::forward_dynamics<Tree>(zero, some, zero, in, out.qdd), Status::not_finite,
+                 what + ", forward dynamics");
+          expect(out.qdd.minCoeff() == 7 && out.qdd.maxCoeff() == 7, what + ": rates stay");
+        }
         if (in.array == 1) continue;
-        expect(
-            alembert::inverse_dynamics_derivatives<SpoiltTree>(zero, some, some, in, out.qdd_q, out.qdd_qd),
-            Status::not_finite, what + ", derivatives");
+        expect(alembert::inverse_dynamics_derivatives<Tree>(zero, some, some, in, out.qdd_q, out.qdd_qd),
+               Status::not_finite, what + ", derivatives");
         for (const auto* X : {&out.qdd_q, &out.qdd_qd})
           expect(X->minCoeff() == 7 && X->maxCoeff() == 7, what + ": derivatives stay");
       }
@@ -463,7 +477,8 @@ int main() {
   check_topology();
   check_matrices();
   check_linearize_at_entries();
-  check_linearize_of_trees();
+  check_linearize_of_trees<SpoiltTree<false>>();
+  check_linearize_of_trees<SpoiltTree<true>>();
   check_numbers();
   return failures == 0 ? 0 : 1;
 }
