@@ -12,6 +12,8 @@
 // files compiled for different ones may be linked.
 #if defined(__AVX512F__)
 #define ALEMBERT_INSTRUCTIONS for_avx512
+#elif defined(__FMA__)
+#define ALEMBERT_INSTRUCTIONS for_fma
 #elif defined(__AVX__)
 #define ALEMBERT_INSTRUCTIONS for_avx
 #else

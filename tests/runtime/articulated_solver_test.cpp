@@ -19,7 +19,7 @@ using alembert::Status;
 
 /// As in M::Axes of a generated M, at random; joints of one or, by a quaternion, of three speeds.
 template <int N>
-struct Numbers {
+struct JointNumbers {
   template <class T>
   using PerRow = std::array<T, static_cast<std::size_t>(N)>;
   PerRow<int> parents{};
@@ -29,7 +29,7 @@ struct Numbers {
   PerRow<double> masses{}, armatures{};
 
   /// \param forks  how often in a hundred joints one goes on from further in
-  constexpr explicit Numbers(unsigned forks) {
+  constexpr explicit JointNumbers(unsigned forks) {
     PerRow<int> carriers{};  // of a row the last one of the joint that carries its own
     int last = -1;
     for (int row = 0; row < N;) {
@@ -66,11 +66,11 @@ struct Numbers {
 
 /// What the solver asks of a generated mechanism.
 template <class S, int N, unsigned forks, bool reversed>
-struct Tree {
+struct ChainLike {
   using Scalar = S;
   static constexpr int kNv = N;
   struct Axes {
-    static constexpr Numbers<N> kNumbers{forks};
+    static constexpr JointNumbers<N> kNumbers{forks};
     static constexpr auto kSpeeds = [] {
       std::array<int, static_cast<std::size_t>(N)> out{};
       for (int k = 0; k < N; ++k) out[static_cast<std::size_t>(k)] = reversed ? N - 1 - k : k;
@@ -86,13 +86,13 @@ struct Tree {
 };
 
 template <class M>
-class Solved {
+class SolvedByBodies {
   using S = typename M::Scalar;
   static constexpr int N = M::kNv;
   using Matrix = Eigen::Matrix<S, N, N>;
 
  public:
-  explicit Solved(unsigned seed) : random_(seed), tree_(alembert::detail::kAxisTables<M>) {
+  explicit SolvedByBodies(unsigned seed) : random_(seed), tree_(alembert::detail::kAxisTables<M>) {
     for (int row = 0; row < N; ++row) {
       const Eigen::Matrix3d R(Eigen::Quaterniond(number(), number(), number(), number()).normalized());
       for (int r = 0; r < 3; ++r) {
@@ -169,32 +169,31 @@ class Solved {
 };
 
 template <class M>
-void expect_solved() {
+void expect_solved_by_bodies() {
   for (unsigned seed = 0; seed < 4; ++seed) {
-    Solved<M> solved(seed);
+    SolvedByBodies<M> solved(seed);
     solved.expect_solved();
     solved.expect_refused();
   }
 }
 
 TEST(ArticulatedSolver, SolvesForAllColumns) {
-  expect_solved<Tree<double, 1, 0, false>>();
-  expect_solved<Tree<double, 9, 30, true>>();
-  expect_solved<Tree<double, 37, 0, false>>();
-  expect_solved<Tree<double, 45, 25, false>>();
-  expect_solved<Tree<float, 22, 25, true>>();
+  expect_solved_by_bodies<ChainLike<double, 9, 30, true>>();
+  expect_solved_by_bodies<ChainLike<double, 37, 0, false>>();
+  expect_solved_by_bodies<ChainLike<double, 45, 25, false>>();
+  expect_solved_by_bodies<ChainLike<float, 22, 25, true>>();
 }
 
 /// A tip that has neither a body nor an armature.
-struct Massless : Tree<double, 12, 0, false> {
-  struct Axes : Tree::Axes {
+struct MasslessTip : ChainLike<double, 12, 0, false> {
+  struct Axes : ChainLike::Axes {
     static constexpr auto kMasses = [] {
-      auto out = Tree::Axes::kMasses;
+      auto out = ChainLike::Axes::kMasses;
       out.back() = 0;
       return out;
     }();
     static constexpr auto kInertias = [] {
-      auto out = Tree::Axes::kInertias;
+      auto out = ChainLike::Axes::kInertias;
       for (auto& entries : out) entries.back() = 0;
       return out;
     }();
@@ -202,13 +201,13 @@ struct Massless : Tree<double, 12, 0, false> {
   };
 };
 TEST(ArticulatedSolver, TellsWhatMovesNothing) {
-  const auto& tables = alembert::detail::kAxisTables<Massless>;
+  const auto& tables = alembert::detail::kAxisTables<MasslessTip>;
   alembert::detail::AxisTree<double, 12> tree(tables);
   std::vector<double> frames(12 * 12 + 64), speeds(12);
   for (int entry : {0, 5, 10}) std::fill_n(frames.begin() + entry * 12, 12, 1.0);
   for (int row = 0; row < 12; ++row) frames[static_cast<std::size_t>(3 * 12 + row)] = row;
   tree.set_state(frames.data(), speeds.data());
-  alembert::detail::ArticulatedSolver<Massless> solver;
+  alembert::detail::ArticulatedSolver<MasslessTip> solver;
   EXPECT_EQ(solver.factor(tree), Status::not_positive_definite);
 }
 
