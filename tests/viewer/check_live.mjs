@@ -124,6 +124,8 @@ const motionOf = (page) =>
 /// The pointer on a pendulum, by mouse and by finger, the camera beside it, and the buttons.
 async function checkHand(browser) {
   const { page, wrong } = await livePage(browser, `${mechanisms}/double_pendulum.yaml`);
+  // A page takes longer steps where computing is slow, and they lose more energy.
+  await page.evaluate(() => { window.viewer.live.motions[0].stepLength = () => 1 / 480; });
   const box = await (await page.$("#stage canvas")).boundingBox();
   const seen = () => page.evaluate(() => {
     const { stage } = window.viewer.live;
@@ -150,7 +152,7 @@ async function checkHand(browser) {
   const pulled = await motionOf(page);
   assert.equal(pulled.pulled, false);
   assert.ok(pulled.work > 0.1, `the hand lifts it: ${pulled.work} J`);
-  assert.ok(Math.abs(pulled.energy - start.energy - pulled.work) < 1e-4 * pulled.work, `${pulled.energy - start.energy} J, and ${pulled.work} J of work`);
+  assert.ok(Math.abs(pulled.energy - start.energy - pulled.work) < 2e-5 * pulled.work, `${pulled.energy - start.energy} J, and ${pulled.work} J of work`);
   assert.ok(Math.hypot(...pulled.q) > 0.05);
 
   // Paused, it stays.
