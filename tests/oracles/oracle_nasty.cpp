@@ -3,7 +3,8 @@
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
 // random forces of every kind, with states and outputs, on such mechanisms and on random trees, --in-turn asks
 // mechanisms of more than two speeds for functions besides the dynamics in turn only: they take nine tenths of the
-// time; and --functions f,g asks for those alone, of the mechanisms that have them.
+// time; --speeds N takes those of at most N speeds, so many of them; and --functions f,g asks for those functions alone,
+// of the mechanisms that have them.
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -92,20 +94,26 @@ struct Summary {
 
 int main(int argc, char** argv) {
   bool quiet = false, forces = false, in_turn = false;
+  int most_speeds = std::numeric_limits<int>::max();
   std::set<std::string> only;
   for (; argc > 1 && std::strncmp(argv[1], "--", 2) == 0; ++argv, --argc) {
     quiet = quiet || std::strcmp(argv[1], "--quiet") == 0;
     forces = forces || std::strcmp(argv[1], "--forces") == 0;
     in_turn = in_turn || std::strcmp(argv[1], "--in-turn") == 0;
+    if (std::strcmp(argv[1], "--speeds") == 0 && argc > 2) {
+      most_speeds = std::atoi(argv[2]);
+      ++argv, --argc;
+    }
     if (std::strcmp(argv[1], "--functions") == 0 && argc > 2) {
       only = names_in(argv[2]);
       ++argv, --argc;
     }
   }
   if (argc < 2) {
-    std::fprintf(stderr,
-                 "usage: oracle_nasty [--quiet] [--forces] [--in-turn] [--functions f,g] EXECUTABLE [COUNT] "
-                 "[SEED]\n");
+    std::fprintf(
+        stderr,
+        "usage: oracle_nasty [--quiet] [--forces] [--in-turn] [--speeds N] [--functions f,g] EXECUTABLE "
+        "[COUNT] [SEED]\n");
     return 2;
   }
   const std::string executable = argv[1];
@@ -115,9 +123,11 @@ int main(int argc, char** argv) {
       std::filesystem::temp_directory_path() / ("alembert_nasty_" + std::to_string(getpid()) + ".yaml");
   std::map<std::string, Summary> functions, kinds;
   int compared = 0, failed = 0;
-  for (int i = 0; i < count; ++i) {
-    const std::uint64_t here = seed + static_cast<std::uint64_t>(i);
+  std::uint64_t here = seed;
+  for (int taken = 0; taken < count; ++here) {
     const Case mechanism = forces ? forced_case(here) : nasty_case(here);
+    if (mechanism.description.nv > most_speeds) continue;
+    ++taken;
     std::set<std::string> asked = comparable_functions(mechanism.description);
     if (!only.empty()) {
       std::erase_if(asked, [&](const std::string& name) { return only.count(name) == 0; });
