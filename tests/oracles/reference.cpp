@@ -121,6 +121,17 @@ std::vector<double> made_of(const std::string& function, const std::string& name
   const Eigen::VectorXd unit = unit_of(state);
   if (name == "qdd_q" || name == "qdd_qd")
     return {unit.cwiseProduct(state.exact.at("inverse_dynamics").at("tau")).cwiseAbs().maxCoeff()};
+  if (function == "regressor") {
+    // A mass at a body's origin is accelerated as far from the axis as that is.
+    const auto J = state.exact.find("body_jacobians");
+    if (J == state.exact.end()) return {};
+    const Eigen::MatrixXd ways = half_rows(J->second.at("J"), false) * unit.asDiagonal();
+    const Eigen::MatrixXd& Y = state.exact.at(function).at(name);
+    double acceleration = 0;
+    for (Eigen::Index c = 0; c < Y.cols(); ++c)
+      if (c % 10 >= 1 && c % 10 < 4) acceleration = std::max(acceleration, Y.col(c).cwiseAbs().maxCoeff());
+    return {ways.cwiseAbs().maxCoeff() * acceleration};
+  }
   const auto from = origins().find(function);
   if (from == origins().end() || (function == "centroidal_momentum" && name != "bias")) return {};
   const auto there = state.exact.find(from->second.first), rates = state.exact.find("coordinate_rates");
@@ -339,6 +350,7 @@ std::vector<Reference> taylor_references(const Description& description, const s
   }
   if (functions.count("state_rates_derivatives") != 0) wanted.insert("state_rates");
   if (functions.count("static_regressor") != 0) wanted.insert("regressor");
+  if (functions.count("regressor") != 0) wanted.insert("body_jacobians");
   std::vector<Reference> all;
   for (const State& state : states) {
     all.push_back({numeric_functions<Wide>(description, state, wanted),
