@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "alembert/forward_dynamics.hpp"
 #include "mechanism/parameter_places.hpp"
 
 namespace alembert {

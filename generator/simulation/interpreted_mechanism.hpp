@@ -7,7 +7,7 @@
 
 #include "alembert/consistent_state.hpp"
 #include "alembert/constrained_dynamics.hpp"
-#include "alembert/forward_dynamics.hpp"
+#include "alembert/status.hpp"
 #include "mechanism/constraint_rows.hpp"
 #include "simulation/dynamics_evaluator.hpp"
 #include "simulation/input_table.hpp"

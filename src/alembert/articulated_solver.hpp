@@ -29,8 +29,8 @@ namespace alembert {
 namespace detail {
 inline namespace ALEMBERT_INSTRUCTIONS {
 
-/// Whether it takes less time than factors of M. Measured: where in the mean more rows than this carry each, as in long
-/// chains.
+/// Whether articulated bodies take less time than factors of M. Measured: where a row is carried by more than so many
+/// others in the mean, as in long chains.
 inline constexpr int kDeepByBodies = EIGEN_ARCH_DEFAULT_NUMBER_OF_REGISTERS >= 32 ? 14 : 22;
 template <class M>
 constexpr bool solves_by_bodies() {
@@ -132,12 +132,6 @@ struct ArticulatedInertia {
       A[c] += crossed(way, B[kColumns[c]], kRows[c]) + crossed(way, shifted[kRows[c]], kColumns[c]);
     for (int r = 0; r < 3; ++r) std::copy_n(shifted[r], 3, B[r]);
   }
-
- private:
-  static S crossed(const S* a, const S* b, int c) {
-    const int y = (c + 1) % 3, z = (c + 2) % 3;
-    return a[y] * b[z] - a[z] * b[y];
-  }
 };
 
 /// \tparam M  has a struct Axes: right-hand sides stand by its rows, solutions by speeds
@@ -170,7 +164,7 @@ class ArticulatedSolver
         inertia.times(xi, d, u);
         const S pivot = joint.armature + ((xi[0] * u[0] + xi[1] * u[1] + xi[2] * u[2]) +
                                           (d[0] * u[3] + d[1] * u[4] + d[2] * u[5]));
-        if (const Status status = Base::status_of(pivot, joint.inertia_of_all); status != Status::ok)
+        if (const Status status = status_of_pivot(pivot, joint.inertia_of_all, N); status != Status::ok)
           return status;
         Row& row = rows_[index(k)];
         row.inverse_pivot = S(1) / pivot;

@@ -79,6 +79,13 @@ struct NumberLanes {
   }
 };
 
+/// Component c of a x b.
+template <class S>
+S crossed(const S* a, const S* b, int c) {
+  const int y = (c + 1) % 3, z = (c + 2) % 3;
+  return a[y] * b[z] - a[z] * b[y];
+}
+
 /// What the generator knows of a tree of N speeds, ready for vectors. Rows stand branch by branch; each has the
 /// frame that follows the motion of its speed.
 template <class S, int N>
@@ -191,11 +198,6 @@ class AxisTree {
   };
   static Three cross(const Three& a, const Three& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
-  /// Component c of a x b.
-  static S cross(const S* a, const S* b, int c) {
-    const int y = (c + 1) % 3, z = (c + 2) % 3;
-    return a[y] * b[z] - a[z] * b[y];
   }
   static Vector dot(const Three& a, const Three& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
   static Three plus_scaled(const Three& a, const Vector& k, const Three& b) {
@@ -339,7 +341,7 @@ class AxisTree {
              [&](int k, int c) { return entry(kPsi + c, k) * qd[k] + entry(kTwist + c, k) * qdd[k]; });
     for (int at = 0; at < padded(); at += kLanes) load_bodies(at);
     add_up<6>(kLoad, [](S* sum, const S* way, int) {
-      for (int c = 0; c < 3; ++c) sum[c] += cross(way, sum + 3, c);
+      for (int c = 0; c < 3; ++c) sum[c] += crossed(way, sum + 3, c);
     });
   }
 
@@ -611,7 +613,7 @@ class AxisTree {
         for (int c = 0; c < 6; ++c) sum[c] = entry(after + c, parent);
       if (parent >= 0 && k == tables_.starts[index(k)]) {
         const std::array<S, 3> r = way(parent, k);
-        for (int c = 0; c < 3; ++c) sum[3 + c] += cross(sum, r.data(), c);
+        for (int c = 0; c < 3; ++c) sum[3 + c] += crossed(sum, r.data(), c);
       }
       // Three speeds of a quaternion have what carries them all.
       const bool within = tables_.is_within_three(k);

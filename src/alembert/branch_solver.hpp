@@ -247,7 +247,7 @@ class BranchSolver : public ColumnSolver<BranchSolver<S, Tree>, S, static_cast<i
     using namespace Eigen::internal;
     S* const own = row(k);
     const S pivot = own[k];
-    if (const Status status = Base::status_of(pivot, whole); status != Status::ok) return status;
+    if (const Status status = status_of_pivot(pivot, whole, N); status != Status::ok) return status;
     inverse_pivot_[k] = S(1) / pivot;
     const Packet factor = pset1<Packet>(S(-1) / pivot);
     int at = 0;

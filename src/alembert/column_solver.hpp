@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -185,13 +184,6 @@ class ColumnSolver {
   }
 
  protected:
-  /// \param whole  a pivot as it was before rows were taken away
-  static Status status_of(S pivot, S whole) {
-    if (!is_finite(pivot)) return Status::not_finite;
-    const bool positive = pivot > S(0) && pivot > S(N) * std::numeric_limits<S>::epsilon() * whole;
-    return positive ? Status::ok : Status::not_positive_definite;
-  }
-
   /// Rows of some columns.
   template <int columns>
   using Rows = Scratch<S, N, N * columns>;

@@ -35,7 +35,6 @@ template <class S, int N>
   static_assert(N > 0 || N == Eigen::Dynamic, "the size must be positive");
   constexpr bool by_rows = N != Eigen::Dynamic && N <= detail::kLargestByRows;
   const int n = static_cast<int>(A.rows());  // N, unless that is Eigen::Dynamic
-  const S rounding = S(n) * std::numeric_limits<S>::epsilon();
   const Eigen::Matrix<S, N, 1> diagonal = A.diagonal();
   Eigen::Matrix<S, N, 1> scaled = diagonal;  // L_jk D_k of row j, or L_ij D_j of column j
   for (int j = 0; j < n; ++j) {
@@ -47,8 +46,8 @@ template <class S, int N>
       }
       A(j, j) = pivot;
     }
-    if (!detail::is_finite(pivot)) return Status::not_finite;
-    if (!(pivot > S(0)) || !(pivot > rounding * diagonal(j))) return Status::not_positive_definite;
+    if (const Status status = detail::status_of_pivot(pivot, diagonal(j), n); status != Status::ok)
+      return status;
     S* const column = &A(0, j);
     if constexpr (by_rows) {
       for (int i = j + 1; i < n; ++i) {

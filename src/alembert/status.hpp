@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "alembert/floating_point.hpp"
 
@@ -55,6 +56,15 @@ bool all_finite(const Eigen::MatrixBase<Derived>& x) {
     for (Eigen::Index i = 0; i < x.rows(); ++i)
       if (!is_finite(x(i, j))) return false;
   return true;
+}
+
+/// Whether a pivot of an n x n matrix tells that it is positive definite, as of factor_ldlt.
+/// \param whole  the pivot as it was before rows were taken away
+template <class S>
+[[nodiscard]] Status status_of_pivot(const S& pivot, const S& whole, int n) {
+  if (!is_finite(pivot)) return Status::not_finite;
+  const bool positive = pivot > S(0) && pivot > S(n) * std::numeric_limits<S>::epsilon() * whole;
+  return positive ? Status::ok : Status::not_positive_definite;
 }
 
 /// Whether a state is one: a NaN that no equation reads is an error of the caller's all the same.

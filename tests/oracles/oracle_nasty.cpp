@@ -3,8 +3,8 @@
 // line for each kind and each function; exit 1. Before EXECUTABLE, --quiet leaves descriptions out, --forces puts
 // random forces of every kind, with states and outputs, on such mechanisms and on random trees, --in-turn asks
 // mechanisms of more than two speeds for functions besides the dynamics in turn only: they take nine tenths of the
-// time; --speeds N takes those of at most N speeds, so many of them; and --functions f,g asks for those functions alone,
-// of the mechanisms that have them.
+// time; --speeds N goes on until there are COUNT mechanisms of at most N speeds; and --functions f,g asks for those
+// functions alone, of the mechanisms that have them.
 #include <unistd.h>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
       ++argv, --argc;
     }
   }
-  if (argc < 2) {
+  if (argc < 2 || most_speeds < 1) {
     std::fprintf(
         stderr,
         "usage: oracle_nasty [--quiet] [--forces] [--in-turn] [--speeds N] [--functions f,g] EXECUTABLE "

@@ -122,7 +122,7 @@ std::vector<double> made_of(const std::string& function, const std::string& name
   if (name == "qdd_q" || name == "qdd_qd")
     return {unit.cwiseProduct(state.exact.at("inverse_dynamics").at("tau")).cwiseAbs().maxCoeff()};
   if (function == "regressor") {
-    // A mass at a body's origin is accelerated as far from the axis as that is.
+    // The column of a mass is the acceleration of its body's origin times the origin's distance from the axis.
     const auto J = state.exact.find("body_jacobians");
     if (J == state.exact.end()) return {};
     const Eigen::MatrixXd ways = half_rows(J->second.at("J"), false) * unit.asDiagonal();
